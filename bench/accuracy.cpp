@@ -1,11 +1,11 @@
-// Error against run time: every way to ask when two moving objects meet, on every hard family, beside the
-// exact answer.
+// Error against run time: every method to compute when two moving objects touch, on every hard family, beside
+// the exact result.
 //
 //   bench_accuracy FOLDER [--quick]
 //
-// Writes FOLDER/accuracy.csv (a row a family and method) and FOLDER/stages.csv (which stage of the exact
-// engine had the last word). docs/accuracy.md explains them; accuracy.sh runs this and draws the pictures.
-// Fails if the exact engine is wrong anywhere.
+// Writes FOLDER/accuracy.csv (a row per family and method) and FOLDER/stages.csv (which stage of the exact
+// engine decided). docs/accuracy.md explains them; accuracy.sh runs this and draws the pictures. Fails if the
+// exact engine is wrong anywhere.
 #include <algorithm>
 #include <bit>
 #include <chrono>
@@ -25,23 +25,23 @@ constexpr std::uint64_t seed = 20260101;
 struct Effort {
   std::size_t pairs = 2000, judged = 100;
   double seconds_a_run = 0.02;
-  int runs = 5, most_steps = 100000;
+  int runs = 5, max_steps = 100000;
 };
 
-/// Median, 99th percentile, greatest.
+/// Median, 99th percentile, maximum.
 struct Summary {
-  double median = 0, p99 = 0, most = 0;
+  double median = 0, p99 = 0, max = 0;
 
   explicit Summary(std::vector<double> values) {
     if (values.empty()) return;
     std::sort(values.begin(), values.end());
     median = values[values.size() / 2];
     p99 = values[std::min(values.size() - 1, values.size() * 99 / 100)];
-    most = values.back();
+    max = values.back();
   }
 };
 
-/// How many doubles lie between; times are not negative. What is no number is as far away as a double can be.
+/// The number of doubles between two times that are not negative; the largest possible for a NaN.
 double ulps_between(double a, double b) {
   if (!std::isfinite(a) || !std::isfinite(b)) return 0x1p63;
   const auto place = [](double x) {
@@ -92,7 +92,7 @@ Measured measure(const Method& method, const Truth& truth, const Effort& effort)
 
 std::vector<Method> methods_for(const Family& family, const Effort& effort) {
   std::vector<Method> methods;
-  for (int steps = 10; steps <= effort.most_steps; steps *= 10) methods.push_back(stepping(family, steps));
+  for (int steps = 10; steps <= effort.max_steps; steps *= 10) methods.push_back(stepping(family, steps));
   methods.push_back(textbook_float(family));
   methods.push_back(textbook_double(family));
   methods.push_back(textbook_fma(family));
@@ -121,7 +121,7 @@ class Report {
     for (const Method& method : methods_for(family, effort_)) {
       const Measured m = measure(method, truth, effort_);
       write(family, method, m);
-      if (method.name == "filtered") right &= m.missed + m.invented == 0 && Summary(m.ulps).most == 0;
+      if (method.name == "filtered") right &= m.missed + m.invented == 0 && Summary(m.ulps).max == 0;
     }
     const StageShares s = stage_shares(family);
     stages_ << name << ',' << family.count << ',' << s.chord << ',' << s.certified << ',' << s.exact << ','
@@ -139,7 +139,7 @@ class Report {
     std::snprintf(line, sizeof line, "%s,%s,%s,%s,%zu,%zu,%zu,%zu,%.1f,%.1f,%.3g,%.3g,%.3g,%.3g,%.3g,%.3g\n",
                   family.name.c_str(), family.balls() ? "ball" : "box", method.name.c_str(),
                   method.parameter.c_str(), m.pairs, m.hits, m.missed, m.invented, m.ns, m.ns_p99,
-                  ulps.median, ulps.p99, ulps.most, seconds.median, seconds.p99, seconds.most);
+                  ulps.median, ulps.p99, ulps.max, seconds.median, seconds.p99, seconds.max);
     accuracy_ << line;
   }
 

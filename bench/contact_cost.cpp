@@ -1,17 +1,18 @@
-// What does exactness cost? The same join with the exact contact and with a textbook's in plain double: the
-// same grid, the same candidates, the same output.
+// Cost of exactness: the same join with the exact contact and with a textbook's in plain double, with the
+// same grid, candidates and output.
 //
 //   bench_contact_cost [--quick] [workload ...]
 //
-// Boxes, discs, cylinders, and boxes with discs (workloads.h). Prints nanoseconds of processor time an object
-// and the ratio of exact to plain (medians over repetitions in which both ran one after the other): for a
-// count and for (a, b, t), of the whole join and of contact alone.
+// Boxes, discs, cylinders, and boxes with discs (workloads.h). Prints nanoseconds of processor time per
+// object and the ratio of exact to plain, for a count and for (a, b, t), of the whole join and of contact
+// alone. Figures are medians over repetitions in which both ran one after the other.
 #include <cstdio>
 #include <iterator>
 #include <string>
 
 #include "contact/contact.h"
 #include "index/gpcd_grid/gpcd_grid.h"
+#include "index/resting_bodies.h"
 #include "measure.h"
 #include "plain_contact.h"
 #include "program.h"
@@ -30,12 +31,13 @@ struct Cost {
 template <int D>
 std::unique_ptr<Candidates> candidates_of(const Workload& w) {
   const auto boxes_of = [&](const Workload& side) {
-    return swept_boxes<D>(side.bodies(), {0, w.h}, Vec<D>::Zero(), never);
+    return testing::RestingBodies<D>(swept_boxes<D>(side.bodies(), {0, w.h}, Vec<D>::Zero(), never));
   };
-  const std::vector<Box<D>> boxes = boxes_of(w);
-  if (!w.other) return make_gpcd_grid<D>(std::span<const Box<D>>(boxes), never);
-  const std::vector<Box<D>> others = boxes_of(*w.other);
-  return make_gpcd_grid<D>(boxes, std::span<const Box<D>>(others), never);
+  const testing::RestingBodies<D> boxes = boxes_of(w);
+  if (!w.other) return make_gpcd_grid<D>(boxes.side(), nullptr, never);
+  const testing::RestingBodies<D> others = boxes_of(*w.other);
+  const MovingBoxes<D> second = others.side();
+  return make_gpcd_grid<D>(boxes.side(), &second, never);
 }
 
 /// The grid's candidates in batches, each given to `take`.
@@ -62,7 +64,7 @@ Cost exact_join(const Workload& w, bool with_times) {
   return joined<D>(w, [&](const std::vector<Pair>& candidates, std::vector<Pair>& hits) {
     if (!with_times) return contact->decide(candidates, hits);
     times.clear();
-    contact->first_contacts(candidates, TimesWanted::begins, hits, times);
+    contact->first_contacts(candidates, TimesWanted::starts, hits, times);
   });
 }
 
@@ -77,14 +79,14 @@ Cost plain_join(const Workload& w, bool with_times) {
   });
 }
 
-/// Both ways, one after the other.
+/// Both contacts, one after the other.
 template <int D>
 void compare(const Workload& w, int repetitions) {
   std::printf("%s\n", w.name.c_str());
   for (const bool with_times : {false, true}) {
     std::vector<double> whole, contact, plain_ns, exact_ns;
     Cost plain, exact;
-    for (int repetition = 0; repetition <= repetitions; ++repetition) {  // the first only warms up
+    for (int repetition = 0; repetition <= repetitions; ++repetition) {  // the first is a warm-up
       plain = plain_join<D>(w, with_times);
       exact = exact_join<D>(w, with_times);
       if (repetition == 0) continue;

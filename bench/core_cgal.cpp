@@ -14,7 +14,7 @@ std::vector<CgalBox<D>> cgal_boxes(const Workload& w) {
   std::vector<CgalBox<D>> boxes;
   boxes.reserve(swept.size());
   for (std::uint32_t i = 0; i < swept.size(); ++i) {
-    Box<D> box = swept[i];  // its constructor asks for pointers to what it could change
+    Box<D> box = swept[i];  // its constructor takes pointers to mutable coordinates
     boxes.emplace_back(box.lower.data(), box.upper.data(), i);
   }
   return boxes;

@@ -1,4 +1,4 @@
-// Batches of candidates in, (a, b, t) out, through the textbook's contact in plain double.
+// Emitter of (a, b, t) from batches of candidates, with the textbook's contact in plain double.
 #pragma once
 
 #include <memory>

@@ -3,14 +3,16 @@
 //
 //   bench_core_join [--quick] [--csv FILE] [workload ...]
 //
-// Prints nanoseconds of processor time an object (medians) and ratios to ours of the same repetition.
-// A short run follows another of the same method, so that caches hold what it needs and not what the method
-// before has left. Behind a run of seconds, during which the machine may have changed, ours is run again, and
-// the ratio is to that. "foresee" is the library call of query/join/join.h with method 'auto': it plans, and
-// cuts long horizons into slabs; "one grid" is the grid over the whole horizon, stage by stage; "at rest" is
-// ours with h = 0. On large scenes ours by the clock follows, alone and with helper threads. The program
-// fails if methods differ in a pair; time stepping, which misses pairs, must not have more of them. It is
-// left out where not all are boxes.
+// Prints nanoseconds of processor time per object (medians) and ratios to ours of the same repetition.
+// A short run follows another of the same method, so that caches hold its own data and not that of the method
+// before. After a run of seconds, during which the machine may have changed, ours is run again, and the ratio
+// is to that.
+//
+// "foresee" is the library call of query/join/join.h with method 'auto': it plans, and cuts long horizons
+// into slabs. "one grid" is the grid over the whole horizon, one stage after another; "at rest" is ours with
+// h = 0. On large scenes ours by the clock follows, alone and with helper threads. The program fails if
+// methods differ in a pair; time stepping, which misses pairs, must not have more of them. Stepping is left
+// out unless all objects are boxes.
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -54,7 +56,7 @@ Answer by_grid(const Workload& w, double h, Stages& stages) {
       continue;
     }
     hits.clear(), times.clear();
-    stages.contact += seconds_of([&] { contact->first_contacts(batch, TimesWanted::begins, hits, times); });
+    stages.contact += seconds_of([&] { contact->first_contacts(batch, TimesWanted::starts, hits, times); });
     for (std::size_t i = 0; i < hits.size(); ++i) answer.add(hits[i], times[i].t);
   }
   stages.candidates = cpu_seconds() - begin - stages.contact;
@@ -95,11 +97,11 @@ Answer by_join(const Sides& sides, double h, std::size_t helpers) {
 
 /// False if the helpers change the answer.
 bool compare_helpers(const Workload& w, const Sides& sides, int repetitions) {
-  constexpr std::size_t most = 2;
-  std::vector<double> seconds[most + 1], processor[most + 1];
+  constexpr std::size_t max_helpers = 2;
+  std::vector<double> seconds[max_helpers + 1], processor[max_helpers + 1];
   const Answer alone = by_join(sides, w.h, 0);
   for (int i = 0; i < repetitions; ++i)
-    for (std::size_t helpers = 0; helpers <= most; ++helpers) {
+    for (std::size_t helpers = 0; helpers <= max_helpers; ++helpers) {
       const auto begin = std::chrono::steady_clock::now();
       const double processor_begin = cpu_seconds();
       if (!by_join(sides, w.h, helpers).same_as(alone)) return false;
@@ -107,7 +109,7 @@ bool compare_helpers(const Workload& w, const Sides& sides, int repetitions) {
       seconds[helpers].push_back(
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     }
-  for (std::size_t helpers = 0; helpers <= most; ++helpers)
+  for (std::size_t helpers = 0; helpers <= max_helpers; ++helpers)
     std::printf(
         "    %zu helpers: %8.1f ms by the clock (%.2fx as fast as alone), %8.1f ms of processor time\n",
         helpers, 1000 * median(seconds[helpers]), median(seconds[0]) / median(seconds[helpers]),
@@ -122,10 +124,10 @@ struct Method {
   enum Kind { same_pairs, at_rest, misses_pairs } kind = same_pairs;
   std::vector<double> seconds = {}, ratios = {};
   Answer answer = {};
-  double warm_up = 0;  // what the first run took
+  double warm_up = 0;  // time of the first run
 };
 
-/// Ours first. Those that would take minutes are left out.
+/// Ours first. Methods that would take minutes are left out.
 std::vector<Method> methods_for(const Workload& w, const Sides& sides, Stages& stages, bool quick) {
   std::vector<Method> methods{
       {"foresee", [&] { return by_join(sides, w.h, 0); }},
@@ -170,8 +172,8 @@ void print(const Workload& w, const std::vector<Method>& methods, const Stages& 
   std::fflush(stdout);
 }
 
-/// What one method has freed in small pieces the allocator puts together when the next asks for a large one:
-/// stepping leaves half a second of that to whoever comes after it.
+/// Small blocks that one method has freed are merged by the allocator when the next method requests a large
+/// one. Stepping leaves half a second of that work to the method after it.
 void settle_allocator() {
   const std::unique_ptr<char[]> large(new char[100000]);
   *const_cast<volatile char*>(large.get()) = 1;
@@ -184,7 +186,7 @@ double seconds_of_join(Method& method) {
 
 constexpr double short_run = 0.05, long_run = 2;  // seconds
 
-std::size_t most_runs(const Method& method) {
+std::size_t max_runs(const Method& method) {
   constexpr std::size_t enough = 3, unlimited = -1;
   return method.kind == Method::misses_pairs ? 1 : method.warm_up > long_run ? enough : unlimited;
 }
@@ -201,9 +203,9 @@ bool compare(const Workload& w, int repetitions, bool quick, std::FILE* csv) {
   Stages stages;
   const Sides sides(w);
   std::vector<Method> methods = methods_for(w, sides, stages, quick);
-  for (int repetition = 0; repetition <= repetitions; ++repetition) {  // the first only warms up
+  for (int repetition = 0; repetition <= repetitions; ++repetition) {  // the first is a warm-up
     for (Method& method : methods) {
-      if (method.seconds.size() >= most_runs(method)) continue;
+      if (method.seconds.size() >= max_runs(method)) continue;
       if (repetition > 0 && method.warm_up < short_run) seconds_of_join(method);
       const double seconds = seconds_of_join(method);
       const Answer& ours = methods[0].answer;

@@ -7,6 +7,7 @@
 
 #include "core_emitter.h"
 #include "index/gpcd_grid/gpcd_grid.h"
+#include "index/resting_bodies.h"
 
 namespace foresee::bench {
 namespace {
@@ -22,7 +23,7 @@ BoostPoint<D> boost_point(const Vec<D>& x) {
     return {x[0], x[1], x[2]};
 }
 
-/// A swept box and whose it is.
+/// A swept box and the number of its object.
 template <int D>
 using BoostValue = std::pair<boost::geometry::model::box<BoostPoint<D>>, std::uint32_t>;
 
@@ -36,7 +37,7 @@ std::vector<BoostValue<D>> boost_values(const Workload& w) {
   return values;
 }
 
-/// Where the boxes are at the moment t.
+/// The places of the boxes at time t.
 template <int D>
 void place_boxes(const Workload& w, double t, std::vector<Box<D>>& boxes) {
   const Bodies bodies = w.bodies();
@@ -70,16 +71,16 @@ Answer by_boost(const Workload& w) {
     PlainEmitter emitter(w);
     const std::vector<BoostValue<D>> values = boost_values<D>(w);
     const index::rtree<BoostValue<D>, index::rstar<16>> tree(values);
-    const auto ask = [&](const BoostValue<D>& value, auto&& take) {
+    const auto probe = [&](const BoostValue<D>& value, auto&& take) {
       for (auto hit = tree.qbegin(index::intersects(value.first)); hit != tree.qend(); ++hit)
         take(value.second, hit->second);
     };
     if (w.other) {
       for (const auto& value : boost_values<D>(*w.other))
-        ask(value, [&](std::uint32_t of_other, std::uint32_t hit) { emitter.take(hit, of_other); });
+        probe(value, [&](std::uint32_t of_other, std::uint32_t hit) { emitter.take(hit, of_other); });
     } else {
       for (const auto& value : values)
-        ask(value, [&](std::uint32_t a, std::uint32_t b) {
+        probe(value, [&](std::uint32_t a, std::uint32_t b) {
           if (a < b) emitter.take(a, b);
         });
     }
@@ -99,7 +100,8 @@ Answer by_stepping(const Workload& w, double dt) {
     for (long step = 0; step <= steps; ++step) {
       const double t = static_cast<double>(step) * dt;
       place_boxes<D>(w, t, boxes);
-      const auto grid = make_gpcd_grid<D>(std::span<const Box<D>>(boxes), never);
+      const testing::RestingBodies<D> placed(boxes);
+      const auto grid = make_gpcd_grid<D>(placed.side(), nullptr, never);
       for (; grid->next(batch); batch.clear())
         for (const Pair& pair : batch) {
           ++answer.candidates;

@@ -1,17 +1,16 @@
-// What is the most that one pair of hostile numbers can cost? One row a pair of shapes, axes, law and
-// fuzz, as CSV.
+// Maximum cost of one pair of hostile numbers: one row per pair of shapes, axes, law and fuzz, as CSV.
 //
 //   bench_exponent_fuzz [--quick]
 //
 // Every number of a pair (places, speeds, accelerations, extents, times, within, now, the horizon) gets a
 // power of two of its own:
 //
-//   wide      up to 2^1000 either way
+//   wide      up to 2^1000 and down to 2^-1000
 //   few       the same, but all from four numbers, their negatives and 0: ties and coincidences
-//   ends      the least and the greatest doubles there are, and 0, 1 and 0.1
+//   ends      the smallest and the largest doubles, and 0, 1 and 0.1
 //   grid      small whole numbers with one far exponent among them
 //
-// A pair's cost is that of its decision and, if it touches, both times; processor time, the least of three
+// A pair's cost is that of its decision and, if it touches, both times; processor time, the minimum of three
 // runs. Fails if a pair takes more than 10 ms.
 #include <algorithm>
 #include <array>
@@ -81,12 +80,12 @@ Object object(Numbers& numbers, int axes, Shape shape, Law law) {
 struct Kind {
   const char* name;
   Shape a, b;
-  int least_axes;
+  int min_axes;
 };
 
 struct PairCost {
   std::size_t pairs = 0, hits = 0;
-  double mean = 0, most = 0;  ///< seconds
+  double mean = 0, max = 0;  ///< seconds
 };
 
 double cost_of(const Object& a, const Object& b, const ContactQuestion& question, bool& hit) {
@@ -96,14 +95,14 @@ double cost_of(const Object& a, const Object& b, const ContactQuestion& question
   const Pair pair{0, 0};
   std::vector<Pair> hits;
   std::vector<ContactTimes> times;
-  double least = 1e9;
+  double fastest = 1e9;
   for (int run = 0; run < 3; ++run) {
     hits.clear(), times.clear();
-    const auto ask = [&] { contact->first_contacts({&pair, 1}, TimesWanted::both, hits, times); };
-    least = std::min(least, seconds_of(ask));
+    const auto first_contacts = [&] { contact->first_contacts({&pair, 1}, TimesWanted::both, hits, times); };
+    fastest = std::min(fastest, seconds_of(first_contacts));
   }
   hit = !hits.empty();
-  return least;
+  return fastest;
 }
 
 PairCost cost_of(const Kind& kind, int axes, Law law, Fuzz fuzz, std::size_t pairs) {
@@ -119,7 +118,7 @@ PairCost cost_of(const Kind& kind, int axes, Law law, Fuzz fuzz, std::size_t pai
     bool hit = false;
     const double seconds = cost_of(a, b, question, hit);
     ++cost.pairs, cost.hits += hit;
-    cost.mean += seconds / static_cast<double>(pairs), cost.most = std::max(cost.most, seconds);
+    cost.mean += seconds / static_cast<double>(pairs), cost.max = std::max(cost.max, seconds);
   }
   return cost;
 }
@@ -139,20 +138,20 @@ int main(int count, char** arguments) {
   using namespace foresee;
   using namespace foresee::bench;
   const std::size_t pairs = count > 1 && std::strcmp(arguments[1], "--quick") == 0 ? 100 : 2000;
-  constexpr double most_allowed = 0.010;
-  double most = 0;
+  constexpr double max_allowed = 0.010;
+  double worst = 0;
   std::printf("pair,axes,law,numbers,pairs,hits,mean_us,worst_us\n");
   for (const Kind& kind : kinds)
-    for (int axes = kind.least_axes; axes <= 3; ++axes)
+    for (int axes = kind.min_axes; axes <= 3; ++axes)
       for (Law law : {Law::uniform, Law::accelerated})
         for (Fuzz fuzz : {Fuzz::wide, Fuzz::few, Fuzz::ends, Fuzz::grid}) {
           const PairCost cost = cost_of(kind, axes, law, fuzz, pairs);
-          most = std::max(most, cost.most);
+          worst = std::max(worst, cost.max);
           std::printf("\"%s\",%d,%s,%s,%zu,%zu,%.1f,%.1f\n", kind.name, axes,
                       law == Law::uniform ? "uniform" : "accelerated", fuzz_names[static_cast<int>(fuzz)],
-                      cost.pairs, cost.hits, cost.mean * 1e6, cost.most * 1e6);
+                      cost.pairs, cost.hits, cost.mean * 1e6, cost.max * 1e6);
           std::fflush(stdout);
         }
-  std::fprintf(stderr, "worst pair: %.2f ms\n", most * 1e3);
-  return most <= most_allowed ? 0 : 1;
+  std::fprintf(stderr, "worst pair: %.2f ms\n", worst * 1e3);
+  return worst <= max_allowed ? 0 : 1;
 }

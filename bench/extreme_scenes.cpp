@@ -1,8 +1,8 @@
-// Stiff and extreme scenes through SQL: how long do they take? One row a scene, as CSV.
+// Run time of stiff and extreme scenes through SQL: one row per scene, as CSV.
 //
 //   bench_extreme_scenes
 //
-// tests/sqlite/extreme_scenes.h describes the scenes and holds their answers, which the tests compare bit by
+// tests/sqlite/extreme_scenes.h describes the scenes and holds their rows, which the tests compare bit by
 // bit; here only the number of rows is checked. Processor time of the query, one run, the table ready.
 #include "sqlite/extreme_scenes.h"
 

@@ -1,4 +1,4 @@
-// Database files in the system's temporary folder: of this process alone, and gone with the object.
+// Database files in the system's temporary folder: private to this process, and deleted with the object.
 //
 //   TwoFiles files;                          // ours and the rival's
 //   ScratchFile file("watched");
@@ -8,8 +8,6 @@
 
 #include <filesystem>
 #include <string>
-
-#include "all_rooms.h"
 
 namespace foresee::bench {
 

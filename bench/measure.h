@@ -1,5 +1,5 @@
-// How long does it take, and how much memory? Processor time of this process, repeated, as a median and as a
-// ratio; the peak of a child process.
+// Measurement of processor time and of memory: repeated times with their median and ratio, and the peak
+// memory of a child process.
 #pragma once
 
 #include <sys/resource.h>
@@ -12,7 +12,6 @@
 #include <exception>
 #include <vector>
 
-#include "all_rooms.h"
 #include "base/error.h"
 
 namespace foresee::bench {
@@ -35,8 +34,8 @@ struct Cost {
   double seconds, peak_bytes;
 };
 
-/// What a child process took that only does `work`, which returns the seconds that count; this process should
-/// not have done much yet. Throws Error where the child failed.
+/// Time and memory of a child process that only does `work`, which returns the seconds that count. Call it
+/// before this process has used much memory. Throws Error if the child failed.
 template <class Work>
 Cost cost_in_child(Work&& work) {
   std::fflush(stdout);
@@ -63,7 +62,7 @@ Cost cost_in_child(Work&& work) {
   return {seconds, static_cast<double>(usage.ru_maxrss) * 1024};
 }
 
-/// The most memory, in bytes, of such a child.
+/// The peak memory, in bytes, of such a child.
 template <class Work>
 double peak_of(Work&& work) {
   return cost_in_child([&] {

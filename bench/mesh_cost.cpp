@@ -1,17 +1,17 @@
-// What does exact contact of meshes cost? Beside a textbook's, which asks all corners, edges and triangles in
-// plain double, and FCL's continuous collision, where that is installed.
+// Cost of exact contact of meshes, beside a textbook that tests all corners, edges and triangles in plain
+// double, and beside FCL's continuous collision, where that is installed.
 //
 //   bench_mesh_cost [--quick] [80] [924] [9800]            // triangles
 //
 // Closed meshes between spheres and potatoes, of about the same size whatever their triangles, fly through
-// each other's space over 60 s. The pairs are candidates: their swept boxes meet. Trees are made before the
-// clock starts, ours and FCL's. pair_costs.h says what is printed. The textbook is asked about fewer pairs of
-// 924 triangles, and not about more.
+// each other's space over 60 s. The pairs are candidates: their swept boxes intersect. Trees are made before
+// the clock starts, ours and FCL's. pair_costs.h describes the output. The textbook runs on fewer pairs of
+// 924 triangles, and not on larger meshes.
 #include <cmath>
 #include <cstdio>
 #include <random>
 
-#include "contact/mesh_contact.h"
+#include "contact/contact_factories.h"
 #include "fcl_rival.h"
 #include "motion/swept_box.h"
 #include "pair_costs.h"
@@ -31,17 +31,21 @@ class Draw {
   double number(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
-  Vec<3> place(double most) { return Vec<3>(number(-most, most), number(-most, most), number(-most, most)); }
+  Vec<3> place(double limit) {
+    return Vec<3>(number(-limit, limit), number(-limit, limit), number(-limit, limit));
+  }
 
-  /// A sphere of rings and two poles, as Earth has degrees, whose corners lie higher and lower in three waves
-  /// along random directions and by a tenth of an edge: 2 * around * (rings - 1) triangles.
+  /// A sphere of rings and two poles, like circles of latitude, with 2 * around * (rings - 1) triangles.
+  /// Three waves along random directions move its corners up and down by a tenth of an edge.
   Mesh potato(std::uint32_t around, std::uint32_t rings) {
     const std::array<Vec<3>, 3> waves = {place(3), place(3), place(3)};
     const auto corner = [&](double polar, double angle) {
-      const Vec<3> way(std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar));
+      const Vec<3> direction(std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle),
+                             std::cos(polar));
       double height = 1 + number(-0.3, 0.3) / around;
-      for (const Vec<3>& wave : waves) height += 0.1 * std::sin((wave * way).sum());
-      return SpaceCorner{size * height * way[0], size * height * way[1], size * height * way[2]};
+      for (const Vec<3>& wave : waves) height += 0.1 * std::sin((wave * direction).sum());
+      return SpaceCorner{size * height * direction[0], size * height * direction[1],
+                         size * height * direction[2]};
     };
     std::vector<SpaceCorner> corners{corner(0, 0)};
     for (std::uint32_t ring = 1; ring < rings; ++ring)
@@ -79,7 +83,7 @@ struct Fleet final : MeshRows {
     }
   }
 
-  const TriangleTree* triangles(std::size_t row, OwnPieces<TriangleTree>&) const override {
+  const TriangleTree* triangles(std::size_t row, ScratchPieces<TriangleTree>&) const override {
     return &trees[row];
   }
   Bodies bodies() const { return {{.axes = 3, .law = Law::uniform}, rows.data(), rows.size() / 6}; }
@@ -90,13 +94,13 @@ struct Fleet final : MeshRows {
   std::vector<PlainMesh> plain;
 };
 
-std::vector<Pair> candidates(const Fleet& a, const Fleet& b, std::size_t most) {
+std::vector<Pair> candidates(const Fleet& a, const Fleet& b, std::size_t max_pairs) {
   const auto swept = [](const Fleet& fleet, std::size_t i) {
     return swept_box<3>(motion_of<3>(fleet.bodies(), i), {0, h}, fleet.meshes[i].extents());
   };
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < a.bodies().count; ++i)
-    for (std::uint32_t j = 0; j < b.bodies().count && pairs.size() < most; ++j)
+    for (std::uint32_t j = 0; j < b.bodies().count && pairs.size() < max_pairs; ++j)
       if (swept(a, i).meets(swept(b, j))) pairs.push_back({i, j});
   return pairs;
 }
@@ -113,7 +117,7 @@ Flight flight_of(const Fleet& a, const Fleet& b, const Pair& pair) {
 struct Scene {
   const char* name;
   std::uint32_t around, rings;
-  std::size_t fleet, most_pairs, plain_pairs;
+  std::size_t fleet, max_pairs, plain_pairs;
 };
 
 void compare(const Scene& scene, int repetitions) {
@@ -122,7 +126,7 @@ void compare(const Scene& scene, int repetitions) {
       b(draw, scene.fleet, scene.around, scene.rings);
   const Setup setup{a.bodies(), b.bodies(), {0, h}, 0};
   const auto contact = make_mesh_contact(setup, {&a, &b}, 1);
-  PairCosts costs(*contact, candidates(a, b, scene.most_pairs));
+  PairCosts costs(*contact, candidates(a, b, scene.max_pairs));
   if (scene.plain_pairs > 0)
     costs.add_rival("plain double", scene.plain_pairs, scene.around > 8 ? 0 : repetitions,
                     [&](const Pair& pair) {
@@ -133,7 +137,7 @@ void compare(const Scene& scene, int repetitions) {
 #ifdef FORESEE_FCL
   const std::vector<FclMesh> fcl_a(a.meshes.begin(), a.meshes.end()), fcl_b(b.meshes.begin(), b.meshes.end());
   for (const int samples : {10, 1000})
-    costs.add_rival("FCL, " + std::to_string(samples) + " samples", scene.most_pairs, repetitions,
+    costs.add_rival("FCL, " + std::to_string(samples) + " samples", scene.max_pairs, repetitions,
                     [&, samples](const Pair& pair) {
                       return first_collision(fcl_a[pair.a], fcl_b[pair.b], flight_of(a, b, pair), samples);
                     });

@@ -1,14 +1,16 @@
-// What does exact contact of outlines cost? Beside a textbook's, all corners of each against all edges of the
-// other in plain double, and who samples: FCL's continuous collision of upright prisms, where that is
-// installed, and Boost.Geometry's intersects() in steps of 0.1 s.
+// Cost of exact contact of outlines, beside a textbook and beside methods that sample.
 //
 //   bench_outline_cost [--quick] [ships] [stars] [points] [ships-50]
 //
+// The textbook tests all corners of each against all edges of the other in plain double. The methods that
+// sample are FCL's continuous collision of upright prisms, where that is installed, and Boost.Geometry's
+// intersects() in steps of 0.1 s.
+//
 // Ships of 5 to 11 corners over 600 s, stars of 100 corners over 60 s, points and such a star; ships that
-// come within 50 m, without a rival. The pairs are candidates: their swept boxes meet. pair_costs.h says what
-// is printed. The textbook's "all corners" asks each also where outlines touch at the beginning, as whoever
-// wants to know the end must.
-#include "contact/outline_contact.h"
+// come within 50 m, without a rival. The pairs are candidates: their swept boxes intersect. pair_costs.h
+// describes the output. The textbook's "all corners" also tests each corner of outlines that touch at the
+// start, as the end of a contact requires.
+#include "contact/contact_factories.h"
 #include "outline_steps.h"
 #include "pair_costs.h"
 #include "plain_outline.h"
@@ -17,7 +19,7 @@
 namespace foresee::bench {
 namespace {
 
-constexpr std::size_t most_pairs = 20000;
+constexpr std::size_t max_pairs = 20000;
 
 Flight flight_of(const OutlineScene& scene, const Pair& pair) {
   const double *a = scene.a.bodies().row(pair.a), *b = scene.b.bodies().row(pair.b);
@@ -36,15 +38,15 @@ PlainOutlines plain_pair(const OutlineScene& scene, const Pair& pair) {
 
 void add_textbook(PairCosts& costs, const OutlineScene& scene, int repetitions) {
   for (const bool all : {false, true})
-    costs.add_rival(all ? "plain double, all corners" : "plain double", most_pairs, repetitions,
+    costs.add_rival(all ? "plain double, all corners" : "plain double", max_pairs, repetitions,
                     [&scene, all](const Pair& pair) { return first_touch(plain_pair(scene, pair), all); });
 }
 
-/// Who samples is asked about few pairs.
+/// Methods that sample run on few pairs.
 void compare(const OutlineScene& scene, int repetitions, std::size_t sampled_pairs) {
   const Setup setup{scene.a.bodies(), scene.b.bodies(), {0, scene.h}, scene.within};
   const auto contact = make_outline_contact(setup, {&scene.a, &scene.b}, 1);
-  PairCosts costs(*contact, candidates(scene, most_pairs));
+  PairCosts costs(*contact, candidates(scene, max_pairs));
   if (scene.within == 0) add_textbook(costs, scene, repetitions);
   if (sampled_pairs == 0) {
     costs.measure(repetitions);

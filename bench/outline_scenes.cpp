@@ -17,9 +17,9 @@ class Draw {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
 
-  /// Where an object is and how it moves.
+  /// Position and velocity of an object.
   void add_motion(OutlineFleet& fleet, double place, double speed) {
-    for (const double most : {place, place, speed, speed}) fleet.rows.push_back(number(-most, most));
+    for (const double limit : {place, place, speed, speed}) fleet.rows.push_back(number(-limit, limit));
   }
 
   /// A hull along a random course: bow and stern, and corners on both sides, some of which lie inward.
@@ -89,7 +89,7 @@ OutlineScene points_and_a_star(std::size_t count) {
   return scene;
 }
 
-std::vector<Pair> candidates(const OutlineScene& scene, std::size_t most) {
+std::vector<Pair> candidates(const OutlineScene& scene, std::size_t max_pairs) {
   const auto swept = [&scene](const OutlineFleet& fleet, std::size_t i) {
     const Extents<2> extents = fleet.outlines.empty() ? Extents<2>::none() : fleet.outlines[i].extents();
     return swept_box<2>(motion_of<2>(fleet.bodies(), i), {0, scene.h},
@@ -98,7 +98,7 @@ std::vector<Pair> candidates(const OutlineScene& scene, std::size_t most) {
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < scene.a.bodies().count; ++i) {
     const Box<2> box = swept(scene.a, i);
-    for (std::uint32_t j = 0; j < scene.b.bodies().count && pairs.size() < most; ++j)
+    for (std::uint32_t j = 0; j < scene.b.bodies().count && pairs.size() < max_pairs; ++j)
       if (box.meets(swept(scene.b, j))) pairs.push_back({i, j});
   }
   return pairs;

@@ -1,5 +1,4 @@
-// Scenes of moving outlines, from fixed seeds: two fleets each, to be asked which of one touch which of the
-// other.
+// Scenes of moving outlines, from fixed seeds: two fleets each, for the pairs of both that touch.
 //
 //   const OutlineScene scene = ships(400);                 // two fleets of 400
 //   const std::vector<Pair> pairs = candidates(scene, 20000);
@@ -7,7 +6,6 @@
 
 #include <vector>
 
-#include "all_rooms.h"
 #include "base/pair.h"
 #include "shape/bodies.h"
 #include "shape/outline/outline_rows.h"
@@ -20,7 +18,7 @@ struct OutlineFleet final : OutlineRows {
   std::vector<Outline> outlines;
   std::vector<ConvexPieces> cut;
 
-  const ConvexPieces* pieces(std::size_t row, OwnPieces<ConvexPieces>&) const override {
+  const ConvexPieces* pieces(std::size_t row, ScratchPieces<ConvexPieces>&) const override {
     return cut.empty() ? nullptr : &cut[row];
   }
   Bodies bodies() const { return {{.axes = 2, .law = Law::uniform}, rows.data(), rows.size() / 4}; }
@@ -40,7 +38,7 @@ OutlineScene stars(std::size_t count);
 /// One such star, and points.
 OutlineScene points_and_a_star(std::size_t count);
 
-/// The pairs whose swept boxes meet, `most` at most.
-std::vector<Pair> candidates(const OutlineScene& scene, std::size_t most);
+/// The pairs whose swept boxes intersect, at most `max_pairs`.
+std::vector<Pair> candidates(const OutlineScene& scene, std::size_t max_pairs);
 
 }  // namespace foresee::bench

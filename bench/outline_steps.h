@@ -1,5 +1,5 @@
-// When do two outlines first touch, as whoever samples finds it: Boost.Geometry's intersects() in steps, and
-// FCL's samples of upright prisms.
+// First contact of two outlines by sampling: Boost.Geometry's intersects() in steps, and FCL's samples of
+// upright prisms.
 //
 //   BoostSteps boost(fleet_a, fleet_b);                       // polygons are made once
 //   boost.first_intersection(pair, flight, 0.1)            // seconds; never: at no step

@@ -1,11 +1,12 @@
-// What does an outline cost to insert and to turn?
+// Cost of inserting and of turning an outline.
 //
 //   bench_outlines [--quick]
 //
-// Prints nanoseconds of processor time a corner, or an object (medians over repetitions), of reading the
-// text, checking, cutting into convex pieces, turning and checking again: of a ship, a ragged star of 100
-// corners, and outlines of 10,000 and 65,536 corners that are hard: a star, a comb whose teeth lie slanted,
-// so that the box of each meets those of all, a spiral, and holes that touch each other.
+// Prints nanoseconds of processor time per corner, or per object (medians over repetitions). Measured are
+// reading the text, checking, cutting into convex pieces, turning and checking again. The outlines are a
+// ship, a ragged star of 100 corners, and hard outlines of 10,000 and 65,536 corners. These are a star, a
+// comb whose teeth are slanted, so that the box of each intersects those of all, a spiral, and holes that
+// touch each other.
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -17,10 +18,9 @@
 #include "measure.h"
 #include "program.h"
 #include "shape/outline/convex_pieces.h"
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 #include "shape/outline/validity.h"
-#include "shape/outline/wkt_reader.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee::bench {
 namespace {
@@ -82,14 +82,14 @@ Outline holes(int corners) {
 
 /// Seconds of one `work`.
 double median_of(int repetitions, const std::function<void()>& work) {
-  constexpr double least = 2e-3;  // a measurement below would be of the clock
+  constexpr double shortest = 2e-3;  // a shorter measurement would be of the clock
   int times = 1;
   const auto seconds = [&] {
     return seconds_of([&] {
       for (int i = 0; i < times; ++i) work();
     });
   };
-  while (seconds() < least) times *= 2;
+  while (seconds() < shortest) times *= 2;
   std::vector<double> all;
   for (int i = 0; i < repetitions; ++i) all.push_back(seconds() / times);
   return median(all);
@@ -101,13 +101,13 @@ void measure(const char* name, const Outline& outline, int repetitions) {
   double heading = 0;
   const auto next_heading = [&] { return heading = std::fmod(heading + 1.618, 360); };
   const ConvexPieces pieces = convex_pieces(outline);
-  const Outline lies = turned(outline, 37.5);
+  const Outline rotated = turned(outline, 37.5);
   const double read = median_of(repetitions, [&] { read_outline(text); });
   const double check = median_of(repetitions, [&] { check_outline(outline); });
   const double cut = median_of(repetitions, [&] { convex_pieces(outline); });
   const double turn = median_of(repetitions, [&] { turned(outline, next_heading()); });
-  const double again = median_of(repetitions, [&] { check_turned(outline, lies, 37.5); });
-  const double recut = median_of(repetitions, [&] { turned_pieces(pieces, lies); });
+  const double again = median_of(repetitions, [&] { check_turned(outline, rotated, 37.5); });
+  const double recut = median_of(repetitions, [&] { turned_pieces(pieces, rotated); });
   const double ns = 1e9 / corners;
   std::printf("%-14s %6.0f %7zu %9.1f %9.1f %9.1f %9.1f %9.1f %9.1f %14.1f\n", name, corners, pieces.count(),
               read * ns, check * ns, cut * ns, turn * ns, again * ns, recut * ns, (read + check + cut) * 1e6);

@@ -1,17 +1,17 @@
-// What does one pair cost, ours beside rivals, and what do these miss?
+// Cost of the contact test of one pair, ours beside rivals, and the pairs that these miss.
 //
-//   PairCosts costs(*contact, pairs);                      // decide(), begins, begins and ends
-//   costs.add_rival("FCL, 10 samples", pairs.size(), [&](const Pair& pair) { return moment or never; });
+//   PairCosts costs(*contact, pairs);                      // decide(), starts, starts and ends
+//   costs.add_rival("FCL, 10 samples", pairs.size(), [&](const Pair& pair) { return time or never; });
 //   costs.measure(15), costs.print("meshes of 80 triangles");
 //
-// In every repetition each way runs once, one after the other: nanoseconds of processor time a pair, medians.
-// A rival's ratios are its time over that of our three answers, in this order.
+// In every repetition each method runs once, one after the other. Figures are nanoseconds of processor time
+// per pair, medians. A rival's ratios are its time over that of our three results, in this order.
 #pragma once
 
 #include <functional>
 #include <string>
 
-#include "moments.h"
+#include "agreement.h"
 
 namespace foresee::bench {
 
@@ -21,9 +21,9 @@ class PairCosts {
   PairCosts(Contact& contact, std::vector<Pair> pairs) : contact_(contact), pairs_(std::move(pairs)) {}
 
   const std::vector<Pair>& pairs() const { return pairs_; }
-  /// Asked about the first `most` pairs, in as many repetitions at most; 0: once, without warming up.
-  void add_rival(std::string name, std::size_t most, int repetitions,
-                 std::function<double(const Pair&)> first_moment);
+  /// Runs on the first `max_pairs` pairs, in at most `repetitions` repetitions; 0: once, without warm-up.
+  void add_rival(std::string name, std::size_t max_pairs, int repetitions,
+                 std::function<double(const Pair&)> first_time);
   void measure(int repetitions);
   void print(const char* scene) const;
 
@@ -32,8 +32,8 @@ class PairCosts {
     std::string name;
     std::size_t pairs;
     int repetitions;
-    std::function<double(const Pair&)> first_moment;
-    std::vector<double> costs = {}, moments = {};
+    std::function<double(const Pair&)> first_time;
+    std::vector<double> costs = {}, instants = {};
   };
 
   void measure_ours(bool counts);
@@ -41,8 +41,8 @@ class PairCosts {
 
   Contact& contact_;
   const std::vector<Pair> pairs_;
-  std::vector<double> decide_, begins_, both_;  ///< nanoseconds a pair, of each repetition
-  std::vector<double> moments_;
+  std::vector<double> decide_, starts_, both_;  ///< nanoseconds per pair, of each repetition
+  std::vector<double> instants_;
   std::vector<Rival> rivals_;
 };
 

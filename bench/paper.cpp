@@ -4,11 +4,12 @@
 //   bench_paper [--quick] FOLDER          # writes paper.csv, paper_stages.csv and the stages of soldiers
 //                                         # there; progress to stderr
 //
-// Methods: gpcd (the paper to the letter), grid (the one for every day), sij-tpr (the synchronous traversal
-// of a loaded TPR-tree with itself; loading is a column of its own) and scan (brute force). Each emits (a, b,
-// t) with the same exact contact, and all must agree. Processor time of one thread; the methods take turns,
-// and a figure is the median over the turns. Stages are also those of soldiers (soldiers.h), meshes in place
-// of boxes, at the defaults and 5000 objects. --quick: fewer turns, and sweeps of three steps.
+// Methods: gpcd (reference implementation of the paper), grid (production), sij-tpr and scan (brute force).
+// sij-tpr is the synchronous traversal of a loaded TPR-tree with itself; loading is a column of its own. Each
+// emits (a, b, t) with the same exact contact, and all must agree. Processor time of one thread; the methods
+// take turns, and a figure is the median over the turns. Stages are also those of soldiers (soldiers.h),
+// meshes in place of boxes, at the defaults and 5000 objects. --quick: fewer turns, and sweeps of three
+// steps.
 #include <bit>
 #include <cstdio>
 #include <functional>
@@ -16,8 +17,8 @@
 
 #include "contact/contact.h"
 #include "index/memory_pages.h"
+#include "index/tpr_tree/search/tree_join.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "index/tpr_tree/tree_join.h"
 #include "measure.h"
 #include "program.h"
 #include "query/join/explain.h"
@@ -52,7 +53,7 @@ struct Setting {
   PaperScene scene;
 };
 
-/// A setting's objects, as the methods want them.
+/// A setting's objects, in the form that the methods need.
 struct Objects {
   explicit Objects(const PaperScene& paper)
       : workload(paper_workload(paper, "paper")), pages(workload.layout) {
@@ -95,7 +96,7 @@ Answer by_tree(const Objects& objects) {
   std::vector<ContactTimes> times;
   for (; candidates->next(pairs); pairs.clear()) {
     hits.clear(), times.clear();
-    contact->first_contacts(pairs, TimesWanted::begins, hits, times);
+    contact->first_contacts(pairs, TimesWanted::starts, hits, times);
     for (std::size_t i = 0; i < hits.size(); ++i)
       answer.add(tree.ids[hits[i].a], tree.ids[hits[i].b], times[i].t);
   }
@@ -105,7 +106,7 @@ Answer by_tree(const Objects& objects) {
 struct Method {
   const char* name;
   std::function<Answer(const Objects&)> run;
-  int share;  ///< takes a turn in so many
+  int share;  ///< takes one turn in `share`
 };
 
 const Method methods[] = {
@@ -138,7 +139,7 @@ Measured measure(Objects& objects, int turns) {
   return measured;
 }
 
-/// The columns that say what was asked.
+/// The columns that describe the setting.
 void print_setting(std::FILE* file, const Setting& s) {
   std::fprintf(file, "%s,%s,%s,%g,%g,%g,%zu", s.sweep, name_of(s.scene.spread).c_str(),
                s.scene.accelerated ? "accelerated" : "linear", s.scene.h, s.scene.v_max,

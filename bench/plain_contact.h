@@ -1,11 +1,11 @@
-// Contact as a textbook has it: formulas in plain double, no error bounds. What exactness costs is measured
-// against this.
+// Textbook contact test: formulas in plain double without error bounds, the reference for the cost of
+// exactness.
 //
 //   auto contact = make_plain_contact(workload);
 //   contact->first_contacts(candidates, hits, times);
 //
-// Boxes, discs, balls, upright cylinders and boxes with discs (plain_shapes.h). Lean, so that the comparison
-// is fair: the shapes are chosen once, and rows of later pairs are fetched ahead.
+// Boxes, discs, balls, upright cylinders and boxes with discs (plain_shapes.h). Optimized, so that the
+// comparison is fair: the shapes are selected once, and rows of later pairs are prefetched.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ class PlainContact {
 
   /// Appends to `hits` those of `pairs` that touch.
   virtual void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) const = 0;
-  /// The same, and appends the first moment of each hit to `times`.
+  /// The same, and appends the first time of contact of each hit to `times`.
   virtual void first_contacts(std::span<const Pair> pairs, std::vector<Pair>& hits,
                               std::vector<double>& times) const = 0;
 };

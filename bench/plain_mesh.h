@@ -1,6 +1,6 @@
-// When do two meshes first touch? As a textbook has it, in plain double: every corner of each against every
-// triangle of the other, every edge against every edge (C. Ericson, "Real-Time Collision Detection", 2005,
-// sections 5.3.6 and 5.1.9), and at the beginning whether edges cross triangles or one is within the other.
+// First contact of two meshes by a textbook in plain double: every corner of each against every triangle of
+// the other, every edge against every edge (C. Ericson, "Real-Time Collision Detection", 2005, sections 5.3.6
+// and 5.1.9). At the start it tests whether edges cross triangles or one mesh contains the other.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "moments.h"
+#include "agreement.h"
 #include "shape/mesh/mesh.h"
 
 namespace foresee::bench {
@@ -30,7 +30,7 @@ struct PlainMesh {
   Extents<3> box;
 };
 
-/// How long `from` moves by `run` a second until it meets the triangle; below 0: never, or before.
+/// Seconds until `from`, moving by `run` per second, reaches the triangle; below 0: never, or before.
 inline double time_to_triangle(const PlainMesh& mesh, const Triangle& t, const PlainMesh::Place& from,
                                const PlainMesh::Place& run) {
   const PlainMesh::Place &p = mesh.corners[t[0]], u = mesh.corners[t[1]] - p, v = mesh.corners[t[2]] - p;
@@ -45,7 +45,7 @@ inline double time_to_triangle(const PlainMesh& mesh, const Triangle& t, const P
   return v.dot(other) / volume;
 }
 
-/// The first moment before `first` at which a corner, moved by `at` + t `velocity`, meets a triangle.
+/// The first time before `first` at which a corner, moved by `at` + t `velocity`, meets a triangle.
 inline double first_on_triangle(const PlainMesh& mesh, const PlainMesh& corners, const PlainMesh::Place& at,
                                 const PlainMesh::Place& velocity, double first) {
   for (const Triangle& t : mesh.triangles)
@@ -76,7 +76,7 @@ inline double first_of_edges(const PlainMesh& a, const PlainMesh& b, const Plain
   return first;
 }
 
-/// Do edges of `b`, moved by `at`, cross triangles of `a`?
+/// Whether edges of `b`, moved by `at`, cross triangles of `a`.
 inline bool any_crossing(const PlainMesh& a, const PlainMesh& b, const PlainMesh::Place& at) {
   for (const Triangle& t : a.triangles)
     for (const auto& edge : b.edges) {
@@ -94,7 +94,7 @@ inline bool is_within(const PlainMesh& mesh, const PlainMesh::Place& place) {
   return within;
 }
 
-/// Whether b, seen at `at` from a, touches a there.
+/// Whether b, at position `at` relative to a, touches a.
 inline bool touches_at(const PlainMesh& a, const PlainMesh& b, const PlainMesh::Place& at) {
   for (int j = 0; j < 3; ++j)
     if (b.box.lower[j] + at[j] > a.box.upper[j] || b.box.upper[j] + at[j] < a.box.lower[j]) return false;
@@ -102,7 +102,7 @@ inline bool touches_at(const PlainMesh& a, const PlainMesh& b, const PlainMesh::
          any_crossing(b, a, -at);
 }
 
-/// b is at `at` as seen from a.
+/// `at`: the position of b relative to a.
 inline double first_touch(const PlainMesh& a, const PlainMesh& b, const PlainMesh::Place& at,
                           const PlainMesh::Place& velocity, double h) {
   if (touches_at(a, b, at)) return 0;

@@ -1,6 +1,6 @@
-// When do two outlines first touch? As a textbook has it, in plain double: every corner of each against every
-// edge of the other, one division each; and at the beginning, where their boxes meet, whether a corner is
-// within or edges cross.
+// First contact of two outlines by a textbook in plain double: every corner of each against every edge of the
+// other, one division each. At the start, if their boxes intersect, it tests whether a corner is inside or
+// edges cross.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct PlainOutlines {
   double x, y, vx, vy, h;
 };
 
-/// The first moment at which a corner of `corners`, moved by (x, y) + t (vx, vy), meets an edge of `ring`, if
+/// The first time at which a corner of `corners`, moved by (x, y) + t (vx, vy), meets an edge of `ring`, if
 /// that is before `first`.
 inline double first_meeting(std::span<const Corner> ring, std::span<const Corner> corners, double x, double y,
                             double vx, double vy, double first) {
@@ -42,7 +42,7 @@ inline bool is_within(std::span<const Corner> ring, double x, double y) {
   return within;
 }
 
-/// Do edges of `b`, moved by (x, y), cross edges of `a`?
+/// Whether edges of `b`, moved by (x, y), cross edges of `a`.
 inline bool any_crossing(std::span<const Corner> a, std::span<const Corner> b, double x, double y) {
   const auto side = [](const Corner& p, const Corner& q, const Corner& r) {
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
@@ -70,7 +70,7 @@ inline bool boxes_meet(std::span<const Corner> a, std::span<const Corner> b, dou
          !apart([](const Corner& p, const Corner& q) { return p.y < q.y; }, y_of, y);
 }
 
-/// Whether they touch at the beginning.
+/// Whether they touch at the start.
 inline bool touch_at_once(const PlainOutlines& p) {
   if (p.b.size() == 1) return is_within(p.a, p.b[0].x + p.x, p.b[0].y + p.y);
   return boxes_meet(p.a, p.b, p.x, p.y) &&
@@ -78,8 +78,8 @@ inline bool touch_at_once(const PlainOutlines& p) {
           any_crossing(p.a, p.b, p.x, p.y));
 }
 
-/// -1: never. `all`: also where they touch at the beginning, every corner is asked, as whoever wants to know
-/// the end must.
+/// -1: never. `all`: every corner is tested even if they touch at the start, as the end of a contact
+/// requires.
 inline double first_touch(const PlainOutlines& p, bool all) {
   const bool at_once = touch_at_once(p);
   if (at_once && !all) return 0;

@@ -1,9 +1,9 @@
-// When do two shapes first touch? Each pair of shapes as a textbook has it, in plain double.
+// First contact of two shapes by a textbook in plain double, one class per pair of shapes.
 //
 //   const BoxAndBox<2, 2> touch(ships.at, ships.at, 3.0);
 //   const double t = touch.first<true>(ships.row(0), ships.row(1));      // -1: never
 //
-// first<false>() gives some moment of contact in place of the first: enough to decide.
+// first<false>() gives some time of contact in place of the first: enough to decide.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace foresee::bench {
 
-/// The next axis only if the ones before leave any moment.
+/// The next axis is tested only if the axes before leave any time.
 template <int D, int Degree>
 class BoxAndBox {
  public:
@@ -84,8 +84,8 @@ class CylinderAndCylinder {
   double h_;
 };
 
-/// Two axes, a the box: the disc's centre is in the box grown by r along x, or along y, or within r of a
-/// corner. The corners only while it is in the box grown both ways.
+/// Two axes, a the box: the disc's centre is in the box inflated by r along x, or along y, or within r of a
+/// corner. The corners are tested only while it is in the box inflated along both axes.
 template <int Degree>
 class BoxAndDisc {
  public:

@@ -1,20 +1,20 @@
-// When is a pair within half extents along one axis? Quadratic formulas in plain double, no error bounds.
+// Time intervals in which a pair is within half extents along one axis: quadratic formulas in plain double,
+// without error bounds.
 //
 //   const PlainPair<2, 2> pair{row_a, row_b, at};
 //   Spans<2> kept = keep_within(Spans<2>::all(3), pair, 0, 1.0);      // |x| <= 1 during [0, 3]
 //
-// Lean: one square root an axis where one is enough.
+// One square root per axis where one is enough.
 #pragma once
 
 #include <cmath>
 
-#include "all_rooms.h"
 #include "shape/bodies.h"
 
 namespace foresee::bench {
 
-/// Two rows as the motion x + v t + turn t^2 of b seen from a. Both rows have their x, v and a in the same
-/// places.
+/// Two rows as the motion x + v t + turn t^2 of b relative to a. Both rows have their x, v and a at the same
+/// offsets.
 template <int D, int Degree>
 struct PlainPair {
   const double *a, *b;
@@ -25,7 +25,7 @@ struct PlainPair {
   double turn(int j) const { return Degree < 2 ? 0 : 0.5 * (b[at.a + j] - a[at.a + j]); }
 };
 
-/// Disjoint moments: one axis leaves at most two spans of each.
+/// Disjoint intervals of time: one axis leaves at most two spans of each.
 template <int D>
 struct Spans {
   double begin[1 << D], end[1 << D];
@@ -75,7 +75,7 @@ void keep_within(const Spans<D>& from, double x, double v, double a, double half
   keep(from, (-v + narrow) * scale, (-v + wide) * scale, kept);
 }
 
-/// The moments of `from` at which axis j of the pair is within `half`.
+/// The times of `from` at which axis j of the pair is within `half`.
 template <int D, int Degree>
 Spans<D> keep_within(const Spans<D>& from, const PlainPair<D, Degree>& pair, int j, double half) {
   Spans<D> kept;

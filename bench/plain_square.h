@@ -1,19 +1,17 @@
-// When does a distance fall to a radius? The square of the distance as a polynomial in plain double, without
-// error bounds.
+// First time at which a distance falls to a radius: the square of the distance as a polynomial in plain
+// double, without error bounds.
 //
 //   PlainSquare<2> f(-r * r);                       // accelerated: |x + v t + turn t^2|^2 - r^2 has degree 4
 //   for (int j = 0; j < 2; ++j) f.add(pair.x(j), pair.v(j), pair.turn(j));
 //   const double t = f.first_within<true>(0, 3);    // -1: never
 //
-// Degree two has a formula. In degree four the minima are where the slope rises through zero, between the
-// roots of the second derivative; the first root lies before the first minimum that is not above zero.
-// Newton's method finds both, kept within its bracket. Lean: maxima are not looked for.
+// Degree two has a formula. In degree four a minimum is a zero of the slope where the slope ascends, between
+// the roots of the second derivative. The first root lies before the first minimum that is not above zero.
+// Newton's method finds both, kept within its bracket. Maxima are not computed.
 #pragma once
 
 #include <cmath>
 #include <initializer_list>
-
-#include "all_rooms.h"
 
 namespace foresee::bench {
 
@@ -34,8 +32,8 @@ class PlainSquare {
     }
   }
 
-  /// The first moment in [begin, end] at which the polynomial is not above zero, -1 for none. Not timed: some
-  /// such moment.
+  /// The first time in [begin, end] at which the polynomial is not above zero, or -1. Not timed: some such
+  /// time.
   template <bool Timed>
   double first_within(double begin, double end) const {
     if (value(begin) <= 0) return begin;
@@ -87,10 +85,10 @@ class PlainSquare {
     return (-half_b + sign * std::sqrt(half_b * half_b - a * c)) / a;
   }
   static double clamp(double t, double begin, double end) {
-    return t > begin ? (t < end ? t : end) : begin;  // NaN: begin
+    return t > begin ? (t < end ? t : end) : begin;  // NaN: the start
   }
 
-  /// Where f rises through zero between low and high.
+  /// The place between low and high where f ascends through zero.
   template <class F, class Slope>
   static double crossing(F&& f, Slope&& slope, double low, double high) {
     constexpr double close = 0x1p-50;

@@ -1,4 +1,4 @@
-// What every benchmark's main() does: reads its arguments, and turns an exception into a message.
+// Common part of every benchmark's main(): reads the arguments, and turns an exception into a message.
 //
 //   int main_of(const Options& options) { if (options.has("--quick")) … }
 //   int main(int count, char** arguments) { return run_program(count, arguments, main_of); }
@@ -12,8 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "all_rooms.h"
-
 namespace foresee::bench {
 
 /// --flags, names, and values that follow a flag.
@@ -24,7 +22,7 @@ class Options {
   bool has(const std::string& flag) const {
     return std::find(words_.begin(), words_.end(), flag) != words_.end();
   }
-  /// The word after `flag`, which is then no name.
+  /// The word after `flag`, which then is not a name.
   std::optional<std::string> value(const std::string& flag) {
     const auto found = std::find(words_.begin(), words_.end(), flag);
     if (found == words_.end() || found + 1 == words_.end()) return std::nullopt;
@@ -32,7 +30,7 @@ class Options {
     words_.erase(found, found + 2);
     return value;
   }
-  /// All words that are no flags, or `otherwise` if there are none.
+  /// All words that are not flags, or `otherwise` without any.
   std::vector<std::string> names(std::vector<std::string> otherwise) const {
     std::vector<std::string> names;
     for (const std::string& word : words_)
@@ -44,12 +42,12 @@ class Options {
   std::vector<std::string> words_;
 };
 
-/// What a program measures when it is given its flag.
+/// A mode: a measurement that a program runs if its flag is given.
 struct Mode {
   const char* flag;
   void (*measure)(const Options&);
 };
-/// Those that are asked for, or all if none is.
+/// The requested modes, or all without any.
 inline int run_modes(const Options& options, std::initializer_list<Mode> modes) {
   const bool all =
       std::none_of(modes.begin(), modes.end(), [&](const Mode& mode) { return options.has(mode.flag); });

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "scenes.h"
-#include "shape/mesh/cut_mesh.h"
+#include "shape/mesh/shared_mesh.h"
 
 namespace foresee::bench {
 namespace {
@@ -18,7 +18,7 @@ constexpr std::size_t rings = 10, sides = 12, kinds = 16;
 constexpr std::array<double, rings> widths{0.9, 0.7, 0.6, 0.8, 0.9, 1.1, 2.2, 1.2, 0.5, 0.7};
 constexpr std::array<double, rings> depths{0.8, 0.6, 0.5, 0.5, 0.6, 0.7, 0.7, 0.6, 0.5, 0.7};
 
-/// Rings of corners one above the other, each a little out of place, with a corner below and one above.
+/// Rings of corners one above the other, each slightly displaced, with a corner below and one above.
 Mesh soldier(Random& random) {
   std::vector<SpaceCorner> places{{0, 0, -2.5}};
   for (std::size_t ring = 0; ring < rings; ++ring)
@@ -51,7 +51,7 @@ class Barracks final : public FormSource {
     for (std::size_t i = 0; i < kinds; ++i) {
       Mesh mesh = soldier(random);
       check_mesh(mesh);
-      soldiers_.push_back(std::make_shared<const CutMesh>(std::move(mesh)));
+      soldiers_.push_back(std::make_shared<const SharedMesh>(std::move(mesh)));
     }
   }
   std::shared_ptr<const Form> form(std::int64_t number) override {
@@ -59,7 +59,7 @@ class Barracks final : public FormSource {
   }
 
  private:
-  std::vector<std::shared_ptr<const CutMesh>> soldiers_;
+  std::vector<std::shared_ptr<const SharedMesh>> soldiers_;
 };
 
 /// The same motions with meshes in place of boxes.
@@ -73,7 +73,7 @@ std::shared_ptr<Scene> soldiers_of(const Workload& boxes, FormSource& source) {
   for (std::size_t i = 0; i < boxes.count; ++i) {
     const double* box = boxes.rows.data() + i * static_cast<std::size_t>(from.size);
     double* row = scene->rows.data() + i * static_cast<std::size_t>(to.size);
-    std::copy(box, box + from.half, row);  // the motion stands before the size
+    std::copy(box, box + from.half, row);  // the motion precedes the size
     row[to.outline] = 1 + static_cast<double>(i % kinds);
     row[to.heading] = std::floor(random.in(0, 360));
     const Extents<3> around =

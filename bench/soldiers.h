@@ -1,5 +1,5 @@
-// What is the paper's step 22 worth? Its objects as soldiers: meshes of 240 triangles, made by a seed, in
-// place of boxes of 5 x 5 x 5.
+// Refinement stage of the paper (step 22) on soldiers: its objects as meshes of 240 triangles, made by a
+// seed, in place of boxes of 5 x 5 x 5.
 //
 //   const std::vector<ExplainRow> rows = explain_soldiers({.count = 5000}, never);  // the last is refinement
 #pragma once

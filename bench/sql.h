@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <string>
 
-#include "all_rooms.h"
 #include "base/error.h"
 
 namespace foresee::bench {

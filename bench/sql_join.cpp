@@ -3,16 +3,15 @@
 //
 //   bench_sql_join [--quick] [--csv FILE] [workload ...]
 //
-//   warm    SELECT a, b, t FROM predictive_join(h), all rows stepped; asked before
+//   warm    SELECT a, b, t FROM predictive_join(h), all rows stepped; queried before
 //   count   SELECT count(*) of the same
 //   first   SELECT a, b, t … WHERE dt > 0 ORDER BY t LIMIT 10
 //   tree    as warm, method = 'tree'
 //   cold    as warm, from opening the file to the last row; operating system's cache warm
 //   core    the same pairs and times without SQL, from rows in native memory (no rival)
 //
-// Processor time, medians; a ratio is the rival's time over ours in the same repetition. Then the most memory
-// that asking once from a fresh process takes, beyond a process that only opens the file. Fails if the
-// answers differ.
+// Processor time, medians; a ratio is the rival's time over ours in the same repetition. Then the peak memory
+// of one query in a fresh process, beyond a process that only opens the file. Fails if the results differ.
 #include <cstdio>
 #include <cstring>
 
@@ -133,16 +132,16 @@ double core_seconds(const Workload& w, int repetitions) {
 
 /// In children of a process that has not loaded anything yet, so that their memory is theirs.
 void print_memory(const Files& files, const std::string& sql) {
-  const auto ask = [&](const std::string& question) {
+  const auto run = [&](const std::string& question) {
     Database db(files.ours);
     register_foresee(db);
     Statement statement(db, question);
     step_all(statement);
   };
-  const double idle = peak_of([&] { ask("SELECT id FROM ships WHERE id = 1"); });
-  const double asked = peak_of([&] { ask(sql); });
+  const double idle = peak_of([&] { run("SELECT id FROM ships WHERE id = 1"); });
+  const double queried = peak_of([&] { run(sql); });
   std::printf("%-12s memory %.0f bytes an object, beyond a process that has opened the file\n",
-              files.workload.name.c_str(), (asked - idle) / static_cast<double>(files.workload.count));
+              files.workload.name.c_str(), (queried - idle) / static_cast<double>(files.workload.count));
 }
 
 /// False if the answers differ.

@@ -3,10 +3,10 @@
 //
 //   bench_sql_marks [--quick] [--joins | --loads | --updates]
 //
-//   join  S-100000: SELECT a, b, t FROM predictive_join(3), all rows stepped, warm; both tables stand ready.
-//         Then how many they are, and the ten that meet first, beside the rival's whole join.
+//   join  S-100000: SELECT a, b, t FROM predictive_join(3), all rows stepped, warm; both tables exist before.
+//         Then the count of rows, and the ten pairs that touch first, beside the rival's whole join.
 //   load  S-1000000: as many prepared single-row INSERTs in one transaction, in memory and into a file.
-//         (--quick: 300,000.) Then what the file takes, and the most memory of a process that loads it.
+//         (--quick: 300,000.) Then the size of the file, and the peak memory of a process that loads it.
 //   update  S-100000 and S-1000000: 100,000 random objects move on by up to half a unit, prepared single-row
 //         UPDATEs in one transaction, into a file. (--quick: S-100000.) Then the join of the table that has
 //         been updated, beside that of a fresh one of the same objects.
@@ -97,7 +97,7 @@ Workload stored(Database& db, const Workload& w) {
   return now;
 }
 
-/// How much longer the join takes because a table has been updated.
+/// The ratio of the join's time after updates to that of a fresh table.
 void compare_with_fresh(Database& updated, const Workload& w, int repetitions) {
   Database fresh(":memory:");
   create_ours(fresh, w);

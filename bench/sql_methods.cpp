@@ -1,11 +1,11 @@
-// Does 'auto' choose well? The join through SQL by each method, asked before, all rows stepped.
+// Choice of the method by 'auto': the join through SQL by each method, queried before, all rows stepped.
 //
 //   bench_sql_methods [--quick] [--csv FILE] [workload ...]
 //
-// Prints nanoseconds of processor time an object (medians) and how many times as long as the fastest of grid,
-// tree and scan 'auto' takes, as the median over the rounds; in a round every method answers once, or as
-// often as makes a millisecond. The scan is left out where it would take minutes. Fails if methods differ in
-// the number of rows.
+// Prints nanoseconds of processor time per object (medians), and the ratio of 'auto' to the fastest of grid,
+// tree and scan, as the median over the rounds. In a round every method answers once, or as often as makes a
+// millisecond. The scan is left out where it would take minutes. Fails if methods differ in the number of
+// rows.
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -16,7 +16,7 @@
 namespace foresee::bench {
 namespace {
 
-constexpr std::size_t scan_most = 10000;
+constexpr std::size_t max_scanned = 10000;
 constexpr double enough_seconds = 1e-3;
 
 struct Method {
@@ -25,8 +25,8 @@ struct Method {
   std::size_t runs = 1, rows = 0;
   std::vector<double> seconds = {};
 
-  /// Seconds of one run, after one that is not counted: others have had the caches.
-  double ask() {
+  /// Seconds of one run, after one that is not counted, because other methods have used the caches.
+  double measure() {
     while (statement->step()) {
     }
     const double all = seconds_of([&] {
@@ -43,7 +43,7 @@ bool compare(const std::string& name, int rounds, std::FILE* csv) {
   Database db(":memory:");
   create_ours(db, w);
   load_ours(db, w);
-  std::vector<Method> methods(w.count <= scan_most ? 4 : 3);
+  std::vector<Method> methods(w.count <= max_scanned ? 4 : 3);
   const char* names[] = {"auto", "grid", "tree", "scan"};
   for (std::size_t i = 0; i < methods.size(); ++i) {
     Method& method = methods[i];
@@ -51,12 +51,12 @@ bool compare(const std::string& name, int rounds, std::FILE* csv) {
     method.statement =
         std::make_unique<Statement>(db, "SELECT a, b, t FROM predictive_join(" + std::to_string(w.h) +
                                             ") WHERE method = '" + method.name + "'");
-    const double once = method.ask();
+    const double once = method.measure();
     method.runs = static_cast<std::size_t>(std::max(1.0, enough_seconds / once));
   }
   std::vector<double> ratios;
   for (int round = 0; round < rounds; ++round) {
-    for (Method& method : methods) method.seconds.push_back(method.ask());
+    for (Method& method : methods) method.seconds.push_back(method.measure());
     double best = methods[1].seconds.back();
     for (const Method& method : methods)
       if (&method != &methods[0]) best = std::min(best, method.seconds.back());

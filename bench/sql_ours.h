@@ -1,4 +1,4 @@
-// Our table of a workload's objects in a database: foresee registered, declared, loaded row by row.
+// Our table of a workload's objects in a database: foresee is registered, the table declared and loaded.
 #pragma once
 
 #include "sql.h"

@@ -12,8 +12,9 @@
 //   --real    ships of the Lower Mississippi with hulls from length and width, within 0 and 50 m in 600 s,
 //             against their boxes. FILE is the database that real_hulls.sh makes.
 //
-// Tables are in memory. Processor time, medians over repetitions in which each table is asked once, one after
-// another. A table without outlines has no row, member or branch of theirs: there is nothing to compare.
+// Tables are in memory. Processor time, medians over repetitions in which each table is queried once, one
+// after another. A table without outlines has no row, member or branch of theirs: there is nothing to
+// compare.
 #include "hulls/modes.h"
 
 namespace foresee::bench {

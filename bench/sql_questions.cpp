@@ -1,12 +1,12 @@
-// Small questions through SQL: windows and nearest neighbours, and the first row after opening a file.
+// Small queries through SQL: windows and nearest neighbours, and the first row after opening a file.
 //
 //   bench_sql_questions [--quick]
 //
 //   window  S-100000, S-1000000 and D-100000: prepared windows of about 100 objects over the next 3 seconds,
 //           ids only and with t, against base table + R*Tree of swept boxes + a textbook's test in plain
-//           double as an SQL function. Both stand ready in memory.
-//   nearest the 10 nearest during the next 3 seconds (the R*Tree has no such question).
-//   open    S-10000, S-100000 and S-1000000 in files: open, ask one window, take one row. Warm file cache.
+//           double as an SQL function. Both are loaded in memory before.
+//   nearest the 10 nearest during the next 3 seconds (the R*Tree has no such query).
+//   open    S-10000, S-100000 and S-1000000 in files: open, query one window, read one row. Warm file cache.
 //
 // Processor time, medians; a ratio is the rival's time over ours in the same repetition. Fails if a window
 // holds other objects there than here. (--quick: without S-1000000.)
@@ -26,15 +26,16 @@ namespace {
 
 constexpr double window_side = 33;  // about 100 objects in S
 
-/// When a box (x, y, vx, vy, ax, ay, hx, hy) first touches the window (x0, x1, y0, y1) within h seconds: the
-/// earliest of `now` and of the moments at which a side passes, at which all sides let it in. NULL: never.
+/// The first time at which a box (x, y, vx, vy, ax, ay, hx, hy) touches the window (x0, x1, y0, y1) within h
+/// seconds. Candidates are `now` and the times at which a side of the box passes one of the window; the
+/// earliest at which all sides overlap is returned. NULL: never.
 void first_in_window(sqlite3_context* context, int, sqlite3_value** values) {
   double in[13];
   for (int i = 0; i < 13; ++i) in[i] = sqlite3_value_double(values[i]);
   const double h = in[12];
   // Four sides: c + b s + a s²/2 <= 0 inside.
   double c[4], b[4], a[4], first[9] = {0};
-  int moments = 1;
+  int instants = 1;
   for (int side = 0; side < 4; ++side) {
     const int axis = side / 2;
     const double sign = side % 2 ? 1 : -1;
@@ -44,10 +45,10 @@ void first_in_window(sqlite3_context* context, int, sqlite3_value** values) {
     if (root < 0) continue;  // never passes
     const double q = -(b[side] + std::copysign(std::sqrt(root), b[side]));
     for (const double s : {q / a[side], 2 * c[side] / q})
-      if (s >= 0 && s <= h) first[moments++] = s;
+      if (s >= 0 && s <= h) first[instants++] = s;
   }
   double earliest = HUGE_VAL;
-  for (int i = 0; i < moments; ++i) {
+  for (int i = 0; i < instants; ++i) {
     bool inside = first[i] < earliest;
     for (int side = 0; side < 4 && inside; ++side)
       inside = c[side] + first[i] * (b[side] + 0.5 * a[side] * first[i]) <= 1e-9;
@@ -122,7 +123,7 @@ struct Answer {
   friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-Answer ask(Statement& window, double x, double y) {
+Answer answer_of(Statement& window, double x, double y) {
   window.bind(1, x), window.bind(2, x + window_side), window.bind(3, y), window.bind(4, y + window_side);
   Answer answer;
   while (window.step()) ++answer.rows, answer.ids += window.integer(0);
@@ -156,7 +157,7 @@ bool compare_windows(Tables& tables, const Workload& w, int repetitions) {
         return seconds_of([&] {
           for (int k = 0; k < windows; ++k) {
             const double x = places.next(), y = places.next();
-            answers.push_back(ask(statement, x, y));
+            answers.push_back(answer_of(statement, x, y));
           }
         });
       };

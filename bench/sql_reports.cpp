@@ -3,32 +3,32 @@
 //   bench_sql_reports [--quick] [--updates] [--commits] [--loads] [--lookups] [--after] [--planner]
 //                     [--memory] [--journal] [--wal] [scene ...]
 //
-// The objects of a scene (workloads.h) report where they are and how they move on; reports/feed.h says how a
-// report is made. Ours is a moving_objects table with t (without, where it is only loaded and looked up in);
-// the R*Tree is SQLite's, of the boxes swept from t over the scene's horizon, beside an ordinary table of the
-// same columns, both of which a report updates; its boxes are ready before the clock starts. All statements
-// are prepared; a report is one single-row UPDATE by id of t, position, speed and acceleration (where the
-// scene has one). Tables are in memory, in a file with the default journal, or in one with WAL; nobody waits
-// for the disk (PRAGMA synchronous = OFF). Ids count from 1 in the order of the scene's rows, which lie
-// anywhere.
+// The objects of a scene (workloads.h) report their position and motion; reports/feed.h describes how a
+// report is made. Ours is a moving_objects table with t (without t if it is only loaded and read by id). The
+// R*Tree is SQLite's, of the boxes swept from t over the scene's horizon, beside an ordinary table of the
+// same columns. A report updates both; its boxes are ready before the clock starts. All statements are
+// prepared; a report is one single-row UPDATE by id of t, position, speed and acceleration (if the scene has
+// one). Tables are in memory, in a file with the default journal, or in one with WAL. No commit waits for the
+// disk (PRAGMA synchronous = OFF). Ids count from 1 in the order of the scene's rows, which are in no spatial
+// order.
 //
 //   --updates  S-100000, S-1000000, P-zipf-5000, L-30, M-100000, each in every medium:
 //              100,000 reports of random objects in one transaction, against the R*Tree;
 //              one report of every object in random order in one transaction: in memory against a load of the
 //              same rows, in a file against the ordinary table alone;
-//              one report a transaction, 2000 a repetition, against the R*Tree.
+//              one report per transaction, 2000 per repetition, against the R*Tree.
 //              (--quick: S-100000 and P-zipf-5000, in memory.)
 //   --commits  S-1000000 in a file, journal and WAL: 100,000 transactions of one report: the median and the
 //              slowest, and how many pages a commit writes. (--quick: 10,000, S-100000.)
 //   --loads    S-500000 into a file, ids ascending or shuffled, in 1, 10 and 20 transactions; then one UPDATE
-//              of all rows, 'optimize' and 'rebuild'. Each in a process of its own, with its most memory
+//              of all rows, 'optimize' and 'rebuild'. Each in a process of its own, with its peak memory
 //              beyond that of an empty table. us a row are compared with the first load of the first scene:
 //              --loads S-500000 S-10000000 shows how they grow. Then a load in one transaction against the
 //              R*Tree, for scenes up to a million. (--quick: S-100000.)
 //   --lookups  S-1000000, in memory: x of a fifth of the ids, drawn at random, in that or in rising order: by
-//              a prepared question, from a list table by CROSS JOIN, by IN; and the pairs of a join with
+//              a prepared query, from a list table by CROSS JOIN, by IN; and the pairs of a join with
 //              horizon 11 joined to the table by id on one side or both. Against an ordinary table of the
-//              same rows in the same database; what list or join take alone is taken off on both sides.
+//              same rows in the same database; the time of list or join alone is subtracted on both sides.
 //              (--quick: S-100000.)
 //   --after    S-100000 and S-1000000, in memory: every object reports ten times, each time in ten
 //              transactions of a random tenth; another table is loaded in twenty transactions. Then joins,
@@ -41,7 +41,7 @@
 //              stopped. (--quick: S-10000 and L-30.)
 //
 // Processor time, medians; a ratio is the other side's time over ours in the same repetition, unless it says
-// "times". Fails if two sides that must agree hold other rows or give other answers.
+// "times". Fails if two sides that must agree hold different rows or give different results.
 #include "reports/modes.h"
 
 namespace foresee::bench {

@@ -7,7 +7,7 @@ namespace foresee::bench {
 Rival::Rival(Database& db, const Workload& workload, Tables tables) : db_(db), workload_(workload) {
   if (workload.layout.axes != 2) throw Error("'" + workload.name + "' has three axes: the rival's boxes two");
   const int numbers = workload.bodies().at.size;
-  // Any two objects, so that contact sees the sizes that there are: balls of radius 0 are points to it.
+  // Any two objects with their sizes, since contact treats balls of radius 0 as points.
   for (int i = 0; i < 2; ++i)
     pair_rows_.insert(pair_rows_.end(), workload.rows.begin(), workload.rows.begin() + numbers);
   const Bodies pair(workload.layout, pair_rows_.data(), 2);
@@ -81,7 +81,7 @@ void Rival::first_contact(sqlite3_context* context, int count, sqlite3_value** v
   const Pair pair{0, 1};
   std::vector<Pair> hits;
   std::vector<ContactTimes> times;
-  rival->contact_->first_contacts({&pair, 1}, TimesWanted::begins, hits, times);
+  rival->contact_->first_contacts({&pair, 1}, TimesWanted::starts, hits, times);
   if (!times.empty()) sqlite3_result_double(context, times[0].t);
 }
 

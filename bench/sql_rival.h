@@ -1,7 +1,7 @@
-// The plain-SQL answer that a user would write without foresee: a base table, SQLite's own R*Tree of swept
-// boxes beside it, and the exact test as an SQL function.
+// Plain-SQL join that a user would write without foresee: a base table, SQLite's own R*Tree of swept boxes
+// beside it, and the exact test as an SQL function.
 //
-// The exact test is foresee's own contact, so that both give the same rows and only the way there differs.
+// The exact test is foresee's own contact, so both give the same rows and only the search for pairs differs.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ class Rival {
  public:
   enum Tables { makes_tables, stands_ready };
 
-  /// Makes the two tables in `db`, unless they stand ready, and the function first_contact().
+  /// Makes the two tables in `db`, unless they exist, and the function first_contact().
   Rival(Database& db, const Workload& workload, Tables tables = makes_tables);
 
   /// Single-row INSERTs into both tables, in one transaction. The swept boxes are ready.
@@ -39,7 +39,7 @@ class Rival {
   Database& db_;
   const Workload& workload_;
   std::vector<Box<2>> boxes_;
-  std::vector<double> pair_rows_;  // the two objects that first_contact() looks at
+  std::vector<double> pair_rows_;  // the two objects of first_contact()
   std::unique_ptr<Contact> contact_;
 };
 

@@ -1,11 +1,11 @@
-// Joins in tiles through SQL: what does it cost to cut a join, on one connection, on one file and shipped?
+// Joins in tiles through SQL: the cost of cutting a join, on one connection, on one file and shipped.
 //
 //   bench_sql_tiles [--quick] [name …]                         S-1000000, P-zipf-1000000 and M-1000000
 //
 //   plane   own_* that leave nothing out against the warm join without
 //   file    16 tiles of one file, each from opening it, against one join from opening it
 //   shipped 16 tables filled by predictive_sweep: their joins together against the one of the whole, each the
-//           first after loading; and how many objects there are in all of them
+//           first after loading; and the number of objects in all of them
 //   sweep   predictive_sweep of a sixteenth against all; rows by id in its order
 //
 // The tiles cut the objects' low corners in halves four times, by x and y in turn. Processor time, medians; a
@@ -27,7 +27,7 @@
 namespace foresee::bench {
 namespace {
 
-/// Equally many low corners each.
+/// Tiles with equally many low corners each.
 std::vector<Tile> sixteen_tiles(const Workload& w) {
   using Corner = std::array<double, 2>;
   std::vector<Corner> corners(w.count);

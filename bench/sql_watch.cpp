@@ -1,14 +1,14 @@
-// Watches through SQL: what it costs to keep the pairs of a join, beside finding them anew and beside
+// Watches through SQL: the cost of keeping the pairs of a join, beside computing them again and beside
 // triggers.
 //
 //   bench_sql_watch [--quick] [--reports] [--growth] [--ships]
 //
-// Every figure is a ratio of processor times measured in this run, with what is asked of it. Tables are in
-// files with the default journal; nobody waits for the disk (PRAGMA synchronous = OFF). Reports are those of
-// reports/feed.h: single-row UPDATEs by id of t, place, speed and acceleration of an object drawn at random;
-// the clock of the watch follows their t, 1/n second a report. A watch has horizon = 3, the scene's.
+// Every figure is a ratio of processor times measured in this run, with its goal. Tables are in files with
+// the default journal; no commit waits for the disk (PRAGMA synchronous = OFF). Reports are those of
+// reports/feed.h: single-row UPDATEs by id of t, place, speed and acceleration of an object drawn at random.
+// The clock of the watch follows their t, 1/n second per report. A watch has horizon = 3, the scene's.
 //
-//   --reports  S-100000 (workloads.h): 1, 100, 1000 and 10,000 reports a commit, and all objects in one,
+//   --reports  S-100000 (workloads.h): 1, 100, 1000 and 10,000 reports per commit, and all objects in one,
 //              beside the watch, with the same reports:
 //
 //              join + compare: the same table without a watch; before COMMIT predictive_join goes into a
@@ -18,13 +18,13 @@
 //
 //              R*Tree + trigger: base table and R*Tree of swept boxes, both of which a report updates; a
 //              trigger finds the pairs of the object with foresee's own contact as an SQL function and writes
-//              pairs and changes (watches/triggered_pairs.cpp). It asks from 0 on: it cannot move its clock.
+//              pairs and changes (watches/triggered_pairs.cpp). It queries from 0 on, as its clock is fixed.
 //
-//              R*Tree with base table: both updated, nobody knows a pair.
+//              R*Tree with base table: both updated, without pairs.
 //
 //              (--quick: S-10000, without 10,000 reports.)
 //
-//   --growth   one report a commit: S-1000000 beside S-62500, both watched; S-100000 without a watch in a
+//   --growth   one report per commit: S-1000000 beside S-62500, both watched; S-100000 without a watch in a
 //              file that has a watch of another table, beside a file without any. (--quick: a tenth.)
 //
 //   --ships    99,647 reports of 10,616 ships (the file of AIS reports in ../shared/data, or in the folder

@@ -1,10 +1,10 @@
-// The tree without SQL: what does it cost to build it, to keep it and to ask it, and how much worse is a tree
-// that grew object by object, or whose objects have moved on, than one that was loaded at once?
+// Cost of the tree without SQL: building, updating and querying it. A tree that grew object by object, or
+// whose objects have moved on, is compared with one that was loaded at once.
 //
 //   bench_tree [--horizon seconds] [--quick] [workload ...]
 //
-// Objects lie in MemoryPages; times are processor time of one thread. --horizon is the look-ahead that the
-// tree is tuned for (60, as tables have it); questions ask about the workload's own horizon. --rival adds
+// Objects lie in MemoryPages; times are processor time of one thread. --horizon is the look-ahead for which
+// the tree is tuned (60, as for tables); queries use the workload's own horizon. --rival adds
 // libspatialindex's TPR-tree, if it was there when this was built, on at most 20,000 objects.
 #include <cmath>
 #include <cstdio>
@@ -12,10 +12,10 @@
 
 #include "contact/contact.h"
 #include "index/memory_pages.h"
-#include "index/tpr_tree/nearest_walk.h"
+#include "index/tpr_tree/search/nearest_walk.h"
+#include "index/tpr_tree/search/tree_join.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "index/tpr_tree/tree_join.h"
-#include "index/tpr_tree/window_walk.h"
 #include "measure.h"
 #include "program.h"
 #include "scenes.h"
@@ -42,7 +42,7 @@ struct Scene {
   }
   std::span<const double> record(std::size_t i) const { return {records.data() + i * size, size}; }
 
-  /// Where object i is at `now`, moving on as it did.
+  /// The position of object i at `now`, by its last motion.
   std::vector<double> at(std::size_t i, double now) const {
     const Offsets at = record_offsets(layout);
     std::vector<double> moved(record(i).begin(), record(i).end());
@@ -68,14 +68,14 @@ struct Tree {
 
   MemoryPages pages;
   std::unique_ptr<TprTree> tree;
-  double now;  ///< of questions
+  double now;  ///< of the queries
 };
 
 void print(const char* what, double seconds, std::size_t count, const char* unit) {
   std::printf("    %-28s %9.0f ns %s\n", what, seconds * 1e9 / static_cast<double>(count), unit);
 }
 
-/// The side of a square or cube that about `wanted` of evenly spread objects are in.
+/// The side of a square or cube that holds about `wanted` of evenly spread objects.
 double side_for(const Scene& scene, double wanted) {
   double lower = 1e300, upper = -1e300;
   const Bodies bodies = scene.workload.bodies();
@@ -92,7 +92,7 @@ Vec<D> somewhere(const Scene& scene, Random& random) {
 }
 
 template <int D>
-void ask_windows(const Scene& scene, Tree& tree) {
+void query_windows(const Scene& scene, Tree& tree) {
   constexpr std::size_t questions = 500;
   Random random(7);
   const Horizon horizon{tree.now, scene.workload.h};
@@ -111,7 +111,7 @@ void ask_windows(const Scene& scene, Tree& tree) {
               static_cast<double>(leaves) / questions);
 }
 
-/// The least distance between a point and an object that moves along a chord of its path.
+/// The minimum distance between a point and an object that moves along a chord of its path.
 template <int D>
 double distance(const LeafHits& hits, std::uint32_t slot, const Scene& scene, const Vec<D>& point,
                 const Horizon& horizon) {
@@ -125,7 +125,7 @@ double distance(const LeafHits& hits, std::uint32_t slot, const Scene& scene, co
 }
 
 template <int D>
-void ask_nearest(const Scene& scene, Tree& tree, double h) {
+void query_nearest(const Scene& scene, Tree& tree, double h) {
   constexpr std::size_t questions = 500;
   Random random(9);
   const Horizon horizon{tree.now, h};
@@ -166,7 +166,7 @@ void join(const Scene& scene, Tree& tree) {
     for (std::vector<Pair> batch; walk->next(batch); batch.clear()) {
       candidates += batch.size();
       hits.clear(), times.clear();
-      deciding += seconds_of([&] { contact->first_contacts(batch, TimesWanted::begins, hits, times); });
+      deciding += seconds_of([&] { contact->first_contacts(batch, TimesWanted::starts, hits, times); });
       pairs += hits.size();
     }
   });
@@ -177,11 +177,11 @@ void join(const Scene& scene, Tree& tree) {
 }
 
 template <int D>
-void ask(const char* name, const Scene& scene, Tree& tree) {
+void run_queries(const char* name, const Scene& scene, Tree& tree) {
   std::printf("  %s: %zu nodes\n", name, tree.pages.node_count());
-  ask_windows<D>(scene, tree);
-  ask_nearest<D>(scene, tree, 0);
-  ask_nearest<D>(scene, tree, scene.workload.h);
+  query_windows<D>(scene, tree);
+  query_nearest<D>(scene, tree, 0);
+  query_nearest<D>(scene, tree, scene.workload.h);
   join<D>(scene, tree);
 }
 
@@ -189,7 +189,7 @@ void insert_all(const Scene& scene, Tree& tree) {
   for (std::size_t i = 0; i < scene.ids.size(); ++i) tree.tree->insert(scene.ids[i], scene.record(i));
 }
 
-/// Random objects report the motion that they have: nothing has to move in the tree.
+/// Random objects report the motion that they already have: no object has to move in the tree.
 void update_in_place(const Scene& scene, Tree& tree) {
   constexpr std::size_t updates = 100000;
   Random random(3);
@@ -202,7 +202,7 @@ void update_in_place(const Scene& scene, Tree& tree) {
   print("update in place", seconds, updates, "");
 }
 
-/// 100,000 random objects report, one after another over two horizons of the tree, where they are by then and
+/// 100,000 random objects report, one after another over two horizons of the tree, their current position and
 /// a velocity that is half new.
 void drift(const Scene& scene, Tree& tree, double duration) {
   constexpr std::size_t updates = 100000;
@@ -233,23 +233,23 @@ void measure(const Workload& w, double horizon, bool quick) {
     for (int i = 0; i < 3; ++i)
       seconds.push_back(seconds_of([&] { loaded.tree->bulk_load(scene.ids, scene.records, never); }));
     print("load", median(seconds), scene.ids.size(), "an object");
-    ask<D>("loaded", scene, loaded);
+    run_queries<D>("loaded", scene, loaded);
     update_in_place(scene, loaded);
   }
   if (quick) return;
   {
     Tree grown(scene, horizon);
     print("insert", seconds_of([&] { insert_all(scene, grown); }), scene.ids.size(), "an object");
-    ask<D>("grown", scene, grown);
+    run_queries<D>("grown", scene, grown);
   }
   for (const bool from_load : {true, false}) {
     Tree drifted(scene, horizon);
     from_load ? drifted.tree->bulk_load(scene.ids, scene.records, never) : insert_all(scene, drifted);
     drift(scene, drifted, 30);
-    ask<D>(from_load ? "loaded, drifted" : "grown, drifted", scene, drifted);
+    run_queries<D>(from_load ? "loaded, drifted" : "grown, drifted", scene, drifted);
     if (from_load) continue;
     drifted.tree->rebuild(never);
-    ask<D>("drifted, rebuilt", scene, drifted);
+    run_queries<D>("drifted, rebuilt", scene, drifted);
   }
 }
 

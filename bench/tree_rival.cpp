@@ -1,6 +1,6 @@
 // libspatialindex's TPR-tree beside ours: the same objects in uniform motion, inserted one by one, the same
-// windows, and the self-join, which the rival can only do by one probe an object (its selfJoinQuery is not
-// implemented).
+// windows, and the self-join. The rival can do the join only by one probe per object, as its selfJoinQuery is
+// not implemented.
 //
 //   bench_tree_rival [objects]
 //
@@ -14,9 +14,9 @@
 #include <memory>
 
 #include "index/memory_pages.h"
+#include "index/tpr_tree/search/tree_join.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "index/tpr_tree/tree_join.h"
-#include "index/tpr_tree/window_walk.h"
 #include "measure.h"
 #include "scenes.h"
 
@@ -26,7 +26,7 @@ namespace {
 using testing::Random;
 namespace rival = SpatialIndex;
 
-constexpr double h = 3, horizon = 20, half = 0.5, for_ever = 1e6;
+constexpr double h = 3, horizon = 20, half = 0.5, unbounded = 1e6;
 constexpr std::size_t windows = 200;
 NeverInterrupt never;
 
@@ -72,7 +72,7 @@ Figures measure_rival(const std::vector<Object>& objects) {
       rival::TPRTree::createNewTPRTree(*memory, 0.7, 32, 50, 2, rival::TPRTree::TPRV_RSTAR, horizon, index));
   figures.insert = seconds_of([&] {
     for (std::size_t i = 0; i < objects.size(); ++i)
-      tree->insertData(0, nullptr, region(objects[i], half, for_ever), static_cast<rival::id_type>(i));
+      tree->insertData(0, nullptr, region(objects[i], half, unbounded), static_cast<rival::id_type>(i));
   });
   Counter in_windows, joined;
   figures.window = seconds_of([&] {
@@ -102,18 +102,18 @@ Figures measure_ours(const std::vector<Object>& objects) {
       tree->insert(static_cast<std::int64_t>(i), record);
     }
   });
-  const Horizon asked{0, h};
+  const Horizon queried{0, h};
   const Vec<2> still = Vec<2>::Zero();
   figures.window = seconds_of([&] {
     for (std::size_t i = 0; i < windows; ++i) {
       const Vec<2> at(objects[i].x[0], objects[i].x[1]);
-      WindowWalk<2> walk(pages, moving_window<2>(at - 15, at + 15, still, asked), asked, still, never);
+      WindowWalk<2> walk(pages, moving_window<2>(at - 15, at + 15, still, queried), queried, still, never);
       for (LeafHits hits; walk.next(hits);) figures.found += hits.slots.size();
     }
   });
   figures.join = seconds_of([&] {
     const TreeScene scene = read_tree(pages, never);
-    const auto join = make_tree_join<2>(scene.bodies(), scene.levels, asked, still, never);
+    const auto join = make_tree_join<2>(scene.bodies(), scene.levels, queried, still, never);
     for (std::vector<Pair> batch; join->next(batch); batch.clear()) figures.pairs += batch.size();
   });
   return figures;

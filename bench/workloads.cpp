@@ -30,7 +30,7 @@ struct Writer {
   }
 };
 
-/// What is left out is what S-<n> has.
+/// Members that are left out are those of S-<n>.
 struct EvenScene {
   std::size_t count;
   int axes = 2;
@@ -95,7 +95,7 @@ void cluster(Workload& w) {
   w.rows = std::move(rows);
 }
 
-/// So many per cent of the objects, spread evenly over the rows, 100 times larger.
+/// The given percentage of the objects, spread evenly over the rows, is 100 times larger.
 void add_giants(Workload& w, double per_cent) {
   const Offsets at = w.bodies().at;
   const auto step = static_cast<std::size_t>(100 / per_cent);

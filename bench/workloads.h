@@ -1,8 +1,8 @@
-// The scenes that every speed figure is about, from fixed seeds.
+// Workloads: the scenes of all speed figures, from fixed seeds.
 //
 //   Workload w = make_workload("S-100000");               // rows, layout, horizon
 //
-//   S-<n>   plane of side sqrt(14 n), half extents 0.5, |v| <= 3, |a| <= 0.5, h = 3: about a pair an object
+//   S-<n>   plane of side sqrt(14 n), half extents 0.5, |v| <= 3, |a| <= 0.5, h = 3: about 1 pair per object
 //
 //   K-<n>   S-<n>, stored in Morton order
 //
@@ -22,10 +22,10 @@
 //   D-<n>   S-<n>, but discs of radius 0.5 with the same motions
 //
 //   C-<n>   a cube of side (28 n)^(1/3), upright cylinders of radius 0.5 and half height 0.5, |v| <= 3,
-//           |a| <= 0.5, h = 3: about a pair an object
+//           |a| <= 0.5, h = 3: about one pair per object
 //
 //   X-<n>   n/2 boxes as those of S and n/2 discs as those of D in two tables, on a plane of side sqrt(7 n),
-//           asked for the pairs of a box and a disc: about a pair an object
+//           joined for the pairs of a box and a disc: about one pair per object
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,6 @@
 #include <string>
 #include <vector>
 
-#include "all_rooms.h"
 #include "shape/bodies.h"
 
 namespace foresee::bench {

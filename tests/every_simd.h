@@ -1,9 +1,9 @@
-// Answers must not depend on the CPU: what does a computation give with every set of vector instructions?
+// Runs a test with every set of vector instructions, since results must not depend on the CPU.
 //
 //   const Lanes lanes = settled();
 //   for_every_simd([&](Simd) { EXPECT_EQ(settled(), lanes); });
 //
-// Failures within name the instructions. Afterwards those in use are the ones that were before.
+// A failure within names the instructions. Afterwards the instructions that were in use before are restored.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,25 +12,25 @@
 
 namespace foresee::testing {
 
-/// Puts the instructions in use back when it goes, however that happens.
+/// Restores the instructions in use in its destructor.
 class KeptSimd {
  public:
   KeptSimd() = default;
   KeptSimd(const KeptSimd&) = delete;
   KeptSimd& operator=(const KeptSimd&) = delete;
-  ~KeptSimd() { base::use_simd(usual_); }
+  ~KeptSimd() { use_simd(usual_); }
 
  private:
-  base::Simd usual_ = base::simd_in_use();
+  Simd usual_ = simd_in_use();
 };
 
-/// run(simd) with each set of instructions that this CPU has in use, narrowest first: Simd::baseline, ...
+/// Calls run(simd) with each set of instructions that this CPU supports in use, narrowest first.
 template <class Run>
 void for_every_simd(Run&& run) {
   const KeptSimd kept;
-  for (const base::Simd simd : base::available_simd()) {
-    SCOPED_TRACE(base::name_of(simd));
-    base::use_simd(simd);
+  for (const Simd simd : available_simd()) {
+    SCOPED_TRACE(name_of(simd));
+    use_simd(simd);
     run(simd);
   }
 }

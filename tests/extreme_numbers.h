@@ -1,10 +1,10 @@
 // Seeded scenes of a few objects whose numbers come from the whole range of doubles, the same everywhere.
 //
-//   RandomScene scene = extreme_scene(7);                // ask about scene.now, scene.h, scene.within
+//   RandomScene scene = extreme_scene(7);                // query with scene.now, scene.h, scene.within
 //
-// Each scene has a scale of length and one of time, from the least double to the greatest. Most of its
+// Each scene has a scale of length and one of time, from the smallest double to the largest. Most of its
 // numbers are of these scales, so that objects meet; the others are 0, the ends of the range, or anything.
-// Every second scene is about speeds near 1e308 in both directions and times so short that they matter.
+// Every second scene has speeds near 1e308 in both directions and times so short that they matter.
 #pragma once
 
 #include <algorithm>
@@ -39,8 +39,8 @@ class ExtremeNumbers {
  private:
   static constexpr double largest = std::numeric_limits<double>::max();
 
-  double power(double least, double most) {
-    return std::clamp(std::pow(10, random_.in(least, most)), 5e-324, largest);
+  double power(double min, double max) {
+    return std::clamp(std::pow(10, random_.in(min, max)), 5e-324, largest);
   }
   double number(double scale) {
     constexpr double anything[] = {5e-324, 1e-310, 1e-160, 1e-20, 1, 1e100, 1e200, 1e300, 1e308, largest};
@@ -77,7 +77,7 @@ inline std::vector<double> extreme_record(const Layout& layout, double now, Extr
     if (at.half != Offsets::absent) place(at.half, axis) = std::abs(numbers.length());
     if (at.v == Offsets::absent) continue;
     const double v = place(at.v, axis) = numbers.speed();
-    // Half of them are near the origin at `now`.
+    // Half of the objects are near the origin at `now`.
     if (numbers.one_in(2)) place(at.x, axis) = ExtremeNumbers::in_range(numbers.length() - v * (now - t));
     if (std::isnan(place(at.x, axis))) place(at.x, axis) = 0;
   }
@@ -91,7 +91,7 @@ inline std::vector<double> extreme_record(const Layout& layout, double now, Extr
   return record;
 }
 
-/// Of any layout but those with forces, which are accelerated motion once they are read.
+/// Of any layout except those with forces, which become accelerated motion when they are read.
 inline Layout extreme_layout(ExtremeNumbers& numbers) {
   const std::vector<Layout> all = all_layouts();
   for (;;) {

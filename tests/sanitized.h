@@ -1,4 +1,4 @@
-// Is this a build with sanitizers? They make everything some ten times as slow, so scenes are smaller there.
+// Whether the build has sanitizers: they slow everything about tenfold, so tests use smaller scenes.
 #pragma once
 
 namespace foresee::testing {

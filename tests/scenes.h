@@ -2,10 +2,10 @@
 //
 //   RandomScene scene = random_scene({.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball},
 //                                     .kind = SceneKind::clustered, .count = 1000, .seed = 7});
-//   Bodies bodies = scene.bodies();                      // ask about scene.now, scene.h, scene.within
+//   Bodies bodies = scene.bodies();                      // query with scene.now, scene.h, scene.within
 //
-// A uniform scene has about one true pair an object (objects in motion for h, `within` as given); the other
-// kinds move some objects together and have more. Times, where declared, straddle `now`: some objects begin
+// A uniform scene has about one true pair per object (objects in motion for h, `within` as given). The other
+// kinds move some objects together and have more. Times, where declared, straddle `now`: some objects start
 // later, some have ended before.
 #pragma once
 
@@ -18,13 +18,12 @@
 #include <utility>
 #include <vector>
 
-#include "all_rooms.h"
 #include "sanitized.h"
 #include "shape/bodies.h"
 
 namespace foresee::testing {
 
-/// splitmix64: small, seeded, and spelled out here so that no library decides the numbers.
+/// splitmix64: small, seeded, and written out here so that the numbers depend on no library.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -51,8 +50,8 @@ enum class SceneKind {
   one_giant,          ///< uniform, and one object as large as the space
   one_fast,           ///< uniform, and one object that crosses the space a hundred times over
   one_spot,           ///< every centre at one place
-  identical_motions,  ///< all move alike; neighbours on a lattice that touch, or just do not
-  zero_extents,       ///< nothing has a size; centres and motions on a lattice, so that some do meet
+  identical_motions,  ///< one motion for all; neighbours on a lattice that touch, or narrowly do not
+  zero_extents,       ///< points; centres and motions on a lattice, so that some do meet
 };
 
 inline constexpr SceneKind all_scene_kinds[] = {
@@ -74,7 +73,7 @@ inline std::string name_of(const Layout& layout) {
          (layout.has_growth_z ? ", growth_z" : "") + (layout.starts_as_point ? ", a point at first" : "");
 }
 
-/// What grows: every axes x shape x law, t and until declared by turns.
+/// Layouts with growing extents: every axes x shape x law, t and until declared by turns.
 inline std::vector<Layout> growing_layouts() {
   std::vector<Layout> layouts;
   const auto add = [&layouts](Layout layout) {
@@ -99,7 +98,7 @@ inline std::vector<Layout> growing_layouts() {
   return layouts;
 }
 
-/// Every axes x law x shape x (t or not) x (until or not) that can be declared, and some of what grows.
+/// Every axes x law x shape x (t or not) x (until or not) that can be declared, and some growing_layouts().
 inline std::vector<Layout> all_layouts() {
   std::vector<Layout> layouts;
   for (int axes = 1; axes <= 3; ++axes)
@@ -113,7 +112,7 @@ inline std::vector<Layout> all_layouts() {
   return layouts;
 }
 
-/// All of them; under sanitizers each axes x law x shape once, t and until declared by turns.
+/// All layouts; under sanitizers each axes x law x shape once, t and until declared by turns.
 inline std::vector<Layout> varied_layouts() {
   const std::vector<Layout> all = all_layouts();
   if (!sanitized) return all;
@@ -134,7 +133,7 @@ struct RandomScene {
   std::vector<std::int64_t> ids;  ///< 1 to count, shuffled
   std::vector<double> records;    ///< in the order of record_offsets(layout)
   std::vector<double> rows;       ///< in the order of row_offsets(layout)
-  double side = 0;                ///< centres begin in [0, side] on every axis
+  double side = 0;                ///< centres start in [0, side] on every axis
   double now = 0, h = 3, within = 0;
 
   std::size_t size() const { return ids.size(); }

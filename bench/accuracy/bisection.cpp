@@ -23,7 +23,7 @@ struct Bounded {
       }
   }
 
-  /// Certainly apart during all of [middle - around, middle + around]?
+  /// Whether the pair is certainly apart during all of [middle - around, middle + around].
   bool apart(bool balls, double middle, double around) const {
     constexpr double u = 0x1p-48;
     double square = 0, size = 0;
@@ -35,9 +35,9 @@ struct Bounded {
                           u * (std::abs(pair.x[j]) + (middle + around) * speed) + 0x1p-1060;
       const double moved =
           around * (steep + lost_v[j] + u * speed + around * (std::abs(pair.a[j]) + lost_a[j]));
-      const double least = std::max(0.0, std::abs(place) - moved * (1 + u) - lost);
-      if (!balls && least > pair.half[j] * (1 + u)) return true;
-      square += least * least, size = pair.r * pair.r;
+      const double distance = std::max(0.0, std::abs(place) - moved * (1 + u) - lost);
+      if (!balls && distance > pair.half[j] * (1 + u)) return true;
+      square += distance * distance, size = pair.r * pair.r;
     }
     return balls && square > size * (1 + u) + 0x1p-1060;
   }
@@ -46,16 +46,16 @@ struct Bounded {
   double lost_x[3] = {}, lost_v[3] = {}, lost_a[3] = {};
 };
 
-/// The earliest stretch no longer than `narrow` that cannot be proved apart.
+/// The earliest interval no longer than `narrow` that cannot be proved apart.
 Answer search(const Bounded& pair, bool balls, double h, double narrow) {
-  struct Stretch {
+  struct SlopeSign {
     double begin, length;
   };
-  Stretch open[128];
+  SlopeSign open[128];
   int count = 0;
   open[count++] = {0, h};
-  for (int looks = 0; count > 0 && looks < 1000000; ++looks) {
-    const Stretch s = open[--count];
+  for (int evaluations = 0; count > 0 && evaluations < 1000000; ++evaluations) {
+    const SlopeSign s = open[--count];
     const double half = s.length / 2;
     if (pair.apart(balls, s.begin + half, half * (1 + 0x1p-40))) continue;
     if (s.length <= narrow || count > 120) return {true, s.begin};

@@ -17,7 +17,7 @@ Setup setup_of(const Family& family) {
   return {family.a(), family.b(), family.horizon, 0, 0};
 }
 
-/// One pair in the contact room, stage by stage.
+/// One pair in the contact module, one stage after another.
 class Stages {
  public:
   explicit Stages(const Family& family)
@@ -31,35 +31,36 @@ class Stages {
   }
 
   void count(std::size_t i, StageShares& shares) {
-    const Moments moments = moments_of(setup_, a(i), b(i));
-    Advancement<3, 2> advancement(set_, setup_, a(i), b(i), moments, {0, for_ever}, certain_scratch_);
-    const Chord<3> chord(advancement.certain().relative(), moments.dt_end);
-    const Period<double> near = chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()),
-                                              certain_scratch_.lengths, {moments.dt_begin, moments.dt_end});
+    const PairLifetime lifetime = pair_lifetime_of(setup_, a(i), b(i));
+    Advancement<3, 2> advancement(set_, setup_, a(i), b(i), lifetime, {0, unbounded}, certain_scratch_);
+    const Chord<3> chord(advancement.certain().relative(), lifetime.dt_end);
+    const Interval<double> near =
+        chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()), certain_scratch_.lengths,
+                      {lifetime.dt_start, lifetime.dt_end});
     const bool missed = near.begin > near.end;
     const Verdict verdict = advancement.touches();
     ++(missed ? shares.chord : verdict != Verdict::uncertain ? shares.certified : shares.exact);
     const bool hit =
         verdict == Verdict::uncertain ? exactly<bool>(i, exact_touches) : verdict == Verdict::yes;
-    if (hit) ++shares.hits, ++time_stage(i, advancement, moments, shares);
+    if (hit) ++shares.hits, ++time_stage(i, advancement, lifetime, shares);
   }
 
  private:
   template <class Answer>
-  Answer exactly(std::size_t i, Answer (*ask)(PiecePolynomials&, const ExactMoments&)) const {
+  Answer exactly(std::size_t i, Answer (*decide)(PiecePolynomials&, const ExactLifetime&)) const {
     PairPolynomials polynomials(set_, setup_, a(i), b(i));
-    return ask(polynomials, exact_moments_of(setup_, a(i), b(i)));
+    return decide(polynomials, exact_lifetime_of(setup_, a(i), b(i)));
   }
 
-  /// As SetContact times a begin.
-  std::size_t& time_stage(std::size_t i, Advancement<3, 2>& advancement, const Moments& moments,
+  /// The start of the contact, as SetContact computes it.
+  std::size_t& time_stage(std::size_t i, Advancement<3, 2>& advancement, const PairLifetime& lifetime,
                           StageShares& shares) {
     Bracket first;
     if (advancement.first_contact(first) != Verdict::yes) return shares.exact_time;
-    if (!(first.after > moments.dt_begin)) return shares.at_once;
+    if (!(first.after > lifetime.dt_start)) return shares.at_once;
     const auto relative = relative_motion_of<DoubleDouble, 3>(setup_, a(i), b(i));
-    Crossing<Way::in, 3, 2> crossing(advancement.certain(), relative, {set_, a(i), b(i)}, first,
-                                     setup_.horizon.now, crossing_scratch_);
+    Crossing<CrossingDirection::entering, 3, 2> crossing(advancement.certain(), relative, {set_, a(i), b(i)},
+                                                         first, setup_.horizon.now, crossing_scratch_);
     return crossing.instant().known() ? shares.double_double : shares.exact_time;
   }
 
@@ -117,7 +118,7 @@ Method filtered_engine(const Family& family) {
             pairs.clear(), hits.clear(), times.clear();
             for (std::size_t i = first; i < first + count; ++i)
               pairs.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)});
-            contact->first_contacts(pairs, TimesWanted::begins, hits, times);
+            contact->first_contacts(pairs, TimesWanted::starts, hits, times);
             std::fill_n(out, count, Answer{});
             for (std::size_t k = 0; k < hits.size(); ++k) out[hits[k].a - first] = {true, times[k].dt};
           }};

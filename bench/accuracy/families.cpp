@@ -5,7 +5,7 @@
 #include <iterator>
 #include <limits>
 
-#include "accuracy/drafts.h"
+#include "accuracy/pair_drafts.h"
 #include "base/error.h"
 
 namespace foresee::bench {
@@ -65,7 +65,7 @@ void move_one(Random& random, const Family& family, double* row) {
     number = std::nextafter(number, towards);
 }
 
-/// The draft says where things are at `now`; the row, where they were `age` before.
+/// A draft has the positions at `now`; a row has those `age` seconds before.
 void write_row(const Family& family, const Draft& d, int side, double age, int scale, double* row) {
   const Offsets at = row_offsets(family.layout);
   row[at.t] = family.horizon.now - age;

@@ -1,13 +1,13 @@
-// Seeded families of pairs, each hard in one way of its own, for the report on accuracy and for comparing
+// Seeded families of pairs, each with one numerical difficulty, for the report on accuracy and for comparing
 // builds.
 //
 //   Family family = make_family("box graze-near", 1000, 7);      // pair i: object i of a, object i of b
 //
 //   random, dense          nothing special; few and many contacts
-//   reference-times        the two numbers of a pair hold at different moments
-//   graze-exact            the paths touch at one instant and part again; as doubles exactly so
+//   reference-times        the two numbers of a pair hold at different instants
+//   graze-exact            the paths touch at one instant and separate again; as doubles exactly so
 //   graze-near             the same with one number moved by one to three units in the last place
-//   simultaneous-exact     one axis lets go at the very instant at which another takes hold (-near: moved)
+//   simultaneous-exact     overlap ends on one axis at the very instant it starts on another (-near: moved)
 //   near-parallel          relative speeds of 1e-7, horizons of 1e8
 //   huge-offset            coordinates of 1e15 with extents around 1
 //   huge-acceleration      1e9
@@ -15,11 +15,11 @@
 //   instant                horizon 0: do they touch now?
 //   same-motion            nothing moves relative to the other; some touch exactly
 //   zero-extent            points on a lattice, some of which meet
-//   cancelling-root        a short way at a great speed: the textbook formula subtracts equals
+//   cancelling-root        a short distance at a great speed: the textbook formula subtracts equals
 //   mixed-scale            each number times a power of two of its own, up to 2^30
 //   unix-times             now = 1.7e9, encounters of microseconds
-//   in-out-in              (balls) the path bends back: two contacts, the first is asked for
-//   tangent-exact, -near   (balls) what graze is for boxes
+//   in-out-in              (balls) the path bends back: two contacts, of which the first is queried
+//   tangent-exact, -near   (balls) as graze for boxes
 //   point-meets-point      (balls) radius 0 and a common point: a double root at least
 #pragma once
 
@@ -27,7 +27,6 @@
 #include <string>
 #include <vector>
 
-#include "all_rooms.h"
 #include "shape/bodies.h"
 
 namespace foresee::bench {

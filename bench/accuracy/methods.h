@@ -1,6 +1,6 @@
-// The ways to answer "do they meet, and when first?" that the report compares, one file each.
+// Methods for the first contact of a pair that the report on accuracy compares, one file each.
 //
-// Every method sees the same stored rows and gives a decision and the begin of the first contact, measured
+// Every method reads the same stored rows and gives a decision and the start of the first contact, in seconds
 // from now.
 #pragma once
 
@@ -20,29 +20,29 @@ struct Answer {
 struct Method {
   std::string name;
   std::string parameter;
-  /// Answers for `count` pairs from `first` on.
+  /// Results for `count` pairs from `first` on.
   std::function<void(std::size_t first, std::size_t count, Answer* out)> answer;
 };
 
-/// Looks at steps + 1 moments, evenly spaced.
+/// Tests steps + 1 times, evenly spaced.
 Method stepping(const Family& family, int steps);
 
 /// The formulas of textbooks in float; in double; in double with the discriminant and the polynomials by
-/// fused multiply-add and the root that does not cancel. Boxes: a quadratic a side; balls: the expanded
+/// fused multiply-add and the root that does not cancel. Boxes: a quadratic per side; balls: the expanded
 /// quartic, its roots between the roots of its derivatives.
 Method textbook_float(const Family& family);
 Method textbook_double(const Family& family);
 Method textbook_fma(const Family& family);
 
-/// Halves the horizon, leaves out what interval arithmetic (outward) proves apart, and calls what is left at
-/// a `tolerance` of the horizon a contact. Misses nothing.
+/// Bisects the horizon and discards intervals in which interval arithmetic (outward) proves the pair apart.
+/// An interval that is left at a `tolerance` of the horizon counts as a contact. Misses nothing.
 Method bisection(const Family& family, double tolerance);
 
 /// The expanded quartic by Boost's quartic_roots (Ferrari, then Halley). Balls only; empty name without
 /// Boost 1.80.
 Method boost_quartic(const Family& family);
 
-/// One pair as a method sees it: at `now`, b less a, in the arithmetic of T.
+/// One pair as a method reads it: at `now`, b minus a, in the arithmetic of T.
 template <class T>
 struct Seen {
   T x[3], v[3], a[3];
@@ -88,7 +88,7 @@ struct Quartic {
   }
 };
 
-/// A method that looks at one pair at a time.
+/// A method that processes one pair at a time.
 template <class One>
 Method one_by_one(std::string name, std::string parameter, One one) {
   return {std::move(name), std::move(parameter), [one](std::size_t first, std::size_t count, Answer* out) {

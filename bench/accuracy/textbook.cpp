@@ -30,7 +30,7 @@ struct Fused {
   }
 };
 
-/// Moments as disjoint spans in order.
+/// Times as disjoint spans in order.
 template <class T>
 struct Spans {
   struct Span {
@@ -51,7 +51,7 @@ struct Spans {
   }
 };
 
-/// When is a t^2 + b t + c <= 0 within [0, h]?
+/// The times in [0, h] at which a t^2 + b t + c <= 0.
 template <class Arithmetic, class T = typename Arithmetic::Number>
 Spans<T> not_positive(T a, T b, T c, T h) {
   Spans<T> spans;
@@ -117,7 +117,7 @@ T crossing(const T* c, int degree, T low, T high) {
   return high;
 }
 
-/// Where the sign changes in (0, h): between the places where the derivative's does.
+/// The sign changes in (0, h), each between sign changes of the derivative.
 template <class Arithmetic, class T = typename Arithmetic::Number>
 int sign_changes(const T* c, int degree, T h, T* places) {
   if (degree < 1) return 0;

@@ -1,15 +1,15 @@
 // Joins of hulls, boxes and discs: counted, with times, joined to their table, and for one ship each.
-#include "hulls/answers.h"
 #include "hulls/modes.h"
+#include "hulls/query_costs.h"
 #include "hulls/ships.h"
 
 namespace foresee::bench {
 namespace {
 
 void compare(ShipTables& tables, const std::string& what, const std::string& sql, int repetitions,
-             auto&& ask) {
-  Asked hulls(tables.hulls.db(), sql), boxes(tables.boxes.db(), sql), discs(tables.discs.db(), sql);
-  ask_in_turns({&hulls, &boxes, &discs}, repetitions, ask);
+             auto&& run) {
+  TimedQuery hulls(tables.hulls.db(), sql), boxes(tables.boxes.db(), sql), discs(tables.discs.db(), sql);
+  query_in_turns({&hulls, &boxes, &discs}, repetitions, run);
   const double cost = median(hulls.seconds);
   std::printf("%-28s hulls %8.1f ms", what.c_str(), cost * 1e3);
   for (const auto& [name, other] : {std::pair("boxes", &boxes), {"discs", &discs}})
@@ -20,7 +20,7 @@ void compare(ShipTables& tables, const std::string& what, const std::string& sql
   std::fflush(stdout);
 }
 
-/// What the refinement is asked and removes.
+/// The input of the refinement and the pairs that it removes.
 void print_refinement(Database& hulls, const std::string& inputs) {
   Statement explain(hulls, "SELECT n_before, n_after, seconds, detail FROM predictive_explain(" + inputs +
                                ") WHERE stage = 'refinement'");
@@ -49,7 +49,7 @@ void measure_hull_joins(bool quick) {
                 " j JOIN ships s ON s.id = j.a JOIN ships u ON u.id = j.b",
             repetitions, step_through);
     compare(tables, "a = ?, 1000 ships" + name, "SELECT count(*), sum(t) FROM " + join + " WHERE a = ?1",
-            repetitions, [](Asked& question) {
+            repetitions, [](TimedQuery& question) {
               for (std::int64_t id = 50; id <= 100000; id += 100) {
                 question.statement.bind(1, id);
                 step_through(question);

@@ -1,8 +1,8 @@
 // Hulls of real ships against their boxes.
-#include "hulls/answers.h"
 #include "hulls/modes.h"
+#include "hulls/query_costs.h"
 #include "hulls/ships.h"
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt.h"
 #include "sql_ours.h"
 
 namespace foresee::bench {
@@ -43,8 +43,8 @@ void measure_real_hulls(const std::string& file, bool quick) {
                                      {"t", "count(*), sum(t)"},
                                      {"t, t_end", "count(*), sum(t), sum(t_end)"}}) {
       const std::string select = std::string("SELECT ") + what + " FROM ";
-      Asked hulls(db, select + join("hulls")), boxes(db, select + join("boxes"));
-      ask_in_turns({&hulls, &boxes}, quick ? 25 : 101, step_through);
+      TimedQuery hulls(db, select + join("hulls")), boxes(db, select + join("boxes"));
+      query_in_turns({&hulls, &boxes}, quick ? 25 : 101, step_through);
       std::printf(
           "real hulls, within %-3s %-9s %7.3f ms, %lld pairs   boxes %7.3f ms, %lld pairs: %.2f times (mark: "
           "3)\n",

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 #include "sql_ours.h"
 
 namespace foresee::bench {

@@ -1,11 +1,11 @@
-// Ships that SQL is asked about as hulls, as boxes and as discs: S-100000's density in the plane.
+// Tables of ships as hulls, as boxes and as discs, at the density of S-100000 in the plane.
 //
 //   Ships ships(100000);
 //   ShipTable hulls(ShipKind::hulls, ships), boxes(ShipKind::boxes, ships);
 //   hulls.insert(ships.all(), 5000), hulls.update(ships.reports(100000));
 //
 // Places and motions are those of L-3 (workloads.h), a unit of which is 100 m and a second 200 s: up to 1.5
-// m/s an axis, horizon 600 s. Each ship has one of 50 hulls, of five corners, 100 to 200 m long and 15 %
+// m/s per axis, horizon 600 s. Each ship has one of 50 hulls, of five corners, 100 to 200 m long and 15 %
 // as wide, along its course. Its box is the smallest around its position and the turned hull, its disc
 // reaches to bow and stern. Reports are those of reports/feed.h; the heading follows the course.
 #pragma once
@@ -36,7 +36,7 @@ class Ships {
   std::vector<Ship> all() const;
   /// Of ships drawn at random.
   std::vector<Ship> reports(std::size_t count);
-  /// The side of the square that they are in.
+  /// The side of the square that holds the ships.
   double side() const;
 
  private:
@@ -56,7 +56,7 @@ class ShipTable {
 
   Database& db() { return db_; }
   void insert(const std::vector<Ship>& ships, std::size_t a_transaction);
-  /// t, place, speed and what turns with the ship, by id, in one transaction.
+  /// Updates t, position, speed and heading or box by id, in one transaction.
   void update(const std::vector<Ship>& reports);
 
  private:
@@ -74,7 +74,7 @@ struct ShipTables {
   ShipTable hulls, boxes, discs;
 };
 
-/// The smallest box around the position and an outline that is turned.
+/// The smallest box around the position and a turned outline.
 std::array<double, 2> half_extents_of(const Outline& outline, double heading);
 
 }  // namespace foresee::bench

@@ -1,8 +1,8 @@
 // Zones of 100 corners over points, against windows of their boxes and steps in plain double.
 #include <cmath>
 
-#include "hulls/answers.h"
 #include "hulls/modes.h"
+#include "hulls/query_costs.h"
 #include "hulls/ships.h"
 #include "plain_outline.h"
 
@@ -58,8 +58,7 @@ void insert(Database& db, const std::vector<Zone>& zones) {
   }
 }
 
-/// How many of the points that meet the zones' boxes are found in the zones in steps of 0.1 s; the boxes'
-/// candidates are given.
+/// The number of candidates, points that touch the zones' boxes, found in the zones in steps of 0.1 s.
 std::int64_t step_through_candidates(Database& db, const std::vector<Zone>& zones,
                                      const std::vector<Ship>& points) {
   Statement candidates(db, "SELECT id FROM predictive_window(600, 'ships', ?1, ?2, ?3, ?4)");
@@ -94,11 +93,11 @@ void measure_zones(bool quick) {
                                    {"t", "count(*), sum(w.t)"},
                                    {"t, t_end", "count(*), sum(w.t), sum(w.t_end)"}}) {
     const std::string select = std::string("SELECT ") + what + " FROM zones z JOIN predictive_window w ";
-    Asked by_zone(table.db(), select + "ON w.h = 600 AND w.tbl = 'ships' AND w.zone = z.wkt");
-    Asked by_box(table.db(), select +
-                                 "ON w.h = 600 AND w.tbl = 'ships' AND w.x0 = z.x0 AND w.x1 = z.x1 AND "
-                                 "w.y0 = z.y0 AND w.y1 = z.y1");
-    ask_in_turns({&by_zone, &by_box}, quick ? 3 : 15, step_through);
+    TimedQuery by_zone(table.db(), select + "ON w.h = 600 AND w.tbl = 'ships' AND w.zone = z.wkt");
+    TimedQuery by_box(table.db(), select +
+                                      "ON w.h = 600 AND w.tbl = 'ships' AND w.x0 = z.x0 AND w.x1 = z.x1 AND "
+                                      "w.y0 = z.y0 AND w.y1 = z.y1");
+    query_in_turns({&by_zone, &by_box}, quick ? 3 : 15, step_through);
     const double zone = median(by_zone.seconds) / number_of_zones,
                  box = median(by_box.seconds) / number_of_zones;
     std::printf(

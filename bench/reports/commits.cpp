@@ -8,21 +8,21 @@
 namespace foresee::bench {
 namespace {
 
-/// What one commit after the other took.
+/// The costs of single commits, in order.
 struct Commits {
   std::vector<double> seconds;
   std::vector<double> pages;
 };
 
-/// Pages that this connection has written to the file or to the WAL since it was asked last.
+/// Pages that this connection has written to the file or to the WAL since the last call.
 int pages_written(Database& db) {
   int pages = 0, unused = 0;
   db.require_ok(sqlite3_db_status(db.handle(), SQLITE_DBSTATUS_CACHE_WRITE, &pages, &unused, 1));
   return pages;
 }
 
-/// A WAL goes into the file between commits, out of the clock's sight: that is SQLite's work, and alike for
-/// all.
+/// The WAL is written into the file between commits and is not measured: that is SQLite's work, equal for all
+/// tables.
 Commits commit_one_by_one(Table& table, const Writes& writes, Medium medium) {
   constexpr std::size_t commits_a_checkpoint = 100;
   if (medium == Medium::wal) table.db().run("PRAGMA wal_autocheckpoint = 0");

@@ -87,7 +87,7 @@ void Feed::steer(double* row) {
   }
 }
 
-/// Who is fast enough to pass several times is mirrored several times.
+/// An object that is fast enough to pass several times is mirrored several times.
 void Feed::mirror(double* row) const {
   for (int axis = 0; axis < now_.layout.axes; ++axis) {
     const double lower = lower_[static_cast<std::size_t>(axis)];

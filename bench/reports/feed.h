@@ -1,10 +1,10 @@
-// What a feed of moving objects reports: the workload that updates are measured with.
+// Feed of reports of moving objects: the workload by which updates are measured.
 //
 //   Feed feed(make_workload("S-100000"));                 // its objects at t = 0
 //   load(feed.objects());
-//   const Reports reports = feed.random_reports(100000);  // feed.objects() now says what they say
+//   const Reports reports = feed.random_reports(100000);  // feed.objects() now has their values
 //
-// The feed's clock runs on by 1/n second with every report, so that each of the n objects reports once a
+// The feed's clock runs on by 1/n second with every report, so that each of the n objects reports once per
 // second on average. A report is made of an object's last one, dt seconds ago, by these rules:
 //
 //   t      the clock
@@ -12,9 +12,9 @@
 //   speed  v of the last report, half of the time scaled by 0.8 to 1.25, else turned in the plane of x and y
 //          by up to 45° either way; a is scaled or turned together with v
 //
-// The law of the workload decides whether there is an a. Who passes a side of the scene (the box around all
-// centres at t = 0) is mirrored there, with v and a: the scene stays as dense as it was, however many
-// reports. Sizes stay. Seeded, and the same on every machine.
+// The law of the workload decides whether a exists. An object that passes a side of the scene (the box around
+// all centres at t = 0) is mirrored there, with v and a. So the density of the scene stays the same, however
+// many reports follow. Sizes do not change. Seeded, and the same on every machine.
 #pragma once
 
 #include "scenes.h"
@@ -24,7 +24,7 @@ namespace foresee::bench {
 
 /// Reports in the order of their t.
 struct Reports {
-  std::vector<std::size_t> objects;  ///< whose: rows of the workload; the id is one more
+  std::vector<std::size_t> objects;  ///< rows of the workload; the id is one more
   std::vector<double> rows;          ///< as the workload's rows
 
   std::size_t size() const { return objects.size(); }
@@ -51,7 +51,7 @@ class Feed {
 
   Workload now_;
   Offsets at_;
-  std::vector<double> lower_, upper_;  // of the scene, an axis each
+  std::vector<double> lower_, upper_;  // of the scene, per axis
   std::size_t made_ = 0;               // reports; the clock is made_ / n seconds
   testing::Random random_{13};
 };

@@ -71,7 +71,7 @@ class Loader {
   double idle_;
 };
 
-/// us a row of the first load in one transaction: what all others are compared with.
+/// Microseconds per row of the first load in one transaction, with which all others are compared.
 double print(const std::string& what, const Workload& w, const Cost& cost, double bytes, double first) {
   const double n = static_cast<double>(w.count), a_row = cost.seconds / n * 1e6;
   std::printf("%-44s %7.2f us a row", (what + ", " + w.name).c_str(), a_row);
@@ -82,7 +82,7 @@ double print(const std::string& what, const Workload& w, const Cost& cost, doubl
   return a_row;
 }
 
-/// Loads in one transaction and in many, and what rewrites the whole table.
+/// Loads in one transaction and in many, and the commands that rewrite the whole table.
 double measure(const Workload& w, double first) {
   for (const bool shuffles : {false, true}) {
     const Order order = shuffles ? shuffled(w.count) : ascending(w.count);

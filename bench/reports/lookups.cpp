@@ -1,5 +1,5 @@
-// Looking objects up by their ids, beside an ordinary table of the same rows in the same database: by a
-// prepared question, by IN, from a list, and from the rows of a join.
+// Look-ups of objects by their ids, beside an ordinary table of the same rows in the same database. The ids
+// come from a prepared query, from IN, from a list, or from the rows of a join.
 #include <cstdio>
 
 #include "files.h"
@@ -57,7 +57,7 @@ class Tables {
   std::vector<std::int64_t> ids_;
 };
 
-/// One question over and over, each time with the next id of a list.
+/// One query repeated, each time with the next id of a list.
 double seconds_of_prepared(Tables& tables, const std::string& list, const std::string& table,
                            Answer& answer) {
   Statement ids(tables.db(), "SELECT id FROM " + list);
@@ -72,7 +72,7 @@ double seconds_of_prepared(Tables& tables, const std::string& list, const std::s
   });
 }
 
-/// A question with two columns, of which TABLE in `sql` stands for the table.
+/// A query with two columns; TABLE in `sql` stands for the table.
 double seconds_of_sql(Tables& tables, std::string sql, const std::string& table, Answer& answer) {
   for (std::size_t at = 0; (at = sql.find("TABLE")) != std::string::npos;) sql.replace(at, 5, table);
   Statement question(tables.db(), sql);
@@ -81,14 +81,15 @@ double seconds_of_sql(Tables& tables, std::string sql, const std::string& table,
   return seconds;
 }
 
-/// us a row beyond `alone`, which takes the same rows without the table; none where `alone` is empty.
-void compare(const std::string& what, std::size_t rows, int repetitions, const char* mark, const auto& ask,
+/// Microseconds per row beyond `alone`, which reads the same rows without the table; `alone` may be empty.
+void compare(const std::string& what, std::size_t rows, int repetitions, const char* mark, const auto& query,
              const auto& alone) {
   Comparison times;
   std::vector<double> ratios;
   for (int i = 0; i < repetitions; ++i) {
     Answer of_ours, of_plain;
-    const double base = alone(), ours = ask("ships", of_ours) - base, plain = ask("plain", of_plain) - base;
+    const double base = alone(), ours = query("ships", of_ours) - base,
+                 plain = query("plain", of_plain) - base;
     if (of_ours != of_plain) throw Error(what + ": the two tables give different answers");
     times.add(ours, plain);
     ratios.push_back(ours / plain);

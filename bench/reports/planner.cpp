@@ -1,4 +1,4 @@
-// Does SQLite's planner find the way? Statements as one writes them, and each in the orders that CROSS JOIN
+// Plans of SQLite's query planner: statements as a user writes them, and each in the orders that CROSS JOIN
 // can prescribe.
 #include <algorithm>
 #include <cmath>
@@ -14,11 +14,11 @@
 namespace foresee::bench {
 namespace {
 
-/// {h} stands for the horizon. All ways of a question give the same rows.
+/// {h} stands for the horizon. All orders of a query give the same rows.
 struct Question {
   const char* what;
   const char* planned;                  ///< leaves the order to the planner
-  std::vector<const char*> prescribed;  ///< empty: there is one order only
+  std::vector<const char*> prescribed;  ///< empty: only one order exists
   const char* where = "";
 };
 
@@ -60,7 +60,7 @@ const Question questions[] = {
       "ships s ON s.id = w.id"}},
 };
 
-/// Stops what takes longer than that many seconds of processor time.
+/// Stops a statement that takes longer than that many seconds of processor time.
 class Deadline {
  public:
   Deadline(Database& db, double seconds) : db_(db), end_(cpu_seconds() + seconds) {
@@ -79,7 +79,7 @@ class Deadline {
 
 struct Answer {
   double seconds = 0;
-  std::optional<std::int64_t> rows = std::nullopt;  ///< none: not within the limit
+  std::optional<std::int64_t> rows = std::nullopt;  ///< empty: not within the limit
 };
 
 std::string statement_of(const Question& question, std::string from, double h) {
@@ -87,8 +87,8 @@ std::string statement_of(const Question& question, std::string from, double h) {
   return "SELECT count(*) FROM " + from + (*question.where ? " WHERE " : "") + question.where;
 }
 
-/// Once where it takes long, else the quickest of five.
-Answer ask(Database& db, const std::string& sql, double limit) {
+/// Runs a long statement once, else five times and takes the fastest.
+Answer answer_of(Database& db, const std::string& sql, double limit) {
   Statement question(db, sql);
   const Deadline deadline(db, limit);
   Answer answer{.seconds = HUGE_VAL};
@@ -105,12 +105,12 @@ Answer ask(Database& db, const std::string& sql, double limit) {
 }
 
 void compare(Database& db, const Question& question, double h) {
-  const Answer planned = ask(db, statement_of(question, question.planned, h), HUGE_VAL);
+  const Answer planned = answer_of(db, statement_of(question, question.planned, h), HUGE_VAL);
   std::printf("  %-22s h = %-4g %9.4f s, %lld rows", question.what, h, planned.seconds,
               static_cast<long long>(*planned.rows));
   double best = HUGE_VAL;
-  for (const char* way : question.prescribed) {
-    const Answer answer = ask(db, statement_of(question, way, h), 1 + 2 * planned.seconds);
+  for (const char* order : question.prescribed) {
+    const Answer answer = answer_of(db, statement_of(question, order, h), 1 + 2 * planned.seconds);
     if (answer.rows && answer.rows != planned.rows)
       throw Error(std::string(question.what) + ": two orders give different numbers of rows");
     best = std::min(best, answer.seconds);
@@ -142,7 +142,8 @@ void measure_planner(const Options& options) {
     make_zones(table.db());
     std::printf("planner, %s: SELECT count(*) as one writes it, and in the orders of CROSS JOIN\n",
                 name.c_str());
-    ask(table.db(), "SELECT count(*) FROM predictive_join(0, 'ships')", HUGE_VAL);  // the scene is at hand
+    answer_of(table.db(), "SELECT count(*) FROM predictive_join(0, 'ships')",
+              HUGE_VAL);  // the scene is cached
     compare(table.db(), questions[0], 60);
     for (const Question& question : questions) compare(table.db(), question, w.h);
   }

@@ -21,7 +21,7 @@ Writes writes_of(std::vector<std::int64_t> ids, const std::vector<double>& rows,
   return writes;
 }
 
-/// What says where and how an object moves: all but its size.
+/// The columns of position and motion: all but the size.
 std::string moving_columns_of(Layout layout) {
   layout.shape = Shape::point;
   return columns_of(layout);

@@ -14,10 +14,10 @@
 
 namespace foresee::bench {
 
-/// Where a table is, and how its commits are made safe. Nobody waits for the disk (synchronous = OFF).
+/// Where a table is, and how its commits are made safe. No commit waits for the disk (synchronous = OFF).
 enum class Medium { memory, journal, wal };
 const char* name_of(Medium medium);
-/// Those that the command names, --memory, --journal or --wal; without any, `otherwise`.
+/// The media that the command names, --memory, --journal or --wal; without any, `otherwise`.
 std::vector<Medium> mediums_of(const Options& options, std::vector<Medium> otherwise);
 
 /// Rows to write with the boxes that they sweep, ready before the clock starts.
@@ -31,7 +31,7 @@ struct Writes {
 
 /// All objects of a workload in the order of their ids, as rows to load.
 Writes writes_of(const Workload& w);
-/// `w` says how to read the rows.
+/// `w` has the layout of the rows.
 Writes writes_of(const Reports& reports, const Workload& w);
 
 class Table {
@@ -43,8 +43,8 @@ class Table {
 
   Database& db() { return db_; }
 
-  /// A prepared single-row INSERT, or UPDATE of all columns that say where and how an object moves, by id; of
-  /// an R*Tree the box as well. No transaction of its own.
+  /// A prepared single-row INSERT, or UPDATE of all columns of position and motion by id; for an R*Tree the
+  /// box as well. No transaction of its own.
   void insert(const Writes& writes, std::size_t i);
   /// Not of an R*Tree.
   void insert(std::int64_t id, const double* row);
@@ -64,7 +64,7 @@ class Table {
   Statement begin_{db_, "BEGIN"}, commit_{db_, "COMMIT"};
 };
 
-/// Do the two tables hold the same rows, bit for bit?
+/// Whether the two tables hold the same rows, bit for bit.
 bool same_rows(Table& a, Table& b);
 
 }  // namespace foresee::bench

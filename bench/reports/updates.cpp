@@ -1,5 +1,5 @@
 // 100,000 reports of random objects in one transaction, against the R*Tree; every object once, against a load
-// and an ordinary table; one report a transaction, against the R*Tree.
+// and an ordinary table; one report per transaction, against the R*Tree.
 #include <cstdio>
 
 #include "measure.h"
@@ -58,7 +58,7 @@ void compare_all_rows(const Workload& scene, Medium medium, int repetitions) {
         scene.count, in_memory ? 1 / 1.5 : 1);
 }
 
-/// One report a transaction.
+/// One report per transaction.
 void compare_single_reports(const Workload& scene, Medium medium, int repetitions) {
   constexpr std::size_t commits = 2000;
   Feed feed(scene);

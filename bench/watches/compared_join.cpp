@@ -14,10 +14,10 @@ ComparedJoin::ComparedJoin(Database& db, const std::string& join) : db_(db) {
   clear_ = add("DELETE FROM joined");
   join_ = add("INSERT INTO joined SELECT a, b, t, dt FROM " + join);
   position_ = add("SELECT ifnull(max(seq), 0) FROM changes");
-  tell_gone_ =
+  log_gone_ =
       add("INSERT INTO changes(op, a, b) SELECT '-', a, b FROM pairs p "
           "WHERE NOT EXISTS (SELECT 1 FROM joined j WHERE j.a = p.a AND j.b = p.b)");
-  tell_others_ =
+  log_others_ =
       add("INSERT INTO changes(op, a, b, t) SELECT iif(p.a IS NULL, '+', '~'), j.a, j.b, j.t "
           "FROM joined j LEFT JOIN pairs p ON p.a = j.a AND p.b = j.b "
           "WHERE p.a IS NULL OR (p.t <> j.t AND NOT (j.dt = 0 AND p.t < j.t))");
@@ -34,8 +34,8 @@ void ComparedJoin::update() {
   position_->step();
   const std::int64_t position = position_->integer(0);
   position_->step();
-  tell_gone_->step();
-  tell_others_->step();
+  log_gone_->step();
+  log_others_->step();
   for (Statement* apply : {erase_, put_}) {
     apply->bind(1, position);
     apply->step();

@@ -1,5 +1,5 @@
-// What one writes without a watch: pairs and changes in ordinary tables, joined anew and compared after every
-// change.
+// Baseline without a watch: pairs and changes in ordinary tables, which are joined again and compared after
+// every change.
 //
 //   ComparedJoin compared(db, "predictive_join(3, 'ships')");
 //   db.run("BEGIN"); …reports…; compared.update(); db.run("COMMIT");
@@ -17,7 +17,7 @@ class ComparedJoin {
   /// Makes its tables in `db` and fills them. `join` has the columns a, b, t and dt.
   ComparedJoin(Database& db, const std::string& join);
 
-  /// Within a transaction. What touches already is not told again as the clock moves on.
+  /// Within a transaction. A pair that touches already is not reported again as the clock advances.
   void update();
 
  private:
@@ -25,7 +25,7 @@ class ComparedJoin {
 
   Database& db_;
   std::vector<std::unique_ptr<Statement>> all_;
-  Statement *clear_, *join_, *tell_gone_, *tell_others_, *position_, *erase_, *put_;
+  Statement *clear_, *join_, *log_gone_, *log_others_, *position_, *erase_, *put_;
 };
 
 /// Throws Error unless its pairs are the rows of the watch "alerts" in the other database.

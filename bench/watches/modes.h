@@ -10,7 +10,7 @@ namespace foresee::bench {
 
 enum class Bound { at_least, at_most };
 
-/// A line of the table: a ratio measured in this run beside what is asked of it.
+/// A line of the table: a ratio measured in this run, beside its goal.
 inline void print_figure(const std::string& what, double ratio, Bound bound, double goal) {
   const bool reached = bound == Bound::at_least ? ratio >= goal : ratio <= goal;
   std::printf("%-76s %8.2f   goal %s %g%s\n", what.c_str(), ratio,

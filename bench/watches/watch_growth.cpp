@@ -1,4 +1,4 @@
-// One report a commit at sixteen times the objects; and a table without a watch, beside one in a file that
+// One report per commit at sixteen times the objects; and a table without a watch, beside one in a file that
 // has a watch of another table.
 #include "files.h"
 #include "measure.h"
@@ -19,7 +19,7 @@ struct FedTable {
     table.insert_all(writes_of(feed.objects()));
   }
 
-  /// Seconds of a commit of one report.
+  /// Seconds per commit of one report.
   double report_alone() {
     const Writes writes = writes_of(feed.random_reports(commits), feed.objects());
     return seconds_of([&] {

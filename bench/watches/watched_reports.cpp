@@ -1,5 +1,5 @@
-// k reports a commit: a watch beside a join compared at each commit, an R*Tree with a trigger, and an R*Tree
-// without.
+// k reports per commit: a watch beside a join compared at each commit, an R*Tree with a trigger, and an
+// R*Tree without.
 #include "files.h"
 #include "measure.h"
 #include "watches/compared_join.h"
@@ -18,7 +18,7 @@ void commit_reports(Table& table, const Writes& writes, std::size_t first, std::
   table.db().run("COMMIT");
 }
 
-/// The same objects four times over, each with its way to know the pairs, or without.
+/// The same objects four times, each copy with its own method to keep the pairs, or without.
 struct Sides {
   explicit Sides(const Workload& w)
       : watched(Table::foresee, w, Medium::journal, watched_file.path),

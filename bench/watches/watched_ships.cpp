@@ -1,4 +1,4 @@
-// Real ships: a second of their reports a commit, and the clock alone.
+// Real ships: one second of their reports per commit, and the clock alone.
 #include <cmath>
 #include <cstdlib>
 #include <span>

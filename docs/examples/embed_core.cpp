@@ -10,9 +10,9 @@
 int main() {
   const char* const names[] = {"Anna", "Bruno", "Clara"};
 
-  auto ships = std::make_shared<foresee::query::Scene>();
+  auto ships = std::make_shared<foresee::Scene>();
   ships->name = "ships";
-  ships->layout = {.axes = 2, .law = foresee::motion::Law::uniform, .shape = foresee::shape::Shape::ball};
+  ships->layout = {.axes = 2, .law = foresee::Law::uniform, .shape = foresee::Shape::ball};
   ships->ids = {0, 1, 2};
   ships->rows = {
       0,    0,     6,  0, 30,  // x, y, vx, vy, r: the order of row_offsets(layout)
@@ -20,13 +20,13 @@ int main() {
       600,  -1600, 0,  8, 30,
   };
 
-  foresee::query::JoinQuestion question;
+  foresee::JoinQuestion question;
   question.a = ships;
   question.h = 300;
 
-  foresee::base::NeverInterrupt never;
-  foresee::query::Join join(question, never);
+  foresee::NeverInterrupt never;
+  foresee::Join join(question, never);
   for (auto rows = join.next(); !rows.empty(); rows = join.next())
-    for (const foresee::query::JoinRow& row : rows)
+    for (const foresee::JoinRow& row : rows)
       std::printf("%s and %s touch after %g s\n", names[row.a], names[row.b], row.contact.dt);
 }

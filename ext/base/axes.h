@@ -1,4 +1,4 @@
-// A number of axes known at run time becomes one that types know: the one place where that happens.
+// Turns a number of axes known at run time into a template argument: the only place that does so.
 //
 //   with_axes(3, [&]<int D>(Axes<D>) { return std::array<double, D>{}.size(); }) == 3
 #pragma once
@@ -6,14 +6,12 @@
 #include <type_traits>
 #include <utility>
 
-#include "base/rooms.h"
-
-namespace foresee::base {
+namespace foresee {
 
 template <int D>
 using Axes = std::integral_constant<int, D>;
 
-/// use(Axes<axes>{}). Requires: axes is 1, 2 or 3.
+/// Calls use(Axes<axes>{}). Requires: axes is 1, 2 or 3.
 template <class Use>
 decltype(auto) with_axes(int axes, Use&& use) {
   switch (axes) {
@@ -26,4 +24,4 @@ decltype(auto) with_axes(int axes, Use&& use) {
   }
 }
 
-}  // namespace foresee::base
+}  // namespace foresee

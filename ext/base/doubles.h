@@ -1,24 +1,25 @@
-// Some doubles at once, as many as a register holds, with the operations of one: for code that is written for
-// any real number type. For kernels (base/simd.h); everything here is local to the file that includes it, and
-// so is what templates make of it.
+// A SIMD vector of doubles with the operators of one double, for templates over any real number type.
+//
+// It has as many lanes as a register holds. For kernels (base/simd.h): all here, and every template instance
+// made with it, is local to the file that includes it.
 #pragma once
 
 #include "base/lane_math.h"
 #include "base/registers.h"
 
-namespace foresee::base {
+namespace foresee {
 namespace {
 
 struct DoublesMask {
-  decltype(Some{} < Some{}) of;
+  decltype(Register{} < Register{}) of;
 };
 
 struct Doubles {
-  Some of;
+  Register of;
 
   Doubles() : of{} {}
-  Doubles(double everywhere) : of(everywhere - Some{}) {}
-  Doubles(const Some& some) : of(some) {}
+  Doubles(double everywhere) : of(everywhere - Register{}) {}
+  Doubles(const Register& values) : of(values) {}
 };
 
 inline Doubles operator-(const Doubles& a) {
@@ -72,4 +73,4 @@ inline bool any(const DoublesMask& mask) {
 }
 
 }  // namespace
-}  // namespace foresee::base
+}  // namespace foresee

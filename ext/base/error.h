@@ -1,29 +1,27 @@
-// What every room throws, and how a long computation is stopped from outside.
+// The exceptions of all modules, and the interface by which a caller interrupts a long computation.
 //
-// Exceptions stay inside: the callbacks of ext/sqlite catch all of them at the C boundary.
+// No exception crosses the C boundary: the callbacks of ext/sqlite catch all of them.
 #pragma once
 
 #include <stdexcept>
 
-#include "base/rooms.h"
+namespace foresee {
 
-namespace foresee::base {
-
-/// A wrong question or wrong data; what() is shown to the person who asked, as it is.
+/// An invalid query or invalid data; the user reads what() unchanged.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Somebody asked for the computation to stop (sqlite3_interrupt).
+/// The caller has cancelled the computation (sqlite3_interrupt).
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// Asked every few thousand steps of any loop that may be long.
+/// Every loop that may be long polls this every few thousand steps.
 class Interrupt {
  public:
   virtual ~Interrupt() = default;
-  /// Throws Interrupted if the computation is to stop. Costs well below a microsecond.
+  /// Throws Interrupted if the computation must stop. Costs well below a microsecond.
   virtual void check() = 0;
 };
 
@@ -33,4 +31,4 @@ class NeverInterrupt final : public Interrupt {
   void check() override {}
 };
 
-}  // namespace foresee::base
+}  // namespace foresee

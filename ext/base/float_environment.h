@@ -1,10 +1,10 @@
-// The floating-point environment that every answer is computed in: round to nearest, subnormal numbers kept.
+// Sets the floating-point environment for every computation: round to nearest, subnormal numbers kept.
 //
 //   const FloatEnvironment environment;      // the host's settings are back when it goes out of scope
 //
-// A host may have switched to another rounding mode, or to flushing subnormal numbers to zero; answers must
-// not depend on that. Where doubles are computed in SSE registers (x86-64) only their control word counts:
-// some nanoseconds. Elsewhere it is the whole environment: some tens. Once per batch is enough.
+// A host application may use another rounding mode, or flush subnormal numbers to zero; results must not
+// depend on that. On x86-64 doubles are computed in SSE registers, and only their control word is saved and
+// set: some nanoseconds. Other processors need the whole environment: some tens. Once per batch is enough.
 #pragma once
 
 #ifdef __SSE2_MATH__
@@ -15,13 +15,11 @@
 #include <cfenv>
 #endif
 
-#include "base/rooms.h"
-
 #ifdef __FAST_MATH__
 #error "foresee needs IEEE arithmetic: build without -ffast-math (and -Ofast)"
 #endif
 
-namespace foresee::base {
+namespace foresee {
 
 class FloatEnvironment {
  public:
@@ -39,7 +37,7 @@ class FloatEnvironment {
  private:
   static constexpr unsigned round_to_nearest = 0x1f80;  // all exceptions masked, no flags, nothing flushed
 
-  /// The fences keep the compiler from moving reads and writes of numbers to the other side.
+  /// The fences keep the compiler from moving reads and writes of numbers across the switch.
   static void set(unsigned control) {
     std::atomic_signal_fence(std::memory_order_seq_cst);
     _mm_setcsr(control);
@@ -61,4 +59,4 @@ class FloatEnvironment {
 #endif
 };
 
-}  // namespace foresee::base
+}  // namespace foresee

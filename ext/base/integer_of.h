@@ -1,4 +1,4 @@
-// Which integer is this double?
+// Converts a double to a 64-bit integer if it has exactly that value.
 //
 //   integer_of(7.0) == 7
 //   integer_of(0.5), integer_of(0x1p63), integer_of(NAN)           // nothing
@@ -7,11 +7,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/rooms.h"
+namespace foresee {
 
-namespace foresee::base {
-
-/// Nothing where it is none, or none of 64 bits.
+/// Empty if the number is not an integer, or does not fit into 64 bits.
 inline std::optional<std::int64_t> integer_of(double number) {
   if (!(number >= -0x1p63 && number < 0x1p63)) return std::nullopt;
   const auto integer = static_cast<std::int64_t>(number);
@@ -19,4 +17,4 @@ inline std::optional<std::int64_t> integer_of(double number) {
   return integer;
 }
 
-}  // namespace foresee::base
+}  // namespace foresee

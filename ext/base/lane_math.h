@@ -1,14 +1,13 @@
-// What loops of kernels compute with (base/simd.h), and code that is written once for one number and for
-// several at once (base/doubles.h): of built-in types, without branches or library functions.
+// Arithmetic helpers for kernels (base/simd.h): absolute value, select, minimum and maximum.
 //
-// All is inlined wherever it is called: a kernel must not share a function with code for older CPUs.
+// They use built-in types, no branches and no library functions. Templates over one double and over several
+// (base/doubles.h) use them too. All are always inlined: a kernel must not share a function with code for
+// older CPUs.
 #pragma once
 
-#include "base/rooms.h"
+namespace foresee {
 
-namespace foresee::base {
-
-[[gnu::always_inline]] inline double size_of(double x) {
+[[gnu::always_inline]] inline double absolute(double x) {
   return __builtin_fabs(x);
 }
 
@@ -16,7 +15,7 @@ namespace foresee::base {
   return chosen ? a : b;
 }
 
-// These pass on a second argument where one is NaN.
+// If either argument is NaN, these return the second one.
 [[gnu::always_inline]] inline double lesser(double a, double b) {
   return a < b ? a : b;
 }
@@ -30,4 +29,4 @@ namespace foresee::base {
   return a > b ? a : b;
 }
 
-}  // namespace foresee::base
+}  // namespace foresee

@@ -1,14 +1,12 @@
-// Two objects by row number: what candidates and hits are.
+// A pair of objects by row numbers: the type of join candidates and results.
 #pragma once
 
 #include <compare>
 #include <cstdint>
 
-#include "base/rooms.h"
+namespace foresee {
 
-namespace foresee::base {
-
-/// Row numbers of two objects, the first among the bodies a, the second among the bodies b (or a again).
+/// Row numbers of two objects: one of the bodies a, one of the bodies b (of a again in a self-join).
 struct Pair {
   std::uint32_t a;
   std::uint32_t b;
@@ -17,4 +15,4 @@ struct Pair {
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
-}  // namespace foresee::base
+}  // namespace foresee

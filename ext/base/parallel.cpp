@@ -8,10 +8,10 @@
 
 #include "base/float_environment.h"
 
-namespace foresee::base {
+namespace foresee {
 namespace {
 
-/// The first failure of several threads.
+/// The first exception of several threads.
 class Failure {
  public:
   void keep_current() noexcept {
@@ -34,10 +34,10 @@ void run_together(std::size_t helpers, Interrupt& interrupt, const PartOfWork& w
   const std::size_t parts = helpers + 1;
   HelperInterrupt stop;
   Failure failure;
-  const auto guarded = [&](std::size_t part, Interrupt& asked) noexcept {
+  const auto guarded = [&](std::size_t part, Interrupt& polled) noexcept {
     try {
       const FloatEnvironment environment;
-      work(part, parts, asked);
+      work(part, parts, polled);
     } catch (...) {
       failure.keep_current();
       stop.stop();
@@ -50,7 +50,7 @@ void run_together(std::size_t helpers, Interrupt& interrupt, const PartOfWork& w
     try {
       for (; started < parts; ++started) threads.emplace_back(guarded, started, std::ref(stop));
     } catch (const std::system_error&) {
-      // No more threads: the rest is done here.
+      // The system has no more threads: this thread does the remaining parts.
     }
     guarded(0, interrupt);
     for (; started < parts; ++started) guarded(started, interrupt);
@@ -58,4 +58,4 @@ void run_together(std::size_t helpers, Interrupt& interrupt, const PartOfWork& w
   failure.throw_if_any();
 }
 
-}  // namespace foresee::base
+}  // namespace foresee

@@ -1,12 +1,12 @@
-// Several threads at one piece of work, none of which may call SQLite.
+// Runs one piece of work on several threads; none of them may call SQLite.
 //
 //   run_together(helpers, interrupt, [&](std::size_t part, std::size_t parts, Interrupt& interrupt) {
 //     for (i = part * count / parts; i < (part + 1) * count / parts; ++i) { …; interrupt.check(); }
 //   });
 //
-// The calling thread takes part 0 and asks `interrupt`; the helpers are stopped when it throws, or when any
-// of them does. The first exception is thrown again here, when all have ended. Where the system has no more
-// threads the caller does their parts too. Cost: some 20 microseconds a helper.
+// The calling thread does part 0 and polls `interrupt`. An exception in any part stops the helper threads;
+// the first exception is rethrown here after all threads have ended. If the system has no more threads, the
+// caller does the remaining parts too. Cost: some 20 microseconds per helper.
 #pragma once
 
 #include <atomic>
@@ -15,9 +15,9 @@
 
 #include "base/error.h"
 
-namespace foresee::base {
+namespace foresee {
 
-/// What a helper asks in place of the connection.
+/// The interrupt that a helper thread polls in place of the connection's.
 class HelperInterrupt final : public Interrupt {
  public:
   void check() override {
@@ -32,7 +32,7 @@ class HelperInterrupt final : public Interrupt {
 
 using PartOfWork = std::function<void(std::size_t part, std::size_t parts, Interrupt& interrupt)>;
 
-/// Without helpers: one part, on this thread.
+/// Without helpers the work is one part, on the calling thread.
 void run_together(std::size_t helpers, Interrupt& interrupt, const PartOfWork& work);
 
-}  // namespace foresee::base
+}  // namespace foresee

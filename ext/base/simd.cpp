@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace foresee::base {
+namespace foresee {
 namespace {
 
 std::vector<Simd> detect() {
@@ -48,4 +48,4 @@ void use_simd(Simd simd) {
   chosen() = simd;
 }
 
-}  // namespace foresee::base
+}  // namespace foresee

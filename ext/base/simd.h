@@ -1,21 +1,21 @@
-// Which vector instructions does this CPU have, and which are used?
+// Run-time selection of the vector instructions (SSE, AVX2, AVX-512) that kernels use.
 //
-// The widest are chosen once; answers do not depend on them. `baseline` is what the build was made for: plain
-// C++ on four lanes, which compilers turn into SSE or NEON.
+// The widest instruction set of the CPU is chosen once; results do not depend on it. `baseline` is the
+// build's own target: plain C++ on four lanes, which compilers turn into SSE or NEON.
 //
-// A kernel is a file named *.kernel.cpp: loops that are compiled once for each Simd, with FORESEE_SIMD
-// telling which, and a table of pointers to them. Its header declares the table,
+// A kernel is a file named *.kernel.cpp. It holds loops and a table of pointers to them, and is compiled once
+// per Simd; FORESEE_SIMD names the one. Its header declares the table,
 //
 //   template <int D, Simd simd>
 //   const BeamKernels<D>& beam_kernels();                // defined in beam.kernel.cpp
 //
-// and whoever computes asks for the one in use:
+// and the caller takes the table of the instruction set in use:
 //
 //   with_simd_in_use([&]<Simd simd>(Level<simd>) {
 //     beam_kernels<2, simd>().find_lives(lanes, count, now, h);
 //   });
 //
-// All else in such a file is local to it and made of built-in types: a function shared with code for older
+// All else in a kernel is local to the file and made of built-in types: a function shared with code for older
 // CPUs must not be emitted with newer instructions.
 #pragma once
 
@@ -23,16 +23,14 @@
 #include <span>
 #include <type_traits>
 
-#include "base/rooms.h"
-
-namespace foresee::base {
+namespace foresee {
 
 enum class Simd : std::uint8_t { baseline, avx2, avx512 };
 
-/// "AVX2", as people write it.
+/// The common name: "AVX2".
 const char* name_of(Simd simd);
 
-/// What this build has and this CPU can run, narrowest first; the baseline always.
+/// The levels that this build has and this CPU can run, narrowest first; always includes the baseline.
 std::span<const Simd> available_simd();
 
 /// The widest available, unless a test has chosen another.
@@ -41,7 +39,7 @@ Simd simd_in_use();
 template <Simd simd>
 using Level = std::integral_constant<Simd, simd>;
 
-/// use(Level<simd_in_use()>{}).
+/// Calls use(Level<simd_in_use()>{}).
 template <class Use>
 decltype(auto) with_simd_in_use(Use&& use) {
 #if defined(__x86_64__)
@@ -51,8 +49,7 @@ decltype(auto) with_simd_in_use(Use&& use) {
   return use(Level<Simd::baseline>{});
 }
 
-/// For tests: what starts from now on uses `simd`, which must be available. Not for use beside other
-/// threads.
+/// For tests: computations that start from now on use `simd`, which must be available. Not thread-safe.
 void use_simd(Simd simd);
 
-}  // namespace foresee::base
+}  // namespace foresee

@@ -4,19 +4,20 @@
 
 #include "contact/certain/certain_slope.h"
 #include "contact/certain/crossing.h"
-#include "contact/exact/exact_approach.h"
+#include "contact/exact/exact_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
-/// What DoubleDouble loses, as a share of a bound on what double loses; it counts at least 4 u of every term.
+/// The error of DoubleDouble as a share of the error bound of double, which counts at least 4 u of every
+/// term.
 constexpr double fine = 0x1p-45;
 constexpr double fine_roundoff = 0x1p-97;
 
-/// A squared distance and the moment to report for it.
+/// A squared distance and its time, as reported.
 struct Nearness {
   DoubleDouble square;
-  double error = 0;  ///< bound on what square can be off
+  double error = 0;  ///< bound on the error of square
   Instant instant{};
 
   bool certainly_below(const Nearness& other) const {
@@ -24,7 +25,7 @@ struct Nearness {
   }
 };
 
-/// The square root if all numbers within the error have the same one, rounded.
+/// The rounded square root, if it is the same for all numbers within the error.
 std::optional<double> rounded_square_root(const Nearness& n) {
   const double square = n.square.high;
   if (!(0x1p-900 < square && square < 0x1p900 && n.error < 0x1p-10 * square)) return {};
@@ -36,23 +37,23 @@ std::optional<double> rounded_square_root(const Nearness& n) {
   return low;
 }
 
-/// The answer as far as double and DoubleDouble can vouch for it.
+/// The closest approach in double and DoubleDouble, if error bounds certify it.
 template <int D>
 class CertainApproach {
  public:
   CertainApproach(const Setup& setup, const double* row_a, const double* row_b)
       : setup_(setup),
-        moments_(moments_of(setup, row_a, row_b)),
+        lifetime_(pair_lifetime_of(setup, row_a, row_b)),
         relative_(certain_motion_of<D, 2>(setup, row_a, row_b)),
         motion_(relative_motion_of<DoubleDouble, D>(setup, row_a, row_b)) {
-    begin_ = difference(moments_.t_begin, setup.horizon.now);
-    end_ = moments_.ends_with_horizon ? DoubleDouble{moments_.dt_end, 0}
-                                      : difference(moments_.t_end, setup.horizon.now);
+    begin_ = difference(lifetime_.t_start, setup.horizon.now);
+    end_ = lifetime_.ends_with_horizon ? DoubleDouble{lifetime_.dt_end, 0}
+                                       : difference(lifetime_.t_end, setup.horizon.now);
     still_ = keeps_its_place(row_a, row_b) || (end_ - begin_).high == 0;
   }
 
   std::optional<ClosestApproach> answer() {
-    std::optional<Nearness> nearest = still_ ? at_begin() : least();
+    std::optional<Nearness> nearest = still_ ? at_start() : minimum();
     if (!nearest) return {};
     const std::optional<double> distance = rounded_square_root(*nearest);
     if (!distance) return {};
@@ -60,7 +61,7 @@ class CertainApproach {
   }
 
  private:
-  /// Exactly: no relative motion.
+  /// Whether there is exactly no relative motion.
   bool keeps_its_place(const double* row_a, const double* row_b) const {
     const bool same_time = value_or(row_a, setup_.a.at.t, 0) == value_or(row_b, setup_.b.at.t, 0);
     for (int j = 0; j < D; ++j) {
@@ -70,22 +71,22 @@ class CertainApproach {
     return true;
   }
 
-  /// In order of time there are a minimum, or two, or none in doubt.
-  std::optional<Nearness> least() {
-    const double low = moments_.begin_exact ? begin_.high : begin_.high * (1 - 2 * unit_roundoff);
-    const double high = moments_.end_exact ? end_.high : end_.high * (1 + 2 * unit_roundoff);
+  /// The smaller of one or two local minima; no value if it is undecided.
+  std::optional<Nearness> minimum() {
+    const double low = lifetime_.start_exact ? begin_.high : begin_.high * (1 - 2 * unit_roundoff);
+    const double high = lifetime_.end_exact ? end_.high : end_.high * (1 + 2 * unit_roundoff);
     const Slope at_low = slope_at(low), at_high = slope_at(high);
     int budget = 16;
     if (!find_valleys(low, at_low, high, at_high, budget)) return {};
     std::optional<Nearness> best;
-    if (at_low.sign() > 0) best = at_begin();
+    if (at_low.sign() > 0) best = at_start();
     for (int i = 0; i < valley_count_; ++i)
       if (!keep_nearer(best, bottom(valleys_[i]))) return {};
     if (at_high.sign() < 0 && !keep_nearer(best, at_end())) return {};
     return best;
   }
 
-  /// False if the later of the two is unknown, or neither is certainly nearer.
+  /// Keeps the nearer one in `best`. False if `later` is unknown, or neither is certainly nearer.
   static bool keep_nearer(std::optional<Nearness>& best, const std::optional<Nearness>& later) {
     if (!later) return false;
     if (best && best->certainly_below(*later)) return true;
@@ -100,15 +101,15 @@ class CertainApproach {
     return slope_of(view);
   }
 
-  /// All rising roots of the slope, in order; false if they cannot be told apart.
+  /// Isolates all minima, the rising roots of the slope, in order; false if that fails.
   bool find_valleys(double low, const Slope& at_low, double high, const Slope& at_high, int& budget) {
     const double length = high - low;
-    switch (stretch_between(at_low, at_high, length)) {
-      case Stretch::valley:
+    switch (slope_sign_between(at_low, at_high, length)) {
+      case SlopeSign::valley:
         if (valley_count_ == 2) return false;
         valleys_[valley_count_++] = {low, high};
         return true;
-      case Stretch::unclear:
+      case SlopeSign::unclear:
         break;
       default:
         return true;
@@ -120,8 +121,8 @@ class CertainApproach {
            find_valleys(middle, at_middle, high, at_high, budget);
   }
 
-  /// Near the root: Newton's steps, kept between the ends by bisection. Nothing rests on how near.
-  double rough_root(const Valley& valley) const {
+  /// An approximate root: Newton's steps, kept in the interval by bisection. Its error affects no guarantee.
+  double rough_root(const FallingInterval& valley) const {
     double low = valley.begin, high = valley.end, tau = low + 0.5 * (high - low);
     for (int i = 0; i < 60; ++i) {
       double value = 0, growth = 0;
@@ -142,11 +143,11 @@ class CertainApproach {
     return tau;
   }
 
-  /// The minimum in a valley, or the end of the moments asked about if it lies beyond.
+  /// The minimum in a valley, or at the end of the lifetime if the valley's minimum is beyond it.
   ///
-  /// With g the slope and s its growth at tau, the root is tau - g / s, the least square |x|^2 - g^2 / s, up
-  /// to the share by which s changes on the way.
-  std::optional<Nearness> bottom(const Valley& valley) const {
+  /// With g the slope and s its derivative at tau, the root is tau - g / s and the minimum of the square is
+  /// |x|^2 - g^2 / s, up to the relative change of s between tau and the root.
+  std::optional<Nearness> bottom(const FallingInterval& valley) const {
     const double tau = rough_root(valley);
     const Spot spot = spot_at({tau, 0});
     const double growth = spot.rough.growth, value = spot.slope.high;
@@ -159,7 +160,7 @@ class CertainApproach {
     const double share = change / growth + 8 * unit_roundoff;
     const double radius = 2 * (slope_error / growth + std::abs(step) * share) + 0x1p-1060;
     if (const int side = side_of(sum(tau, step), radius); side != 0)
-      return side == 2 ? std::nullopt : side < 0 ? at_begin() : at_end();
+      return side == 2 ? std::nullopt : side < 0 ? at_start() : at_end();
 
     const double gain = std::abs(value * step);
     Nearness nearness{spot.square - DoubleDouble{gain, 0}, 0, {}};
@@ -170,24 +171,24 @@ class CertainApproach {
     return nearness;
   }
 
-  /// Where a moment known within `radius` lies: -1 before the begin, 1 after the end, 0 between, 2 in doubt.
+  /// The place of a time with error `radius`: -1 before the start, 1 after the end, 0 between, 2 undecided.
   int side_of(const DoubleDouble& tau, double radius) const {
-    const double after_begin = (tau - begin_).high, before_end = (end_ - tau).high;
+    const double after_start = (tau - begin_).high, before_end = (end_ - tau).high;
     const double doubt = 2 * radius;
-    if (after_begin > doubt && before_end > doubt) return 0;
-    return after_begin < -doubt ? -1 : before_end < -doubt ? 1 : 2;
+    if (after_start > doubt && before_end > doubt) return 0;
+    return after_start < -doubt ? -1 : before_end < -doubt ? 1 : 2;
   }
 
-  std::optional<Nearness> at_begin() const {
+  std::optional<Nearness> at_start() const {
     const Spot spot = spot_at(begin_);
-    return Nearness{spot.square, spot.square_error, {moments_.dt_begin, moments_.t_begin}};
+    return Nearness{spot.square, spot.square_error, {lifetime_.dt_start, lifetime_.t_start}};
   }
   std::optional<Nearness> at_end() const {
     const Spot spot = spot_at(end_);
-    return Nearness{spot.square, spot.square_error, {moments_.dt_end, moments_.t_end}};
+    return Nearness{spot.square, spot.square_error, {lifetime_.dt_end, lifetime_.t_end}};
   }
 
-  /// Squared distance and slope at a moment in DoubleDouble, the slope's growth in double.
+  /// Squared distance and slope at a time in DoubleDouble; the derivative of the slope in double.
   struct Spot {
     DoubleDouble square, slope;
     double square_error = 0, slope_error = 0;
@@ -221,19 +222,19 @@ class CertainApproach {
   }
 
   const Setup& setup_;
-  Moments moments_;
+  PairLifetime lifetime_;
   CertainMotion<D> relative_;
   RelativeMotion<DoubleDouble, D> motion_;
   DoubleDouble begin_, end_;
   bool still_;
-  Valley valleys_[2];
+  FallingInterval valleys_[2];
   int valley_count_ = 0;
 };
 
 template <int D>
 [[gnu::noinline]] ClosestApproach exact_answer(const Setup& setup, const double* row_a, const double* row_b) {
   return exact_approach(squared_distance(relative_motion_of<Dyadic, D>(setup, row_a, row_b)),
-                        exact_moments_of(setup, row_a, row_b));
+                        exact_lifetime_of(setup, row_a, row_b));
 }
 
 }  // namespace
@@ -248,4 +249,4 @@ template ClosestApproach closest_approach_of<1>(const Setup&, const double*, con
 template ClosestApproach closest_approach_of<2>(const Setup&, const double*, const double*);
 template ClosestApproach closest_approach_of<3>(const Setup&, const double*, const double*);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,17 +1,17 @@
-// When do two touch? The room's one door: a pair of layouts and a question become typed code, once per
-// statement.
+// Contact of pairs of moving objects: which pairs touch during the horizon, when, and their closest approach.
+// The public interface of the module.
 //
 //   const ContactQuestion question{.horizon = {.now = 600, .h = 600}, .within = 926};
 //   auto contact = make_contact(ships, ships, question, "ships", "ships");
-//   contact->decide(candidates, hits);        // keeps the pairs that touch at some moment of the horizon
-//   contact->first_contacts(candidates, TimesWanted::both, hits, times);        // and says when, in one go
+//   contact->decide(candidates, hits);        // keeps the pairs that touch at some time of the horizon
+//   contact->first_contacts(candidates, TimesWanted::both, hits, times);        // the same, with the times
 //
-// Touching counts (contact is closed). A pair is looked at only while both objects exist: during
-// [max(now, t_a, t_b), min(now + h, until_a, until_b)]. Bodies at different reference times and of different
-// laws mix freely.
+// A pair of layouts and a ContactQuestion become typed code, once per statement. Contact is closed: touching
+// counts. A pair is examined only while both objects exist: during [max(now, t_a, t_b), min(now + h, until_a,
+// until_b)]. Objects may have different reference times and different laws of motion.
 //
-// The answers obey sixteen laws, which stand above the class Contact. Objects of this type keep scratch space
-// and are used by one thread at a time; several may share the same bodies.
+// The answers obey sixteen laws, which stand above the class Contact. An object of this type has scratch
+// space and is used by one thread at a time; several may share the same bodies.
 #pragma once
 
 #include <cstdint>
@@ -24,32 +24,32 @@
 #include "base/error.h"
 #include "shape/bodies.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 struct ContactQuestion {
   Horizon horizon;
-  double within = 0;  ///< coming this close counts as touching; >= 0, finite
-  std::optional<double> within_z =
-      {};  ///< three axes: the limit along z, apart from the one in x and y; >= 0, finite
-  bool rectangles_for_outlines = false;  ///< in place of each outline the smallest one around it
+  double within = 0;                     ///< the distance that counts as touching; >= 0, finite
+  std::optional<double> within_z = {};   ///< on three axes: a separate limit along z; >= 0, finite
+  bool rectangles_for_outlines = false;  ///< replace each outline by the smallest rectangle around it
 };
 
-/// Begin and end of the first contact, clipped to the moments asked about: absolute, and measured from `now`.
+/// Start and end of the first contact within the lifetime of the pair: absolute, and measured from `now`.
 struct ContactTimes {
   double t, t_end;
   double dt, dt_end;
 };
 
-/// Which times are read; ends cost as much as begins.
-enum class TimesWanted : std::uint8_t { begins, both };
+/// Which times are requested; ends cost as much as starts.
+enum class TimesWanted : std::uint8_t { starts, both };
 
-/// The closest approach of the two centres while both exist in the interval; the earliest moment on ties.
+/// The closest approach of the two centres while both exist in the horizon; the earliest time on ties.
 struct ClosestApproach {
   double t, dt;
   double d;
 };
 
-/// The laws of contact, for every pair of shapes, bit for bit. A change of numbers counts if it is exact.
+/// The laws of contact, for every pair of shapes, bit for bit. A law applies only
+/// if the change of the numbers is exact in doubles.
 /// tests/contact/laws_test.cpp and laws_of_order_test.cpp check each law by its number.
 ///
 /// Law 1 (symmetry): exchanging a and b changes no answer.
@@ -76,42 +76,43 @@ class Contact {
   Contact(const Contact&) = delete;
   Contact& operator=(const Contact&) = delete;
 
-  /// Appends to `hits` those of `pairs` that touch, in their order. No pair is wrong: decided is what the
-  /// real numbers do that the stored doubles are, without a tolerance, and whichever stage tells
-  /// (docs/exactness.md). Cost: some tens of nanoseconds for most pairs; microseconds, rarely more, for what
-  /// doubles cannot tell (docs/accuracy.md). An interrupt is not asked, but where heed() says so: some
-  /// hundred pairs a call.
+  /// Appends to `hits` the pairs that touch, in the order of `pairs`. The answer is that of the real numbers
+  /// which the stored doubles are, without a tolerance, whichever stage decides (docs/exactness.md). Cost:
+  /// some tens of nanoseconds for most pairs; microseconds, rarely more, for pairs that doubles cannot decide
+  /// (docs/accuracy.md). No interrupt is polled unless set_interrupt() says so: pass some hundred pairs per
+  /// call.
   virtual void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) = 0;
 
-  /// The same, and appends the times of each hit to `times`: each is the exact moment, rounded once. Ends
-  /// that are not wanted are anything. Costs more than decide(), which looks for any moment of contact: for
-  /// those who read times.
+  /// The same, and appends the times of each hit to `times`: each is the exact time, rounded once. End times
+  /// are unspecified unless requested. Costs more than decide(), which searches any time of contact.
   virtual void first_contacts(std::span<const Pair> pairs, TimesWanted wanted, std::vector<Pair>& hits,
                               std::vector<ContactTimes>& times) = 0;
 
   /// Closest approach of pairs that decide() has kept; `out` has one place for each.
   virtual void closest_approach(std::span<const Pair> hits, std::span<ClosestApproach> out) = 0;
 
-  /// How far swept boxes of both sides together must grow so that every pair that touches has boxes that
-  /// meet: in x and y (or all axes), and along z. Both are upper bounds.
+  /// The inflation of swept boxes, of both tables together, with which the boxes of every pair that touches
+  /// intersect: in x and y (or on all axes), and along z. Both are upper bounds.
   struct Reach {
     double within;
     double within_z;
   };
   virtual Reach reach() const = 0;
 
-  /// From now on, where a single pair may take long, `interrupt` is asked meanwhile; it must outlive this.
-  virtual void heed(Interrupt& /*interrupt*/) {}
+  /// Contacts whose single pairs may take long poll `interrupt` within a pair from now on. It must outlive
+  /// this.
+  virtual void set_interrupt(Interrupt& /*interrupt*/) {}
 
-  /// What the pairs asked about so far took, in words; "" where nothing was counted.
+  /// The work spent on the pairs so far, in words; "" if it is not counted.
   virtual std::string effort() const { return ""; }
 };
 
-/// Requires: a and b have the same number of axes. `name_a` and `name_b` are what messages call the two
-/// sides. The table of docs/semantics.md says which distance decides. Throws Error for pairs without a
-/// distance (docs/sql_reference.md): a cylinder and a ball, whatever its r; within_z with fewer than three
-/// axes, or where neither side is a point, a cylinder or a prism. The bodies must outlive the contact.
+/// The contact of two tables. `name_a` and `name_b` are their names in messages. The table of
+/// docs/semantics.md says which distance decides. Throws Error for pairs without a distance
+/// (docs/sql_reference.md). These are a cylinder and a ball of any r; within_z on fewer than three axes;
+/// within_z if neither table has points, cylinders or prisms. Requires: a and b have the same number of axes
+/// and outlive the contact.
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b);
 
-}  // namespace foresee::contact
+}  // namespace foresee

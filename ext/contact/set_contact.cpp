@@ -1,12 +1,20 @@
+// Contact of one contact set for all pairs: explicit instantiations, compiled alone because they take long.
 #include "contact/set_contact.h"
 
-#include "contact/typed_contact.h"
+#include "contact/contact_factories.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, int degree) {
   const int highest = std::max(degree, set.degree());
   return make_typed<SetContact>(setup.a.layout.axes, highest, setup, std::move(set));
 }
 
-}  // namespace foresee::contact
+template class SetContact<1, 1>;
+template class SetContact<1, 2>;
+template class SetContact<2, 1>;
+template class SetContact<2, 2>;
+template class SetContact<3, 1>;
+template class SetContact<3, 2>;
+
+}  // namespace foresee

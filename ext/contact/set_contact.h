@@ -1,6 +1,8 @@
-// Contact of pairs by their contact set, each stage asked in turn: some pairs at once, which lets most go;
-// then one after another, doubles with error bounds, DoubleDouble for the times, exact numbers for what those
-// leave open.
+// Contact of pairs by one contact set for all of them (contact_set.h), in stages of increasing cost.
+//
+// First the lanes (set_lanes.h) discard most pairs, several at a time. The others are decided one by one:
+// doubles with error bounds, DoubleDouble for the times, and exact numbers for pairs that these leave
+// undecided.
 #pragma once
 
 #include "base/float_environment.h"
@@ -9,9 +11,10 @@
 #include "contact/closest_approach.h"
 #include "contact/exact/exact_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// D: the axes. Degree: 1 or 2, the highest power of time in the relative motion and in the set's sizes.
+/// D: the number of axes. Degree: 1 or 2, the highest power of time in the relative motion and in the sizes
+/// of the set.
 template <int D, int Degree>
 class SetContact : public Contact {
  public:
@@ -59,8 +62,8 @@ class SetContact : public Contact {
   }
 
  protected:
-  /// Asks for the rows of a later pair: neighbours in space are seldom neighbours in memory, and waiting for
-  /// memory would be a quarter of a decision.
+  /// Prefetches the rows of a later pair: neighbours in space are seldom neighbours in memory, and memory
+  /// latency would be a quarter of the cost of a decision.
   void fetch_ahead(std::span<const Pair> pairs, std::size_t i) const {
     constexpr std::size_t ahead = 16, doubles_per_line = 8;
     if (i + ahead >= pairs.size()) return;
@@ -72,23 +75,23 @@ class SetContact : public Contact {
     __builtin_prefetch(row_b + doubles_per_line);
   }
 
-  /// Whether the pair touches, exactly. `near`: only then can it, if at all.
+  /// Whether the pair touches, exactly. `near`: it can touch at no other times.
   [[gnu::noinline]] bool touches(const double* row_a, const double* row_b,
-                                 const Period<double>& near = any_time) {
-    const Moments moments = moments_of(setup_, row_a, row_b);
-    if (moments.none) return false;
-    const Verdict verdict = advancement(row_a, row_b, moments, near).touches();
+                                 const Interval<double>& near = any_time) {
+    const PairLifetime lifetime = pair_lifetime_of(setup_, row_a, row_b);
+    if (lifetime.none) return false;
+    const Verdict verdict = advancement(row_a, row_b, lifetime, near).touches();
     if (verdict != Verdict::uncertain) return verdict == Verdict::yes;
     return exactly<bool>(row_a, row_b, exact_touches);
   }
 
-  /// Whether and when the pair touches: the exact moments, each rounded once. `near`: as for touches().
-  [[gnu::noinline]] bool first_contact(const double* row_a, const double* row_b, const Period<double>& near,
+  /// Whether and when the pair touches: the exact times, each rounded once. `near`: as for touches().
+  [[gnu::noinline]] bool first_contact(const double* row_a, const double* row_b, const Interval<double>& near,
                                        TimesWanted wanted, ContactTimes& found) {
-    const Moments moments = moments_of(setup_, row_a, row_b);
-    if (moments.none) return false;
+    const PairLifetime lifetime = pair_lifetime_of(setup_, row_a, row_b);
+    if (lifetime.none) return false;
     Instant begin = unknown_instant(), end = unknown_instant();
-    const Verdict touches = filtered_contact(row_a, row_b, moments, near, wanted, begin, end);
+    const Verdict touches = filtered_contact(row_a, row_b, lifetime, near, wanted, begin, end);
     if (touches == Verdict::no) return false;
     found = {begin.t, end.t, begin.dt, end.dt};
     if (touches == Verdict::yes && begin.known() && end.known()) return true;
@@ -99,34 +102,36 @@ class SetContact : public Contact {
 
   /// The end of the contact that the pair certainly has at `from`, or unknown.
   [[gnu::noinline]] Instant end_of_contact(const double* row_a, const double* row_b, double from) {
-    const Moments moments = moments_of(setup_, row_a, row_b);
-    auto advancement = this->advancement(row_a, row_b, moments, any_time);
-    return end_of_contact(advancement, from, moments, row_a, row_b);
+    const PairLifetime lifetime = pair_lifetime_of(setup_, row_a, row_b);
+    auto advancement = this->advancement(row_a, row_b, lifetime, any_time);
+    return end_of_contact(advancement, from, lifetime, row_a, row_b);
   }
 
-  /// The end of the contact that certainly is at `from`, or unknown.
-  Instant end_of_contact(Advancement<D, Degree>& advancement, double from, const Moments& moments,
+  /// The same, with an Advancement of the pair.
+  Instant end_of_contact(Advancement<D, Degree>& advancement, double from, const PairLifetime& lifetime,
                          const double* row_a, const double* row_b) {
     Bracket last;
     const Verdict leaves = advancement.end_of_contact(from, last);
     if (leaves == Verdict::uncertain) return unknown_instant();
-    const Instant end{moments.dt_end, moments.t_end};
-    return leaves == Verdict::no ? end : earlier(crossing<Way::out>(advancement, last, row_a, row_b), end);
+    const Instant end{lifetime.dt_end, lifetime.t_end};
+    return leaves == Verdict::no
+               ? end
+               : earlier(crossing<CrossingDirection::leaving>(advancement, last, row_a, row_b), end);
   }
 
-  static constexpr Period<double> any_time{0, for_ever};
+  static constexpr Interval<double> any_time{0, unbounded};
   const Setup setup_;
 
  private:
-  Advancement<D, Degree> advancement(const double* row_a, const double* row_b, const Moments& moments,
-                                     const Period<double>& near) {
-    return {set_, setup_, row_a, row_b, moments, near, certain_scratch_};
+  Advancement<D, Degree> advancement(const double* row_a, const double* row_b, const PairLifetime& lifetime,
+                                     const Interval<double>& near) {
+    return {set_, setup_, row_a, row_b, lifetime, near, certain_scratch_};
   }
 
-  Period<double> near(int l) const { return {set_lanes_.begin[l], set_lanes_.end[l]}; }
+  Interval<double> near(int l) const { return {set_lanes_.begin[l], set_lanes_.end[l]}; }
 
-  /// Visits the pairs that are not certainly apart, in order, each with its lane: near(l) is when it could
-  /// touch, and where that is wanted lanes_.touches[l] whether it certainly does.
+  /// Visits the pairs that are not certainly apart, in order, each with its lane l. near(l) is when the pair
+  /// can touch. If touches_wanted, set_lanes_.touches[l] says whether it certainly touches.
   template <class Visit>
   void in_set_lanes(std::span<const Pair> pairs, bool touches_wanted, Visit&& visit) {
     constexpr std::size_t width = SetLanes::width;
@@ -138,44 +143,43 @@ class SetContact : public Contact {
         const Pair& pair = some[std::min(l, some.size() - 1)];  // lanes without a pair repeat the last one
         set_lanes_.a[l] = setup_.a.row(pair.a), set_lanes_.b[l] = setup_.b.row(pair.b);
       }
-      set_kernel_.look(question_, set_lanes_);
+      set_kernel_.classify(question_, set_lanes_);
       for (std::size_t l = 0; l < some.size(); ++l)
         if (!(set_lanes_.begin[l] > set_lanes_.end[l])) visit(some[l], static_cast<int>(l));
     }
   }
 
-  /// What double and DoubleDouble can vouch for: whether the two touch and, where known, since and until
-  /// when.
-  Verdict filtered_contact(const double* row_a, const double* row_b, const Moments& moments,
-                           const Period<double>& near, TimesWanted wanted, Instant& begin, Instant& end) {
-    auto advancement = this->advancement(row_a, row_b, moments, near);
+  /// The answer of double and DoubleDouble: whether the two touch and, where known, from when until when.
+  Verdict filtered_contact(const double* row_a, const double* row_b, const PairLifetime& lifetime,
+                           const Interval<double>& near, TimesWanted wanted, Instant& begin, Instant& end) {
+    auto advancement = this->advancement(row_a, row_b, lifetime, near);
     Bracket first;
     const Verdict meets = advancement.first_contact(first);
     if (meets != Verdict::yes) return meets;
-    begin = {moments.dt_begin, moments.t_begin};
-    if (first.after > moments.dt_begin)
-      begin = later(crossing<Way::in>(advancement, first, row_a, row_b), begin);
-    end =
-        wanted == TimesWanted::both ? end_of_contact(advancement, first.after, moments, row_a, row_b) : begin;
+    begin = {lifetime.dt_start, lifetime.t_start};
+    if (first.after > lifetime.dt_start)
+      begin = later(crossing<CrossingDirection::entering>(advancement, first, row_a, row_b), begin);
+    end = wanted == TimesWanted::both ? end_of_contact(advancement, first.after, lifetime, row_a, row_b)
+                                      : begin;
     return meets;
   }
 
-  /// The moment in the bracket at which the set begins or ceases to be met, rounded once, or unknown.
-  template <Way way>
+  /// The time in the bracket at which the pair enters or leaves the set, rounded once, or unknown.
+  template <CrossingDirection direction>
   Instant crossing(Advancement<D, Degree>& advancement, const Bracket& bracket, const double* row_a,
                    const double* row_b) {
     const auto relative = relative_motion_of<DoubleDouble, D>(setup_, row_a, row_b);
-    return Crossing<way, D, Degree>(advancement.certain(), relative, {set_, row_a, row_b}, bracket,
-                                    setup_.horizon.now, crossing_scratch_)
+    return Crossing<direction, D, Degree>(advancement.certain(), relative, {set_, row_a, row_b}, bracket,
+                                          setup_.horizon.now, crossing_scratch_)
         .instant();
   }
 
-  /// The exact stages' answer: they always have one.
+  /// The answer of the exact stage, which always has one.
   template <class Answer>
   [[gnu::noinline]] Answer exactly(const double* row_a, const double* row_b,
-                                   Answer (*ask)(PiecePolynomials&, const ExactMoments&)) const {
+                                   Answer (*decide)(PiecePolynomials&, const ExactLifetime&)) const {
     PairPolynomials polynomials(set_, setup_, row_a, row_b);
-    return ask(polynomials, exact_moments_of(setup_, row_a, row_b));
+    return decide(polynomials, exact_lifetime_of(setup_, row_a, row_b));
   }
 
   const ContactSet set_;
@@ -194,4 +198,4 @@ extern template class SetContact<2, 2>;
 extern template class SetContact<3, 1>;
 extern template class SetContact<3, 2>;
 
-}  // namespace foresee::contact
+}  // namespace foresee

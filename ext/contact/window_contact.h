@@ -1,36 +1,38 @@
-// When does an object touch a moving window? The second door of the room: one window instead of one side's
-// bodies.
+// Contact of objects with a moving window: the second public interface of the module, with one window in
+// place of the first table.
 //
-//   WindowFaces faces;                                           // nothing bounds it
+//   WindowFaces faces;                                           // open to all sides
 //   faces.lower[0] = 0, faces.upper[0] = 100, faces.velocity[0] = 1;
-//   MovingWindow window(faces, ships.layout, 600);               // whom it meets, now
+//   MovingWindow window(faces, ships.layout, 600);               // for tables of this layout, now
 //   auto contact = make_window_contact(window, ships, {.now = 600, .h = 300});
 //   contact->decide(pairs, hits);                                // pairs (0, row of the object)
 //
-// A window is a closed box whose faces move together from `now` on; an infinite face is no bound. Touching
-// counts. Boxes and points are compared axis by axis; discs and balls by the Euclidean distance from the
-// window to the surface; cylinders and outlines so in x and y, and along z apart. A zone, a window with an
-// outline, is Euclidean against everything in x and y. Decision and times are exact, as
-// between two objects: a window is never turned into a centre and half extents, which doubles might not hold.
+// A window is a closed box whose faces move together from `now` on; an infinite face does not bound it.
+// Touching counts. Boxes and points are compared axis by axis. Discs and balls have the Euclidean distance
+// from the window to their surface. Cylinders and outlines have that distance in x and y, and are compared
+// along z separately. A zone is a window with an outline: its distance in x and y is Euclidean for all
+// shapes.
+//
+// Decision and times are exact, as between two objects. A window is never converted to a centre and half
+// extents, which doubles might not represent.
 #pragma once
 
 #include <array>
 
 #include "contact/contact.h"
-#include "contact/set/window_faces.h"
-#include "shape/outline/cut_outline.h"
+#include "contact/set/relative_motion.h"
 #include "shape/outline/outline_rows.h"
+#include "shape/outline/shared_outline.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// A window as a body that contact can be asked about: a point at the reference of its faces, or at the
-/// origin where contact is that of outlines or meshes. With a zone the window is what lies within that
-/// outline, in absolute coordinates at `now`, and between its own faces across z; the others must be
-/// infinite.
+/// A window as a body of a contact: a point at the reference of its faces, or at the origin for contact of
+/// outlines or meshes. With a zone the window is the inside of that outline, in absolute coordinates at
+/// `now`, between the faces across z; the other faces must be infinite.
 class MovingWindow {
  public:
   MovingWindow(const WindowFaces& faces, const Layout& objects, double now,
-               std::shared_ptr<const CutOutline> zone = nullptr);
+               std::shared_ptr<const SharedOutline> zone = nullptr);
   MovingWindow(const MovingWindow&) = delete;
   MovingWindow& operator=(const MovingWindow&) = delete;
 
@@ -41,10 +43,10 @@ class MovingWindow {
  private:
   /// The one row of a zone.
   struct Zone final : OutlineRows {
-    const ConvexPieces* pieces(std::size_t, OwnPieces<ConvexPieces>&) const override {
+    const ConvexPieces* pieces(std::size_t, ScratchPieces<ConvexPieces>&) const override {
       return &outline->pieces();
     }
-    std::shared_ptr<const CutOutline> outline;
+    std::shared_ptr<const SharedOutline> outline;
   };
 
   WindowFaces faces_;
@@ -54,9 +56,10 @@ class MovingWindow {
   Bodies bodies_;
 };
 
-/// Requires: the window is made for this layout and for horizon.now. Throws Error for balls on three axes and
-/// a zone with faces across z: no distance is defined there. Window and objects must outlive the contact.
+/// The contact of a window and a table. Throws Error for balls on three axes and a zone with faces across z,
+/// which have no distance. Requires: the window is made for this layout and for horizon.now; window and
+/// objects outlive the contact.
 std::unique_ptr<Contact> make_window_contact(const MovingWindow& window, const Bodies& objects,
                                              const Horizon& horizon);
 
-}  // namespace foresee::contact
+}  // namespace foresee

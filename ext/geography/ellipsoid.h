@@ -1,11 +1,25 @@
-// The shape of the Earth, and directions on it in degrees.
+// The WGS84 ellipsoid, position reports of ships, and directions in degrees.
 #pragma once
 
 #include <cmath>
+#include <optional>
 
-#include "base/rooms.h"
+#include "geography/geodesic.h"
 
-namespace foresee::geography {
+namespace foresee {
+
+// Motion over the ground.
+
+struct Course {
+  double speed;    ///< metres per second
+  double degrees;  ///< clockwise from north
+};
+
+/// A position report of a ship: its place, and its motion if known.
+struct Fix {
+  LatLon place;
+  std::optional<Course> course;
+};
 
 // WGS84 (NIMA TR8350.2, table 3.1).
 inline constexpr double semi_major = 6378137;
@@ -18,7 +32,7 @@ struct Direction {
   double sine, cosine;
 };
 
-inline Direction direction_of(double degrees) {
+inline Direction unit_direction(double degrees) {
   int quarters = 0;
   const double rest = std::remquo(degrees, 90, &quarters) * (3.14159265358979323846 / 180);
   const double s = std::sin(rest), c = std::cos(rest);
@@ -34,16 +48,16 @@ inline Direction direction_of(double degrees) {
   }
 }
 
-/// The power of two that brings numbers of this size near 1: computed so far from the ends of a double's
-/// range, and scaled back by std::ldexp, a result is finite wherever a double holds it.
+/// The exponent of the power of two that scales numbers of this magnitude to about 1. Scaled so, a
+/// computation cannot over- or underflow on its way; after std::ldexp back, the result is finite wherever a
+/// double holds it.
 inline int exponent_of(double magnitude) {
   int exponent = 0;
   std::frexp(magnitude, &exponent);
   return exponent;
 }
 
-/// An angle of any size as a course: in [0, 360), and never -0. A small negative angle plus 360 rounds to
-/// 360.
+/// Any angle as a course in [0, 360), never -0. (A small negative angle plus 360 rounds to 360.)
 inline double full_turn(double degrees) {
   const double half_turn = std::remainder(degrees, 360);
   const double course = half_turn < 0 ? half_turn + 360 : half_turn + 0.0;
@@ -55,4 +69,4 @@ inline double course_of(double east, double north) {
   return full_turn(std::atan2(east, north) * (180 / 3.14159265358979323846));
 }
 
-}  // namespace foresee::geography
+}  // namespace foresee

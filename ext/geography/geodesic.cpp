@@ -1,6 +1,6 @@
 #include "geography/geodesic.h"
 
-// GCC takes a number of the inverse for one that nobody may have set; it is, wherever it is read.
+// GCC warns that a number of the inverse formula may be uninitialized; it is set wherever it is read.
 #pragma GCC diagnostic push
 #ifndef __clang__
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -13,7 +13,7 @@
 
 #include "geography/ellipsoid.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 namespace formula = boost::geometry::formula;
@@ -32,8 +32,8 @@ Geodesic geodesic_between(const LatLon& from, const LatLon& to) {
   return {found.distance, found.azimuth, found.reverse_azimuth, found.reduced_length};
 }
 
-// At a pole Boost's direct formula loses the longitude: it multiplies by the cosine of the latitude. There
-// each azimuth is a meridian, whose longitude is known; the formula then gives the latitude along it.
+// At a pole Boost's direct formula loses the longitude, because it multiplies by the cosine of the latitude.
+// There each azimuth is a meridian of known longitude; the formula then gives the latitude along it.
 GeodesicEnd geodesic_from(const LatLon& from, double azimuth, double distance) {
   const double lon = within_half_turn(from.lon);
   if (distance == 0) return {{from.lat, lon}, within_half_turn(azimuth), 0};
@@ -43,7 +43,8 @@ GeodesicEnd geodesic_from(const LatLon& from, double azimuth, double distance) {
       formula::karney_direct<double, true, true, true>::apply(lon, from.lat, distance, start, earth);
   if (!at_pole) {
     const LatLon place{found.lat2, within_half_turn(found.lon2)};
-    // Into a pole the formula's azimuth is the angle of (0, 0); the inverse formula knows it.
+    // At an arrival in a pole the formula's azimuth is the angle of (0, 0); the inverse formula has the right
+    // one.
     const bool into_pole = std::abs(place.lat) == 90;
     const double arrival = into_pole ? geodesic_between(from, place).azimuth_there : found.reverse_azimuth;
     return {place, arrival, found.reduced_length};
@@ -55,4 +56,4 @@ GeodesicEnd geodesic_from(const LatLon& from, double azimuth, double distance) {
           found.reduced_length};
 }
 
-}  // namespace foresee::geography
+}  // namespace foresee

@@ -1,18 +1,17 @@
-// How far is it from place to place on the Earth, and where does one come by going straight on?
+// Geodesics on the WGS84 ellipsoid: distance and azimuth between two places, and the end of a straight
+// course.
 //
-//   const Geodesic way = geodesic_between({40.6, -73.8}, {51.6, -0.5});     // JFK to LHR
-//   way.distance == 5551759.400                                            // metres, to the millimetre shown
-//   const GeodesicEnd there = geodesic_from({40.6, -73.8}, way.azimuth, way.distance);
+//   const Geodesic line = geodesic_between({40.6, -73.8}, {51.6, -0.5});     // JFK to LHR
+//   line.distance == 5551759.400  // metres, to the millimetre shown
+//   const GeodesicEnd there = geodesic_from({40.6, -73.8}, line.azimuth, line.distance);
 //
-// The Earth is the ellipsoid of WGS84; the lines are its geodesics, the shortest ones (Karney, "Algorithms
-// for geodesics", Journal of Geodesy 87, 2013, sections 2 to 6, as Boost.Geometry has them). Angles are
-// degrees, azimuths clockwise from north; longitudes and azimuths of any size are taken modulo 360. Errors
-// are some nanometres. Cost: about a microsecond.
+// The lines are the shortest geodesics, as Boost.Geometry computes them (Karney, "Algorithms for geodesics",
+// Journal of Geodesy 87, 2013, sections 2 to 6). Angles are degrees, azimuths clockwise from north;
+// longitudes and azimuths of any size are taken modulo 360. Errors: some nanometres. Cost: about a
+// microsecond.
 #pragma once
 
-#include "base/rooms.h"
-
-namespace foresee::geography {
+namespace foresee {
 
 /// Requires: finite, |lat| <= 90.
 struct LatLon {
@@ -21,9 +20,9 @@ struct LatLon {
 
 struct Geodesic {
   double distance;        ///< metres
-  double azimuth;         ///< in which it leaves
-  double azimuth_there;   ///< in which it arrives, and would go on
-  double reduced_length;  ///< how far apart, per radian between them at its beginning, its neighbours arrive
+  double azimuth;         ///< at the start
+  double azimuth_there;   ///< at the end, in the direction of travel
+  double reduced_length;  ///< separation at the end per radian of azimuth at the start
 };
 
 struct GeodesicEnd {
@@ -35,8 +34,8 @@ struct GeodesicEnd {
 Geodesic geodesic_between(const LatLon& from, const LatLon& to);
 GeodesicEnd geodesic_from(const LatLon& from, double azimuth, double distance);
 
-/// Half the length of a meridian, 20003931.45862545 m, rounded up: no two places are farther apart, as
-/// computed neither.
+/// Half the length of a meridian, 20003931.45862545 m, rounded up: an upper bound of every distance, also as
+/// computed.
 inline constexpr double greatest_distance = 20003931.458626;
 
-}  // namespace foresee::geography
+}  // namespace foresee

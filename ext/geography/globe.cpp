@@ -5,10 +5,10 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/shown.h"
+#include "base/number_text.h"
 #include "geography/ellipsoid.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -17,7 +17,7 @@ double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// What is east, north and up at a place, and how the Earth is curved there.
+/// The directions east, north and up at a place, and the Earth's curvature there.
 struct Horizontal {
   Vector east, north, up;
   double across, along;  ///< radii of curvature, across the meridian and along it
@@ -32,7 +32,7 @@ struct Horizontal {
   }
 };
 
-constexpr double least_radius = 1e5;  // metres
+constexpr double min_radius = 1e5;  // metres
 
 bool all_finite(const Vector& v) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
@@ -40,7 +40,7 @@ bool all_finite(const Vector& v) {
 
 OnGlobe::Motion motion_of(const Flight& flight, const Horizontal& here) {
   const Course& given = *flight.fix.course;
-  const Direction course = direction_of(given.degrees);
+  const Direction course = unit_direction(given.degrees);
   const double curvature = course.sine * course.sine / (here.across + flight.height) +
                            course.cosine * course.cosine / (here.along + flight.height);
   const int exponent = exponent_of(std::max(std::abs(given.speed), std::abs(flight.climb)));
@@ -64,8 +64,8 @@ OnGlobe::Motion motion_of(const Flight& flight, const Horizontal& here) {
 
 OnGlobe to_globe(const Flight& flight) {
   const LatLon& place = flight.fix.place;
-  const Horizontal here(direction_of(place.lat), direction_of(std::remainder(place.lon, 360)));
-  if (!(here.along + flight.height >= least_radius))
+  const Horizontal here(unit_direction(place.lat), unit_direction(std::remainder(place.lon, 360)));
+  if (!(here.along + flight.height >= min_radius))
     throw Error("height is " + shown(flight.height) +
                 " m: the centre of the Earth is 6.4e6 m down; write metres above the ellipsoid, or NULL");
   const double out = here.across + flight.height;
@@ -77,12 +77,12 @@ OnGlobe to_globe(const Flight& flight) {
 }
 
 Flight from_globe(const OnGlobe& point) {
-  // + 0.0: on the axis the longitude is 0, whichever zeros x and y are.
+  // + 0.0: on the axis the longitude is 0 for every sign of the zeros x and y.
   const double x = point.x[0] + 0.0, y = point.x[1] + 0.0, z = point.x[2] + 0.0, p = std::hypot(x, y);
-  if (!(std::hypot(p, z) >= least_radius))
+  if (!(std::hypot(p, z) >= min_radius))
     throw Error("x, y, z are " + shown(std::hypot(p, z)) +
                 " m from the centre of the Earth: heights are meant from 100 km on");
-  // Of the reduced latitude: tan = z / p, and so on.
+  // Start of the iteration: the reduced latitude, tan = z / p.
   const double squashed = semi_minor / semi_major;
   const double second = eccentricity_squared / (1 - eccentricity_squared);
   double reduced = std::atan2(z, p * squashed), lat = 0;
@@ -98,7 +98,7 @@ Flight from_globe(const OnGlobe& point) {
   const double across = semi_major / std::sqrt(1 - eccentricity_squared * sine * sine);
   Flight flight;
   flight.fix.place = {lat * degree, std::atan2(y, x) * degree};
-  // Along the vertical, which neither the pole nor the equator makes a division by nothing.
+  // Measured along the vertical: this form divides by zero neither at a pole nor at the equator.
   flight.height = p * cosine + z * sine - across * (1 - eccentricity_squared * sine * sine);
   if (!std::isfinite(flight.height))
     throw Error("x, y, z are " + shown(x) + ", " + shown(y) + ", " + shown(z) +
@@ -122,4 +122,4 @@ Flight from_globe(const OnGlobe& point) {
   return flight;
 }
 
-}  // namespace foresee::geography
+}  // namespace foresee

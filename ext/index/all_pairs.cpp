@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 constexpr std::size_t pairs_per_batch = 4096;
 
-/// Row by row; in a self-join a row meets the rows after it. Pauses anywhere within a row.
+/// Emits pairs row by row; in a self-join a row is paired with the rows after it. A batch may end within a
+/// row.
 class AllPairs final : public Candidates {
  public:
   AllPairs(std::size_t count_a, std::size_t count_b, bool within, Interrupt& interrupt)
@@ -29,7 +30,7 @@ class AllPairs final : public Candidates {
 
  private:
   std::size_t count_a_, count_b_;
-  std::size_t within_;  // 1 in a self-join: rows begin behind the diagonal
+  std::size_t within_;  // 1 in a self-join: a row starts behind the diagonal
   std::size_t a_ = 0, b_;
   Interrupt& interrupt_;
 };
@@ -44,4 +45,4 @@ std::unique_ptr<Candidates> make_all_pairs(std::size_t count_a, std::size_t coun
   return std::make_unique<AllPairs>(count_b == 0 ? 0 : count_a, count_b, false, interrupt);
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -4,12 +4,12 @@
 #include <stdexcept>
 #include <utility>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
-std::size_t fitting(std::size_t asked, std::size_t bytes_per_key) {
+std::size_t fitting(std::size_t queried, std::size_t bytes_per_key) {
   constexpr std::size_t page = 4096, head = 64;
-  return std::max<std::size_t>(4, asked != 0 ? asked : (page - head) / bytes_per_key);
+  return std::max<std::size_t>(4, queried != 0 ? queried : (page - head) / bytes_per_key);
 }
 
 }  // namespace
@@ -75,4 +75,4 @@ void MemoryPages::place(std::span<const std::int64_t> ids, NodeNumber leaf) {
   for (const std::int64_t id : ids) leaves_[id] = leaf;
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,20 +1,20 @@
-// A tree's pages in memory: for tests, benchmarks and applications that embed the core without SQLite.
+// Pages of a TPR-tree in memory: for tests, benchmarks and applications that embed the core without SQLite.
 //
 //   MemoryPages pages({.axes = 2, .law = Law::uniform});
 //   auto tree = make_tpr_tree(pages, 60);
 //
-// Nodes are copied before they change only while somebody holds a share of them.
+// A node is copied before a change only while a caller holds a shared pointer to it.
 #pragma once
 
 #include <unordered_map>
 
 #include "index/pages.h"
 
-namespace foresee::index {
+namespace foresee {
 
 class MemoryPages final : public Pages {
  public:
-  /// Capacities default to what fits a page of 4096 bytes.
+  /// By default the capacities are what fits a page of 4096 bytes.
   explicit MemoryPages(const Layout& layout, std::size_t leaf_capacity = 0, std::size_t inner_capacity = 0);
 
   const Layout& layout() const override { return layout_; }
@@ -43,9 +43,9 @@ class MemoryPages final : public Pages {
   Layout layout_;
   std::size_t leaf_capacity_, inner_capacity_;
   NodeNumber root_ = 0;
-  std::vector<std::shared_ptr<Node>> nodes_;  ///< by number; null: free
+  std::vector<std::shared_ptr<Node>> nodes_;  ///< by number; null: unused
   std::vector<NodeNumber> free_;
   std::unordered_map<std::int64_t, NodeNumber> leaves_;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 constexpr std::uint32_t batch_size = 4096;
@@ -32,4 +32,4 @@ std::unique_ptr<Candidates> make_one_with_all(const OneWithAll& rows, Interrupt&
   return std::make_unique<OneWithAllCandidates>(rows, interrupt);
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,13 +1,13 @@
-// Who might touch one object? Everybody: the candidates of a question about one id, linear in the others.
+// Candidates of a query about one object: its row paired with every row of the other side, in linear time.
 //
 //   auto candidates = make_one_with_all({.one = 7, .count = 1000}, interrupt);  // (7, 0), (7, 1), …
 //
-// The pair of a row with itself is left to the caller, who alone knows whether both sides are one table.
+// The pair of a row with itself is included: only the caller knows whether both sides are the same table.
 #pragma once
 
 #include "index/candidates.h"
 
-namespace foresee::index {
+namespace foresee {
 
 enum class Side : std::uint8_t { a, b };
 
@@ -19,4 +19,4 @@ struct OneWithAll {
 
 std::unique_ptr<Candidates> make_one_with_all(const OneWithAll& rows, Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

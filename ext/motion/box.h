@@ -1,12 +1,12 @@
-// Boxes along the axes, and bounds rounded outward.
+// Axis-aligned boxes, extents around a position, and bounds that are rounded outward.
 #pragma once
 
 #include <cmath>
 #include <limits>
 
-#include "motion/vec.h"
+#include "motion/motion.h"
 
-namespace foresee::motion {
+namespace foresee {
 
 template <int D>
 struct Box {
@@ -18,21 +18,21 @@ struct Box {
     return {Vec<D>::Constant(inf), Vec<D>::Constant(-inf)};
   }
   bool is_empty() const { return !(lower <= upper).all(); }
-  /// Closed: boxes that touch meet.
+  /// Whether the closed boxes intersect: boxes that touch do.
   bool meets(const Box& other) const { return (lower <= other.upper).all() && (other.lower <= upper).all(); }
 };
 
-/// The box of a shape around its position: how far it reaches below and above on each axis. A position need
-/// not be the middle, and may lie outside.
+/// The bounding box of a shape relative to its position: its reach below and above on each axis. The position
+/// need not be the middle, and may lie outside.
 template <int D>
 struct Extents {
   Vec<D> lower, upper;
 
-  /// Of the position alone.
+  /// The extents of a point.
   static Extents none() { return {Vec<D>::Zero(), Vec<D>::Zero()}; }
 };
 
-/// What reaches equally far to both sides.
+/// Extents of equal reach to both sides.
 template <int D>
 Extents<D> symmetric(const Vec<D>& half) {
   return {-half, half};
@@ -44,7 +44,7 @@ Extents<D> grown(const Extents<D>& extents, const Vec<D>& margin) {
   return {extents.lower - margin, extents.upper + margin};
 }
 
-/// How far the farther side is.
+/// The reach of the farther side.
 template <int D>
 Vec<D> reach_of(const Extents<D>& extents) {
   return extents.lower.abs().max(extents.upper.abs());
@@ -66,4 +66,4 @@ inline Ends grown(double lower, double upper, double below, double above) {
           sound && std::isfinite(safe_high) ? safe_high : inf};
 }
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -1,11 +1,9 @@
-// How does an object move? The laws of motion, each a motion of constant acceleration or simpler.
+// Laws of motion: at rest, uniform, uniformly accelerated, or driven by a force.
 #pragma once
 
 #include <cstdint>
 
-#include "base/rooms.h"
-
-namespace foresee::motion {
+namespace foresee {
 
 /// How an object moves; each law adds columns to the one before.
 enum class Law : std::uint8_t {
@@ -15,10 +13,17 @@ enum class Law : std::uint8_t {
   forced,       ///< x, v, force and mass: a = F/m, rounded once, computed when read
 };
 
-/// Of the centre's motion as a polynomial of time, and so of the relative motion of two that move by this
-/// law.
+/// The degree of the centre's motion as a polynomial in time; the relative motion of two objects of this law
+/// has it too.
 constexpr int degree_of(Law law) {
   return law == Law::rest ? 0 : law == Law::uniform ? 1 : 2;
 }
 
-}  // namespace foresee::motion
+/// Motion on one axis as of a reference time. Real: double, or several objects at once (base/doubles.h).
+/// Without Eigen: kernels include this.
+template <class Real>
+struct AxisMotion {
+  Real x, v, a;
+};
+
+}  // namespace foresee

@@ -4,16 +4,16 @@
 
 #include "numbers/turned_vector.h"
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
-/// Both components, if the vector has a length at all.
+/// Turns the vector in x and y.
 void turn(std::array<double, 3>& vector, double degrees) {
   const Turned turned = turned_clockwise(vector[0], vector[1], degrees);
   vector[0] = turned.x, vector[1] = turned.y;
 }
 
-/// Less than a whole turn more, or as much less, is the same heading.
+/// The sum, with a whole turn subtracted or added if it is beyond 360 or below -360.
 double turned_heading(double heading, double degrees) {
   Dyadic sum = Dyadic(heading) + Dyadic(degrees);
   const Dyadic whole(360.0);
@@ -22,7 +22,7 @@ double turned_heading(double heading, double degrees) {
   return rounded(sum) + 0.0;
 }
 
-/// a + k b / m, b one component of the velocity.
+/// a + k b / m, where b is one component of the velocity.
 double added_along(double a, double k, double b, double m) {
   return rounded_quotient(Dyadic(a) * Dyadic(m) + Dyadic(k) * Dyadic(b), Dyadic(m));
 }
@@ -111,4 +111,4 @@ bool is_finite(const OwnMotion& motion) {
   return finite;
 }
 
-}  // namespace foresee::motion
+}  // namespace foresee

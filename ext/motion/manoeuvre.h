@@ -1,19 +1,19 @@
-// How can an object change its motion? Five manoeuvres, each a function of one number k: what the object does
-// from a moment on, as numbers that a table can store.
+// Manoeuvres: five changes of a motion, each a function of one number k; the result can be stored in a table.
 //
 //   const OwnMotion base = motion_from(ship, 600);            // the same motion as of t = 600
-//   const OwnMotion turned = changed(base, {Manoeuvre::turn, speed_of(base)}, 15);  // 15 degrees to starboard
+//   // 15 degrees to starboard
+//   const OwnMotion turned = changed(base, {Manoeuvre::turn, speed_of(base)}, 15);
 //
-//   turn         velocity and acceleration are turned by k degrees clockwise (x east, y north), and so is
-//                what has a heading
-//   speed        k is added to the speed along the course: v (m + k) / m, m = |v| rounded once
-//   climb        k is added to vz
-//   accelerate   k is added to the acceleration along the course: a + k v / m
-//   delay        everything begins, and ends, later by k: earlier where k < 0
+//   turn         turns velocity and acceleration by k degrees clockwise (x east, y north), and the heading
+//                of a shape that has one
+//   speed        adds k to the speed along the course: v (m + k) / m, m = |v| rounded once
+//   climb        adds k to vz
+//   accelerate   adds k to the acceleration along the course: a + k v / m
+//   delay        shifts start and end by k: later, or earlier where k < 0
 //
 // k = 0 changes nothing. Each number is the exact value rounded once, the same on every machine; 0 is never
-// -0. A force is changed in place of the acceleration that it gives. Instantaneous, as all velocity obstacles
-// are: a change must be a motion that a row can hold. Cost: microseconds.
+// -0. If a force gives the acceleration, the force is changed. Changes are instantaneous, as in all velocity
+// obstacles: the result must be a motion that a row can hold. Cost: microseconds.
 #pragma once
 
 #include <array>
@@ -21,44 +21,42 @@
 #include <limits>
 #include <string_view>
 
-#include "base/rooms.h"
-
-namespace foresee::motion {
+namespace foresee {
 
 enum class Manoeuvre : std::uint8_t { turn, speed, climb, accelerate, delay };
 
-/// Its name in SQL.
+/// The manoeuvre's name in SQL.
 std::string_view name_of(Manoeuvre manoeuvre);
 
-/// One object's motion with what it is made of; axes that are not there are 0.
+/// The stored numbers of one object's motion, with force and mass; unused axes are 0.
 struct OwnMotion {
   double t = 0, until = std::numeric_limits<double>::infinity();
   std::array<double, 3> x{}, v{}, a{};
   std::array<double, 3> force{};
   double mass = 0;     ///< 0: no forces; else a is force / mass, rounded
-  double heading = 0;  ///< of what has a shape that can be turned, -360 to 360
+  double heading = 0;  ///< of a shape that can be turned, -360 to 360
 
   friend bool operator==(const OwnMotion&, const OwnMotion&) = default;
 };
 
-/// The same motion with its place and velocity as of s, each rounded once. Requires: s >= motion.t.
+/// The same motion with position and velocity as of s, each rounded once. Requires: s >= motion.t.
 OwnMotion motion_from(const OwnMotion& motion, double s);
 
 /// The length of the velocity, rounded once; infinite where no double holds it.
 double speed_of(const OwnMotion& motion);
 
-/// What is changed, and by the speed of which motion the course is measured.
+/// The manoeuvre and the speed of the base motion, which scales its course.
 struct Change {
   Manoeuvre manoeuvre;
   double speed;      ///< speed_of() the base motion
-  double later = 0;  ///< of motions_between(): by so much the base itself begins earlier than what is delayed
+  double later = 0;  ///< of motions_between(): start of the motion to delay, minus the base's
 };
 
-/// The base motion after a change by k; of what overflows, numbers are infinite. Requires: k finite; speed >
-/// 0 for Manoeuvre::speed and accelerate.
+/// The base motion after a change by k; numbers that overflow are infinite. Requires: k finite; speed > 0 for
+/// Manoeuvre::speed and accelerate.
 OwnMotion changed(const OwnMotion& base, const Change& change, double k);
 
-/// Every number is finite but `until`.
+/// Whether all numbers are finite, except perhaps `until`.
 bool is_finite(const OwnMotion& motion);
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -1,21 +1,29 @@
-// One object's motion, and the moments that a question asks about.
+// The motion of one object, and the time interval (horizon) of a query.
 //
 // At time s the centre is x + v (s - t) + a (s - t)^2 / 2 on each axis (eq. 1 of the GPCD paper); the object
-// exists during the closed span [t, until].
+// exists during the closed interval [t, until].
 #pragma once
 
-#include "motion/vec.h"
+#include <Eigen/Core>
 
-namespace foresee::motion {
+#include "motion/law.h"
 
-/// The moments that a question asks about: the closed interval [now, now + h], its end being the exact real
-/// sum. Requires: now finite; h finite and >= 0.
+namespace foresee {
+
+// Vectors of one to three axes, in the scene's own unit of length.
+
+/// An Eigen array, not a vector: `*`, `<` and `max` are element-wise, as boxes need.
+template <int D>
+using Vec = Eigen::Array<double, D, 1>;
+
+/// The closed time interval [now, now + h] of a query; its end is the exact real sum. Requires: now finite;
+/// h finite and >= 0.
 struct Horizon {
   double now = 0;
   double h = 0;
 };
 
-/// One object's motion as numbers of its own: what is not declared is at rest, from time 0, for ever.
+/// The motion of one object. Columns that are not declared have defaults: at rest, from time 0, unbounded.
 template <int D>
 struct Motion {
   double t;
@@ -23,4 +31,4 @@ struct Motion {
   double until;
 };
 
-}  // namespace foresee::motion
+}  // namespace foresee

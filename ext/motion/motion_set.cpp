@@ -2,12 +2,13 @@
 
 #include <limits>
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
-/// Eight units in the last place: four beside what is stored, its rounding, and what these lines take.
+/// Relative error of stored numbers: eight units in the last place cover four beside the stored number, its
+/// rounding, and the roundings of these lines.
 constexpr double pad_of_stored = 0x1p-49;
-/// The same for what is turned, of the length, with the error of sine and cosine.
+/// The same for turned vectors, relative to the length: covers the error of sine and cosine too.
 constexpr double pad_of_turned = 0x1p-47;
 
 template <int D>
@@ -15,7 +16,7 @@ Vec<D> vector_of(const std::array<double, 3>& values) {
   return Eigen::Map<const Vec<D>>(values.data());
 }
 
-/// What underflow takes from what is not 0.
+/// Covers the underflow of a number that is not 0.
 constexpr double lost = 8 * std::numeric_limits<double>::denorm_min();
 
 template <int D>
@@ -24,14 +25,14 @@ VectorSet<D> stored(const Vec<D>& vector) {
   return {.centre = vector, .pad = (size > 0).select(size * pad_of_stored + lost, Vec<D>::Zero())};
 }
 
-/// Of two numbers whose squares may vanish or overflow, up to some units in the last place.
+/// The length of a vector whose squares may under- or overflow, up to some units in the last place.
 double length_of(double x, double y) {
   const double largest = std::max(std::abs(x), std::abs(y));
   if (largest == 0) return 0;
   return largest * std::sqrt((x / largest) * (x / largest) + (y / largest) * (y / largest)) + lost;
 }
 
-/// `vector` turned by `middle`, give or take `half`, in degrees.
+/// `vector` turned by any angle of [middle - half, middle + half], in degrees.
 template <int D>
 VectorSet<D> turned(const Vec<D>& vector, double middle, double half) {
   VectorSet<D> set = stored<D>(vector);
@@ -50,7 +51,7 @@ VectorSet<D> turned(const Vec<D>& vector, double middle, double half) {
   return set;
 }
 
-/// `vector` and s times `course` beside it, |s - middle| <= half.
+/// `vector` + s `course` for all |s - middle| <= half.
 template <int D>
 VectorSet<D> added(const Vec<D>& vector, const Vec<D>& course, double middle, double half) {
   VectorSet<D> set;
@@ -60,7 +61,7 @@ VectorSet<D> added(const Vec<D>& vector, const Vec<D>& course, double middle, do
   return set;
 }
 
-/// t + k is stored, rounded; `later` and what is added to it are rounded too.
+/// The rounding of the stored sum t + k, and of `later` and its sums.
 double rounding_of_delay(const OwnMotion& base, double furthest, double later) {
   return 0x1p-52 * (std::abs(base.t) + furthest + 2 * later);
 }
@@ -86,7 +87,7 @@ void delay(MotionSet<D>& set, const OwnMotion& base, double p, double q, double 
 
 }  // namespace
 
-double least_change(const OwnMotion& base, const Change& change, double p, double q) {
+double min_change(const OwnMotion& base, const Change& change, double p, double q) {
   const double furthest = std::max(std::abs(p), std::abs(q));
   switch (change.manoeuvre) {
     case Manoeuvre::turn:
@@ -142,4 +143,4 @@ template MotionSet<1> motions_between<1>(const OwnMotion&, const Change&, double
 template MotionSet<2> motions_between<2>(const OwnMotion&, const Change&, double, double);
 template MotionSet<3> motions_between<3>(const OwnMotion&, const Change&, double, double);
 
-}  // namespace foresee::motion
+}  // namespace foresee

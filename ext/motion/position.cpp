@@ -4,23 +4,23 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
-/// moment - t as head + tail, exactly (Knuth's two-sum); where head overflows there is no tail.
+/// time - t as head + tail, exactly (Knuth's two-sum); the tail is 0 if the head overflows.
 struct Elapsed {
   double head, tail;
 };
 
-Elapsed elapsed(double moment, double t) {
-  const double head = moment - t;
-  const double t_part = moment - head;
-  const double moment_part = head + t_part;
-  const double tail = (moment - moment_part) + (t_part - t);
+Elapsed elapsed(double time, double t) {
+  const double head = time - t;
+  const double t_part = time - head;
+  const double time_part = head + t_part;
+  const double tail = (time - time_part) + (t_part - t);
   return {head, std::isfinite(tail) ? tail : 0.0};
 }
 
-/// A product that no double need hold: fraction * 2^exponent.
+/// fraction * 2^exponent: a product that may exceed a double's range.
 struct Scaled {
   double fraction = 1;
   int exponent = 0;
@@ -33,7 +33,7 @@ struct Scaled {
   }
 };
 
-/// The sum, infinite only where no double holds it.
+/// The sum; infinite only if no double holds it.
 double sum_of(std::initializer_list<Scaled> terms) {
   int greatest = std::numeric_limits<int>::min();
   for (const Scaled& term : terms)
@@ -44,9 +44,9 @@ double sum_of(std::initializer_list<Scaled> terms) {
   return std::ldexp(sum, sum == 0 ? 0 : greatest);
 }
 
-/// Place and velocity along one axis where a term overflows, or the time itself.
-void place_far(double x, double v, double a, double moment, double t, double& place, double& velocity) {
-  const double half = 0.5 * moment - 0.5 * t;  // of the elapsed time
+/// Position and velocity on one axis where a term or the elapsed time overflows.
+void place_far(double x, double v, double a, double time, double t, double& place, double& velocity) {
+  const double half = 0.5 * time - 0.5 * t;  // of the elapsed time
   const Scaled one;
   place = sum_of({one * x, one * v * half * 2.0, one * a * half * half * 2.0});
   velocity = sum_of({one * v, one * a * half * 2.0});
@@ -55,8 +55,8 @@ void place_far(double x, double v, double a, double moment, double t, double& pl
 }  // namespace
 
 template <int D>
-State<D> state_at(const Motion<D>& motion, double moment) {
-  const Elapsed s = elapsed(moment, motion.t);
+State<D> state_at(const Motion<D>& motion, double time) {
+  const Elapsed s = elapsed(time, motion.t);
   State<D> state;
   for (int axis = 0; axis < D; ++axis) {
     const double x = motion.x[axis], v = motion.v[axis], a = motion.a[axis];
@@ -69,7 +69,7 @@ State<D> state_at(const Motion<D>& motion, double moment) {
     state.x[axis] = (x + s.head * (v + a * s.head * 0.5)) + tail;
     state.v[axis] = v + (a * s.head + a * s.tail);
     if (!std::isfinite(state.x[axis]) || !std::isfinite(state.v[axis]))
-      place_far(x, v, a, moment, motion.t, state.x[axis], state.v[axis]);
+      place_far(x, v, a, time, motion.t, state.x[axis], state.v[axis]);
   }
   return state;
 }
@@ -78,4 +78,4 @@ template State<1> state_at<1>(const Motion<1>&, double);
 template State<2> state_at<2>(const Motion<2>&, double);
 template State<3> state_at<3>(const Motion<3>&, double);
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -1,24 +1,22 @@
-// Where can a moving box be during the horizon? The smallest box we can vouch for: it contains the moving one
-// at every moment of [now, now + h] at which its motion holds, turning points of accelerated motion included
-// (GPCD step 1).
+// Swept box: bounds of a moving box over the horizon, rounded outward (GPCD step 1).
 //
-// Bounds are rounded outward, so an index that compares swept boxes never loses a pair. A motion that does
-// not hold during the horizon has the empty box (lower = +inf, upper = -inf), which meets nothing. Bounds
-// that no double holds are infinite. Cost: some tens of flops per axis.
+// It contains the moving box at every time of [now, now + h] at which the motion exists, turning points of
+// accelerated motion included. An index that compares swept boxes therefore never loses a pair. A motion that
+// does not exist during the horizon has the empty box (lower = +inf, upper = -inf), which intersects no box.
+// Bounds that no double holds are infinite. Cost: some tens of flops per axis.
 #pragma once
 
 #include "motion/box.h"
-#include "motion/life.h"
+#include "motion/life_interval.h"
 
-namespace foresee::motion {
+namespace foresee {
 
-/// What the position covers on one axis, x + v s + a s^2 / 2 for the time s of `life`, grown by what lies
-/// below and above it.
-Ends swept_axis(double x, double v, double a, const Life& life, double below, double above);
+/// The range of x + v s + a s^2 / 2 on one axis for all s of `life`, grown by `below` and `above`.
+Ends swept_axis(double x, double v, double a, const LifeInterval& life, double below, double above);
 
 template <int D>
 Box<D> swept_box(const Motion<D>& motion, const Horizon& horizon, const Extents<D>& extents) {
-  const Life life = life_of(motion.t, motion.until, horizon);
+  const LifeInterval life = life_of(motion.t, motion.until, horizon);
   if (life.none) return Box<D>::empty();
   Box<D> box;
   for (int axis = 0; axis < D; ++axis) {
@@ -29,12 +27,12 @@ Box<D> swept_box(const Motion<D>& motion, const Horizon& horizon, const Extents<
   return box;
 }
 
-/// A box that lies within what moves at the moment `now`, where `inner` lies within its shape: what is in it
-/// touches the object. Empty where the motion does not hold then, and where no double vouches for one.
+/// A box inside the object at time `now`, given that `inner` lies within its shape: every point of the box
+/// touches the object. Empty if the motion does not exist then, or if rounding leaves no such box.
 template <int D>
 Box<D> core_box(const Motion<D>& motion, double now, const Extents<D>& inner) {
   constexpr double u = 0x1p-53;
-  const Life life = life_of(motion.t, motion.until, {now, 0});
+  const LifeInterval life = life_of(motion.t, motion.until, {now, 0});
   if (life.none) return Box<D>::empty();
   Box<D> box;
   for (int axis = 0; axis < D; ++axis) {
@@ -47,4 +45,4 @@ Box<D> core_box(const Motion<D>& motion, double now, const Extents<D>& inner) {
   return box.is_empty() ? Box<D>::empty() : box;
 }
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -8,10 +8,11 @@
 #include "numbers/quadratic_formula.h"
 #include "numbers/quadratic_root.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
-/// The sign of x - r from the signs at x of the polynomial and its slope; r is the polynomial's root `which`.
+/// The sign of x - r for the polynomial's root r, number `which`, from the signs at x of the polynomial and
+/// its slope.
 int side_of_root(LazyPolynomial& polynomial, int which, int sign, auto&& sign_of_slope) {
   const int lead = polynomial.lead();
   sign *= lead;
@@ -22,23 +23,24 @@ int side_of_root(LazyPolynomial& polynomial, int which, int sign, auto&& sign_of
   return slope == which ? 0 : slope;
 }
 
-/// As rounding has it, infinity stands for 2^1024.
+/// For rounding, infinity counts as 2^1024.
 Dyadic as_bound(double value) {
   if (std::isfinite(value)) return Dyadic(value);
   return value > 0 ? Dyadic::power_of_two(1024) : -Dyadic::power_of_two(1024);
 }
 
-/// The number of the fewest bits between the two. Requires: 0 < low < high.
+/// The number with the fewest bits between the two. Requires: 0 < low < high.
 Dyadic simplest_between(const Dyadic& low, const Dyadic& high) {
   const int unit = std::min(low.exponent(), high.exponent());
   const auto in_units = [unit](const Dyadic& x) { return Integer(x.mantissa() << (x.exponent() - unit)); };
-  // Of (below, last] the multiple of the greatest power of two: where their leading bits part.
+  // The multiple of the largest power of two in (below, last]: it ends where their leading bits differ.
   const Integer below = in_units(low), last = in_units(high);
-  const int cut = length_of(below ^ last) - 1;
+  const int cut = bit_length(below ^ last) - 1;
   return {last >> cut, unit + cut};
 }
 
-/// Is the root, a simple one of a polynomial that `divisor` divides, a root of it too?
+/// Whether the root is a root of `divisor` too. Requires: it is a simple root of a polynomial that `divisor`
+/// divides.
 bool has_root_at(const Polynomial& divisor, const AlgebraicRoot& root) {
   return sign_at(divisor, root.bracket->low) * sign_at(divisor, root.bracket->high) <= 0;
 }
@@ -67,7 +69,7 @@ void AlgebraicRoot::recognize() {
   const int digits = b.high.magnitude() - (b.high - b.low).magnitude();
   if (b.low.sign() <= 0 || digits <= 0) return;
   const Dyadic simplest = simplest_between(b.low, b.high);
-  if (2 * length_of(simplest.mantissa()) > digits || polynomial->sign_at(simplest) != 0) return;
+  if (2 * bit_length(simplest.mantissa()) > digits || polynomial->sign_at(simplest) != 0) return;
   b.low = b.high = simplest;
   at = Midrad128(simplest), known = &b.low;
 }
@@ -82,14 +84,14 @@ void AlgebraicRoot::narrow(int bits) {
   if (!wide(b.low, b.high)) return;
   const auto p = polynomial->enclosure(bits);
   const int degree = polynomial->degree();
-  // Seen from the nearer end, which may be next to the root of another polynomial, a few digits tell.
+  // Measured from the nearer end, which may be next to the root of another polynomial, few digits suffice.
   const bool from_low = value_at(p, degree, Midrad(half_of(b.low + b.high), bits)).sign() != b.sign_low;
   const Dyadic origin = from_low ? b.low : b.high;
   auto local = around(p, degree, Midrad(origin, bits));
   if (!from_low) local[1] = -local[1], local[3] = -local[3];
   Dyadic near, far = b.high - b.low;
   for (int length = 128; length < bits && wide(near, far); length *= 2) {
-    Powers<Midrad> cut;
+    Coefficients<Midrad> cut;
     std::transform(local.begin(), local.end(), cut.begin(),
                    [&](const Midrad& c) { return c.cut_to(length); });
     const IntervalNewton<Midrad> n(cut, degree, near, far, from_low ? b.sign_low : -b.sign_low, length);
@@ -122,9 +124,9 @@ int compare(AlgebraicRoot& x, const Dyadic& y) {
 }
 
 namespace {
-/// The roots of two polynomials that differ by a constant, up to their sign, as the faces across one axis do:
-/// the higher polynomial, if both are open upwards, has its roots nearer to the turn. Nothing if they are
-/// others.
+/// Compares roots of two polynomials that differ by a constant, up to their sign, as those of opposite faces
+/// do. If both open upwards, the higher polynomial has its roots nearer to the turning point. Empty for other
+/// polynomials.
 std::optional<int> compare_by_constant(const AlgebraicRoot& x, const AlgebraicRoot& y) {
   const Polynomial &p = x.polynomial->exact(), &q = y.polynomial->exact();
   if (p.degree != q.degree) return {};
@@ -139,7 +141,7 @@ std::optional<int> compare_by_constant(const AlgebraicRoot& x, const AlgebraicRo
   return -x.which * higher;
 }
 
-/// Of different moments, narrowed until they are apart.
+/// Compares roots at different times: narrows both until their intervals are disjoint.
 int compare_by_length(AlgebraicRoot& x, AlgebraicRoot& y) {
   for (int bits = first_length;; bits *= 2) {
     const int sign = (x.enclosure(bits) - y.enclosure(bits)).sign();
@@ -161,7 +163,7 @@ int compare(AlgebraicRoot& x, AlgebraicRoot& y) {
     return side_of_root(*y.polynomial, y.which, y.polynomial->sign_at(x),
                         [&] { return y.polynomial->slope().sign_at(x); });
   }
-  // Copies, as the bracket may be narrowed meanwhile.
+  // Copies, because the bracket may be narrowed meanwhile.
   const Dyadic low = y.bracket->low, high = y.bracket->high;
   if (compare(x, low) < 0) return -1;
   if (compare(x, high) > 0) return 1;
@@ -170,8 +172,8 @@ int compare(AlgebraicRoot& x, AlgebraicRoot& y) {
 }
 
 double rounded(AlgebraicRoot& root, const Dyadic& offset) {
-  const Midrad128 moment = root.at + Midrad128(offset);
-  double low = moment.low().rounded(), high = moment.high().rounded();
+  const Midrad128 time = root.at + Midrad128(offset);
+  double low = time.low().rounded(), high = time.high().rounded();
   for (int bits = first_length; low != high && std::nextafter(low, high) != high; bits *= 2) {
     const Midrad enclosure = root.enclosure(bits);
     low = rounded(enclosure.low() + offset), high = rounded(enclosure.high() + offset);
@@ -192,18 +194,18 @@ const Polynomial& LazyPolynomial::exact() {
 void LazyPolynomial::sharpen() {
   const Polynomial& p = exact();
   degree_ = p.degree;
-  for (int k = 0; k <= most; ++k) rough_[k] = k <= degree_ ? Midrad128(p.c[k]) : Midrad128();
+  for (int k = 0; k <= max_degree; ++k) rough_[k] = k <= degree_ ? Midrad128(p.c[k]) : Midrad128();
 }
 
-std::array<Midrad, LazyPolynomial::most + 1> LazyPolynomial::enclosure(int bits) {
-  std::array<Midrad, most + 1> c;
+std::array<Midrad, LazyPolynomial::max_degree + 1> LazyPolynomial::enclosure(int bits) {
+  std::array<Midrad, max_degree + 1> c;
   for (int k = 0; k <= exact().degree; ++k) c[k] = Midrad(exact().c[k], bits);
   return c;
 }
 
 int LazyPolynomial::degree() {
-  if (degree_ <= most) return degree_;
-  int degree = most;
+  if (degree_ <= max_degree) return degree_;
+  int degree = max_degree;
   while (degree >= 0 && rough_[degree].sign() == 0) --degree;
   if (degree >= 0 && rough_[degree].sign() == unknown_sign)
     sharpen();
@@ -214,7 +216,7 @@ int LazyPolynomial::degree() {
 
 LazyPolynomial& LazyPolynomial::slope() {
   if (!slope_) {
-    Coefficients c;
+    RoughCoefficients c;
     for (int k = 1; k <= degree(); ++k) c[k - 1] = rough_[k] * Midrad128(k);
     slope_ = std::make_unique<LazyPolynomial>(c, *source_, number_);
     slope_->parent_ = this;
@@ -235,12 +237,12 @@ AlgebraicRoot& LazyPolynomial::add_root(const Dyadic& low, const Dyadic& high, i
 }
 
 Midrad128 LazyPolynomial::value_at(const Midrad128& tau) const {
-  return numbers::value_at(rough_, degree_ <= most ? degree_ : most, tau);
+  return foresee::value_at(rough_, degree_ <= max_degree ? degree_ : max_degree, tau);
 }
 
 namespace {
-/// Near a turn, where the slope almost vanishes, an enclosure half as long will do.
-Midrad value_within(const Powers<Midrad>& p, int degree, const Midrad& x, int bits) {
+/// Near a turning point, where the slope almost vanishes, an enclosure of half the length suffices.
+Midrad value_within(const Coefficients<Midrad>& p, int degree, const Midrad& x, int bits) {
   const Midrad middle(x.middle(), bits);
   return value_at(around(p, degree, middle), degree, x - middle);
 }
@@ -265,8 +267,8 @@ int LazyPolynomial::sign_at(AlgebraicRoot& root) {
 int LazyPolynomial::sign_at(const Dyadic& tau) {
   int sign = value_at(Midrad128(tau)).sign();
   for (int bits = first_length; sign == unknown_sign; bits *= 2)
-    sign = numbers::value_at(enclosure(bits), exact().degree, Midrad(tau, bits)).sign();
+    sign = foresee::value_at(enclosure(bits), exact().degree, Midrad(tau, bits)).sign();
   return sign;
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,11 +1,11 @@
-// Roots of polynomials as exact numbers: their order, and the signs of other polynomials there, exact in the
-// end. A polynomial is lazy: enclosed in 128 bits at first, exact once that is asked for.
+// Real algebraic numbers: roots of polynomials, with exact order and exact signs of other polynomials there.
 //
-// Each question is first put to numbers of 128 bits with error bounds (Midrad128). Only where those cannot
-// tell, in ties and what is nearer than some 2^-100, are the exact coefficients made. If they show that two
-// polynomials may have a common root, exact algebra tells whether it is this one; if not, numbers of 512,
-// 1024, ... bits (Midrad) tell the sign in the end. Nothing is ever decided by a tolerance. A root is never
-// computed: it is an isolating interval, and everything about it follows from signs.
+// A root is an isolating interval, never a computed value; everything follows from signs. Polynomials are
+// lazy: enclosed in 128 bits at first, exact once that is needed. Each sign is first computed with error
+// bounds in 128 bits (Midrad128). The exact coefficients are made only where that is inconclusive: in ties,
+// and for numbers nearer than some 2^-100. If two polynomials may have a common root, exact algebra decides
+// whether it is this one. If not, numbers of 512, 1024, ... bits (Midrad) find the sign in the end. No
+// tolerance ever decides.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@
 #include "numbers/midrad.h"
 #include "numbers/polynomial.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
-/// Makes the exact polynomials of a pair, by number, when one is needed.
+/// Computes the exact polynomials of a pair, by number, on demand.
 class PolynomialSource {
  public:
   virtual ~PolynomialSource() = default;
@@ -28,14 +28,14 @@ class LazyPolynomial;
 /// A known number, or a root of a polynomial.
 struct AlgebraicRoot {
   AlgebraicRoot() = default;
-  explicit AlgebraicRoot(const Dyadic& moment) : at(moment), known(&moment) {}
+  explicit AlgebraicRoot(const Dyadic& time) : at(time), known(&time) {}
 
   Midrad128 at;                          ///< encloses it
-  const Dyadic* known = nullptr;         ///< the number, if that is known exactly
+  const Dyadic* known = nullptr;         ///< the number, if it is known exactly
   LazyPolynomial* polynomial = nullptr;  ///< otherwise: the polynomial that has its root here
   int which = 0;  ///< degree 1 and 2: -1 the lesser root, 1 the greater, 0 the only one
-  /// Its isolating interval: [low, high] holds this root. Degree 3 and 4: this one alone, a simple one at
-  /// which the sign changes.
+  /// The isolating interval: [low, high] contains this root. Degree 3 and 4: no other root, and this one is
+  /// simple, so that the sign changes.
   struct Bracket {
     Dyadic low, high;
     int sign_low;
@@ -43,10 +43,10 @@ struct AlgebraicRoot {
   };
   std::unique_ptr<Bracket> bracket;
 
-  /// Encloses it in numbers of so many bits, the more the narrower.
+  /// An enclosure in numbers of `bits` bits; more bits make it narrower.
   Midrad enclosure(int bits);
-  /// Degree 3 and 4: makes the root known if it is a number of far fewer bits than its interval tells.
-  /// Roots at moments that people write are, and what is known needs no algebra for its ties.
+  /// Degree 3 and 4: makes the root known if it is a number of far fewer bits than its interval has.
+  /// Roots at times that people write are such numbers, and known numbers need no algebra for their ties.
   void recognize();
 
  private:
@@ -65,18 +65,18 @@ double rounded(AlgebraicRoot& root, const Dyadic& offset);
 
 class LazyPolynomial {
  public:
-  static constexpr int most = Polynomial::most;
-  using Coefficients = std::array<Midrad128, most + 1>;
+  static constexpr int max_degree = Polynomial::max_degree;
+  using RoughCoefficients = std::array<Midrad128, max_degree + 1>;
 
-  /// `rough` encloses the coefficients of the source's polynomial, up to a positive factor.
-  LazyPolynomial(const Coefficients& rough, const PolynomialSource& source, int number)
+  /// `rough` encloses the coefficients of the source's polynomial `number`, up to a positive factor.
+  LazyPolynomial(const RoughCoefficients& rough, const PolynomialSource& source, int number)
       : rough_(rough), source_(&source), number_(number) {}
 
-  int degree();                                                     ///< exactly; -1: zero everywhere
+  int degree();                                                     ///< exact; -1: zero everywhere
   int lead() { return degree() < 0 ? 0 : rough_[degree_].side(); }  ///< sign of the leading coefficient
-  const Coefficients& rough() const { return rough_; }
+  const RoughCoefficients& rough() const { return rough_; }
   const Polynomial& exact();
-  std::array<Midrad, most + 1> enclosure(int bits);  ///< encloses the coefficients of exact()
+  std::array<Midrad, max_degree + 1> enclosure(int bits);  ///< encloses the coefficients of exact()
   LazyPolynomial& slope();
 
   Midrad128 value_at(const Midrad128& tau) const;
@@ -88,19 +88,19 @@ class LazyPolynomial {
 
   /// A root of degree 1 or 2. The polynomial must not move afterwards.
   AlgebraicRoot& add_root(int which, const Midrad128& at);
-  /// A root of degree 3 or 4, a simple one and alone between two numbers.
+  /// A simple root of degree 3 or 4, the only one between two numbers.
   AlgebraicRoot& add_root(const Dyadic& low, const Dyadic& high, int sign_low);
 
  private:
-  Coefficients rough_;
-  const PolynomialSource* source_ = nullptr;  ///< of a slope: none
-  LazyPolynomial* parent_ = nullptr;          ///< of a slope: the polynomial itself
+  RoughCoefficients rough_;
+  const PolynomialSource* source_ = nullptr;  ///< null for a slope
+  LazyPolynomial* parent_ = nullptr;          ///< for a slope: the polynomial itself
   int number_ = 0;
-  int degree_ = most + 1;  ///< beyond `most`: not known yet
-  std::array<AlgebraicRoot, most> roots_;
+  int degree_ = max_degree + 1;  ///< beyond `max_degree`: not known yet
+  std::array<AlgebraicRoot, max_degree> roots_;
   int root_count_ = 0;
   std::unique_ptr<Polynomial> exact_;
   std::unique_ptr<LazyPolynomial> slope_;
 };
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,24 +1,25 @@
-// Doubles that know how wrong they may be: a value, and a bound on how far the exact number is from it.
+// Doubles with a running error bound: a computed value, and an upper bound of its distance from the exact
+// one.
 //
 //   Bounded square = gap * gap;            // as doubles give it; off by what went in and the rounding
 //
-// Every operation adds the errors of its arguments and half an ulp of its result. Two things are left to
-// whoever reads the bound in the end (error_bound()), as once is enough: the bound's own roundings, and what
-// underflow loses. Real: double, or several at once (base/doubles.h).
+// Every operation propagates the errors of its arguments and adds half an ulp of its result. error_bound()
+// adds once, at the end, two losses that the operations leave out: the bound's own roundings, and underflow.
+// Real: double, or several at once (base/doubles.h).
 #pragma once
 
 #include <cmath>
 
 #include "numbers/double_double.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 template <class Real>
 struct BoundedOf {
   Real value = 0.0;
   Real error = 0.0;
 
-  /// The bound, raised by more than some dozens of roundings can have taken from it, and by `lost`.
+  /// The bound, raised by more than the loss of some dozens of roundings, and by `lost`.
   Real error_bound(const Real& lost) const { return error * (1 + 0x1p-40) + lost; }
 };
 using Bounded = BoundedOf<double>;
@@ -61,4 +62,4 @@ inline Bounded sqrt(const Bounded& a) {
   return {value, a.error / value + unit_roundoff * value};
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,58 +1,58 @@
-// The root of a polynomial that is crossed near a moment, rounded once: a Newton step with an error radius,
-// and Ziv's test of what it rounds to. What this cannot tell is NaN.
+// One Newton step to a polynomial's root near a given time, correctly rounded or NaN.
 //
-// No branches, and inlined wherever it is used, as DoubleDouble is: loops over lanes become vector code, and
-// no copy made for one CPU ends up in the place of another's.
+// The step has an error radius; Ziv's test checks whether all of it rounds to one double. If not, the result
+// is NaN. The functions have no branches and are always inlined, like DoubleDouble. Loops over lanes then
+// become vector code, and no copy made for one CPU replaces that of another.
 #pragma once
 
 #include <cstdint>
 
 #include "numbers/double_double.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
-/// A moment from `now` and absolute, each rounded once.
+/// A time relative to `now` and as an absolute one, each rounded once.
 struct Instant {
   double dt, t;
   bool known() const { return dt == dt && t == t; }
 };
 
-/// base + s for every s within `radius` of `step`, rounded; unknown if they round differently. Requires: the
-/// radius has 2^-52 |step| more than is needed, for the rounding of step +- radius.
+/// base + s, rounded, for every s within `radius` of `step`; unknown if not all round alike. Requires: the
+/// radius includes a surplus of 2^-52 |step|, for the rounding of step +- radius.
 [[gnu::always_inline]] inline Instant rounded_instant(double now, double base, double step, double radius) {
   const double low = base + (step - radius), high = base + (step + radius);
-  const DoubleDouble moment = sum(now, base);
-  const double wider = radius + 4 * unit_roundoff * (__builtin_fabs(moment.low) + __builtin_fabs(step));
-  const double t_low = moment.high + ((moment.low + step) - wider);
-  const double t_high = moment.high + ((moment.low + step) + wider);
+  const DoubleDouble time = sum(now, base);
+  const double wider = radius + 4 * unit_roundoff * (__builtin_fabs(time.low) + __builtin_fabs(step));
+  const double t_low = time.high + ((time.low + step) - wider);
+  const double t_high = time.high + ((time.low + step) + wider);
   const double nan = __builtin_nan("");
   return {low == high ? low : nan, t_low == t_high ? t_low : nan};
 }
 
-/// Which way a primitive is crossed: from outside in (the begin of contact) or from inside out (its end).
-enum class Way : std::uint8_t { in, out };
+/// Direction in which a primitive is crossed: from outside in (contact starts) or from inside out (it ends).
+enum class CrossingDirection : std::uint8_t { entering, leaving };
 
-/// A primitive's polynomial at a moment: value in DoubleDouble, slope and bend in double. Inside: p <= 0.
+/// A primitive's polynomial p at a time: value in DoubleDouble, slope and bend in double. Inside: p <= 0.
 struct Crossed {
   DoubleDouble value;
-  double value_error;  ///< also of what underflow loses: at least 2^-988
+  double value_error;  ///< includes underflow: at least 2^-988
   double slope, slope_error;
-  double bend;  ///< bound on |p''| / 2 near the moment
+  double bend;  ///< bound on |p''| / 2 near that time
 };
 
-/// The root of a polynomial known to be crossed in the given way within `width` of `base`, or unknown.
-template <Way way>
+/// The root of a polynomial known to be crossed in this direction within `width` of `base`, or unknown.
+template <CrossingDirection direction>
 [[gnu::always_inline]] inline Instant root_of(const Crossed& p, double now, double base, double width) {
-  const double steep = way == Way::in ? -p.slope : p.slope, inverse = 1 / steep;
-  const double step = (way == Way::in ? p.value.high : -p.value.high) * inverse;
+  const double steep = direction == CrossingDirection::entering ? -p.slope : p.slope, inverse = 1 / steep;
+  const double step = (direction == CrossingDirection::entering ? p.value.high : -p.value.high) * inverse;
   const double far = __builtin_fabs(step), reach = width > 2 * far ? width : 2 * far;
   const double lost = p.value_error + __builtin_fabs(p.value.low) + p.bend * step * step;
   const double radius =
       2 * (lost * inverse) + 2 * far * (p.slope_error * inverse + 8 * unit_roundoff) + 0x1p-1060;
-  // Monotone, and at least half as steep as at the base, wherever the root can be. Of what is steeper than
-  // 2^1000 the inverse may have lost its digits.
+  // Monotone, and at least half as steep as at the base, wherever the root can be. Beyond a slope of 2^1000
+  // its inverse may have lost its digits.
   const bool alone = (steep - p.slope_error - 2 * p.bend * reach > 0.5 * steep) & (steep < 0x1p1000);
   return rounded_instant(now, base, step, alone ? radius : __builtin_nan(""));
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,16 +1,13 @@
-// Numbers of twice a double's precision: the unevaluated sum high + low of two doubles.
+// Double-double arithmetic: numbers of twice a double's precision, the unevaluated sum high + low.
 //
 //   DoubleDouble gap = difference(1e15, 1e-3);         // exact: both numbers are still there
 //   gap = gap * gap;                                   // within a few 2^-106 of the exact square
 //
-// Dekker's product instead of a fused multiply-add, so that every processor gives the same bits. Each
-// operation is within 2^-102 of its exact result, relatively, while nothing under- or overflows; overflow
-// ends in NaN.
+// Products are Dekker's instead of a fused multiply-add, so that every processor gives the same bits. Each
+// operation has a relative error below 2^-102 unless it under- or overflows; overflow gives NaN.
 #pragma once
 
-#include "base/rooms.h"
-
-namespace foresee::numbers {
+namespace foresee {
 
 constexpr double unit_roundoff = 0x1p-53;
 
@@ -79,4 +76,4 @@ struct DoubleDouble {
   return ordered_sum(first, second) + DoubleDouble{more.high / b.high, 0};
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

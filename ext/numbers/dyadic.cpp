@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-namespace foresee::numbers {
+namespace foresee {
 
 namespace {
 constexpr int limb_bits = std::numeric_limits<boost::multiprecision::limb_type>::digits;
 }
 
-int length_of(const Integer& value) {
+int bit_length(const Integer& value) {
   const auto& digits = value.backend();
   return static_cast<int>(digits.size()) * limb_bits - std::countl_zero(digits.limbs()[digits.size() - 1]);
 }
@@ -41,7 +41,7 @@ Dyadic::Dyadic(double value) {
 }
 
 int Dyadic::magnitude() const {
-  return length_of(mantissa_) - 1 + exponent_;
+  return bit_length(mantissa_) - 1 + exponent_;
 }
 
 Dyadic Dyadic::reduced() const {
@@ -82,4 +82,4 @@ double rounded(const Dyadic& value) {
   return side * std::ldexp(static_cast<double>(nearest), value.exponent() + dropped);
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

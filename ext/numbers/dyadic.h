@@ -1,29 +1,27 @@
-// Exact numbers m 2^e: what every double is, closed under sums, differences, products and halves. No rounding
-// anywhere.
+// Exact dyadic rationals m 2^e: every double is one, and sums, differences, products and halves are exact.
 //
 //   Dyadic gap = Dyadic(1e300) - Dyadic(1e-300);         // all bits kept
 //   double nearest = rounded(gap);                        // once, ties to even
 //
-// Up to 1024 bits live inside the object (allocation costs more than arithmetic); longer ones on the heap.
+// Up to 1024 bits are stored inside the object (allocation costs more than arithmetic), longer ones on the
+// heap.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <compare>
 
-#include "base/rooms.h"
-
-namespace foresee::numbers {
+namespace foresee {
 
 using Integer = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<1024, 0, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::unchecked>,
     boost::multiprecision::et_off>;
 
-/// Bits of the magnitude; 0 of 0.
-int length_of(const Integer& value);
-/// How often 2 divides it. Requires: not 0.
+/// The number of bits of |value|; 0 for 0.
+int bit_length(const Integer& value);
+/// The number of trailing zero bits. Requires: value is not 0.
 int zeros_of(const Integer& value);
-/// Without its last bits, towards 0. (>> of Boost 1.74 loses the sign of some negative numbers.)
+/// value / 2^bits, truncated towards 0. (>> of Boost 1.74 loses the sign of some negative numbers.)
 Integer without_last(Integer value, int bits);
 
 class Dyadic {
@@ -65,4 +63,4 @@ inline Dyadic half_of(const Dyadic& a) {
 /// The nearest double, ties to even; infinite beyond the largest.
 double rounded(const Dyadic& value);
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,18 +1,17 @@
-// The interval Newton method: closing in on the one root that a polynomial has between two numbers, as far as
-// the length of the numbers allows.
+// Interval Newton method: narrows the bracket of a polynomial's only root as far as the number length allows.
 //
-// The root lies within x - p(x) / p'([low, high]), which is rigorous and needs no signs at the new ends; it
-// at least doubles the digits as soon as the slope has one sign. Until then the sign at x halves the
-// interval, or halves its exponent: a root may be 2^-5000 away from 0. (R. Moore, "Interval Analysis", 1966,
+// The root lies within x - p(x) / p'([low, high]), which is rigorous and needs no signs at the new ends. A
+// step at least doubles the digits once the slope has one sign. Until then the sign at x halves the interval,
+// or halves its exponent: a root may be as near to 0 as 2^-5000. (R. Moore, "Interval Analysis", 1966,
 // chapter 7.)
 #pragma once
 
 #include <algorithm>
 
+#include "numbers/coefficients.h"
 #include "numbers/midrad.h"
-#include "numbers/powers.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 inline Midrad128 number(const Midrad128& x, int /*bits*/) {
   return x;
@@ -20,8 +19,8 @@ inline Midrad128 number(const Midrad128& x, int /*bits*/) {
 inline Midrad number(const Dyadic& x, int bits) {
   return {x, bits};
 }
-/// About x, to a few digits more than those in which numbers so far apart differ: short factors multiply
-/// faster.
+/// x, shortened to a few digits more than those in which numbers `apart` from each other differ: short
+/// factors multiply faster.
 inline Midrad128 shortened(const Midrad128& x, const Midrad128& /*apart*/) {
   return x.middle();
 }
@@ -37,30 +36,31 @@ inline Midrad hull(const Dyadic& low, const Dyadic& high, int bits) {
 }
 
 template <class N>
-N value_at(const Powers<N>& p, int degree, const N& x) {
+N value_at(const Coefficients<N>& p, int degree, const N& x) {
   if (degree < 0) return {};
   N value = p[degree];
   for (int k = degree - 1; k >= 0; --k) value = value * x + p[k];
   return value;
 }
 
-/// The same polynomial by powers of the distance from x.
+/// The coefficients of the polynomial shifted to x, in powers of the distance from x.
 template <class N>
-Powers<N> around(Powers<N> p, int degree, const N& x) {
+Coefficients<N> around(Coefficients<N> p, int degree, const N& x) {
   for (int k = 0; k < degree; ++k)
     for (int i = degree - 1; i >= k; --i) p[i] = p[i] + x * p[i + 1];
   return p;
 }
 
-/// N is Midrad128 or Midrad; ends are exact numbers.
+/// N: Midrad128 or Midrad. The ends of the bracket are exact numbers.
 template <class N>
 class IntervalNewton {
  public:
   using End = decltype(N().low());
 
-  /// The polynomial has one root in [low, high], at which its sign changes from `sign_low`.
-  /// Requires: 0 <= low.
-  IntervalNewton(const Powers<N>& p, int degree, const End& low, const End& high, int sign_low, int bits)
+  /// Requires: 0 <= low; the polynomial has one root in [low, high], at which its sign changes from
+  /// `sign_low`.
+  IntervalNewton(const Coefficients<N>& p, int degree, const End& low, const End& high, int sign_low,
+                 int bits)
       : low(low), high(high), p_(p), degree_(degree), bits_(bits), sign_low_(sign_low) {
     while (closer()) {
     }
@@ -69,23 +69,23 @@ class IntervalNewton {
   End low, high;
 
  private:
-  /// Halves the bracket at least; false if that is all.
+  /// Does one step; false if it does not at least halve the bracket.
   bool closer() {
     const End width = high - low;
     const N x = number(shortened(between(), width), bits_);
     const End place = x.middle();
     if (!less(low, place) || !less(place, high)) return false;
-    // From x the slope is bounded far better than from 0, where almost all cancels.
+    // Expanded around x, the slope has a far better bound than around 0, where almost all terms cancel.
     const N rest = hull(low, high, bits_) - x;
-    const Powers<N> d = around(p_, degree_, x);
+    const Coefficients<N> d = around(p_, degree_, x);
     const N slope = d[1] + rest * (d[2].scaled(1) + rest * (d[3] * three_ + rest * d[4].scaled(2)));
-    const int sign = d[0].sign(), way = slope.sign();
+    const int sign = d[0].sign(), slope_sign = slope.sign();
     if (sign == 0) {
       low = high = place;
       return false;
     }
     if (sign != unknown_sign) (sign == sign_low_ ? low : high) = place;
-    if (way != 0 && way != unknown_sign) {
+    if (slope_sign != 0 && slope_sign != unknown_sign) {
       const N root = x - d[0] / slope;
       const End left = root.low(), right = root.high();
       if (less(low, left)) low = left;
@@ -95,22 +95,22 @@ class IntervalNewton {
     return sign != unknown_sign || less(high - low, width.scaled(-1));
   }
 
-  /// The middle, or that of the exponents where these are far apart.
+  /// The midpoint, or the power of two at the midpoint of the exponents if these are far apart.
   End between() {
     if (low.sign() == 0) return high.scaled(-(1 << std::min(round_++, 12)));
-    const int least = low.magnitude(), most = high.magnitude();
-    if (most - least >= 2) return End(1.0).scaled(least + (most - least + 1) / 2);
+    const int lowest = low.magnitude(), highest = high.magnitude();
+    if (highest - lowest >= 2) return End(1.0).scaled(lowest + (highest - lowest + 1) / 2);
     return half_of(low + high);
   }
 
   static bool less(const End& a, const End& b) { return (b - a).sign() == 1; }
 
-  static constexpr int lost_digits = 16;  ///< about as many as a step may lose
+  static constexpr int lost_digits = 16;  ///< about as many bits as one step may lose
 
-  const Powers<N>& p_;
+  const Coefficients<N>& p_;
   N three_ = number(End(3.0), 2);
   int degree_, bits_, sign_low_;
   int round_ = 0;
 };
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 Integer shifted(const Integer& value, int left) {
   return left >= 0 ? Integer(value << left) : without_last(value, -left);
 }
 
-/// Off by at most 4. Requires: not negative.
+/// The square root, off by at most 4. Requires: not negative.
 Integer rough_root(const Integer& square) {
-  const int length = length_of(square);
+  const int length = bit_length(square);
   if (length <= 104) return static_cast<std::int64_t>(std::sqrt(square.convert_to<double>()));
-  // The upper half of the root and four bits more, then one of Newton's steps: off by 4^2 / 2^9 and the cut.
+  // The upper half of the root and four more bits, then one Newton step: off by 4^2 / 2^9 and the truncation.
   const int half = length / 4 - 4;
   const Integer start = rough_root(square >> (2 * half)) << half;
   return (start + square / start) >> 1;
@@ -25,7 +25,7 @@ Integer rough_root(const Integer& square) {
 Midrad Midrad::of(Integer mantissa, int exponent, int error, int bits) {
   Midrad p;
   p.bits_ = bits;
-  int cut = length_of(mantissa) - bits;
+  int cut = bit_length(mantissa) - bits;
   if (error != none) cut = std::max(cut, error - 2 - exponent);
   if (!mantissa.is_zero() && cut > 0) {
     if (error != none || zeros_of(mantissa) < cut) error = both(error, exponent + cut);
@@ -82,7 +82,7 @@ Midrad operator+(const Midrad& a, const Midrad& b) {
     if (!p->mantissa_.is_zero()) top = std::max(top, p->magnitude());
   int error = Midrad::both(a.error_, b.error_);
   if (top == Midrad::none) return Midrad::of(0, 0, error, bits);
-  // What lies below the last digit of the sum is cut off before.
+  // Digits below the last one of the sum are cut off before the addition.
   const int last = std::max(top - bits - 2, std::min(a.exponent_, b.exponent_));
   for (const Midrad* p : {&a, &b})
     if (p->exponent_ < last) error = Midrad::both(error, last);
@@ -100,30 +100,30 @@ Midrad operator*(const Midrad& a, const Midrad& b) {
 
 Midrad operator/(const Midrad& a, const Midrad& b) {
   if (a.is_zero()) return {};
-  const int bits = std::max(a.bits_, b.bits_), divisor = length_of(b.mantissa_),
-            divided = length_of(a.mantissa_);
-  // As many digits as mean something.
+  const int bits = std::max(a.bits_, b.bits_), divisor = bit_length(b.mantissa_),
+            divided = bit_length(a.mantissa_);
+  // No more digits than the errors of a and b leave significant.
   int wanted = bits;
   if (!a.exact()) wanted = std::min(wanted, divided);
   if (!b.exact()) wanted = std::min(wanted, divisor);
   const int shift = wanted + 4 + divisor - divided;
   const int exponent = a.exponent_ - b.exponent_ - shift;
-  // The true divisor is more than half of b; cutting a off and dividing each lose less than a unit.
-  const int least = b.magnitude() - 1;
-  int error = Midrad::both(exponent + 1, Midrad::times(a.error_, -least));
+  // The true divisor is more than half of b; truncating a and dividing lose less than a unit each.
+  const int lowest = b.magnitude() - 1;
+  int error = Midrad::both(exponent + 1, Midrad::times(a.error_, -lowest));
   if (divided > 0)
-    error = Midrad::both(error, Midrad::times(b.error_, a.magnitude() + 1 - b.magnitude() - least));
+    error = Midrad::both(error, Midrad::times(b.error_, a.magnitude() + 1 - b.magnitude() - lowest));
   return Midrad::of(shifted(a.mantissa_, shift) / b.mantissa_, exponent, error, bits);
 }
 
 Midrad sqrt(const Midrad& a) {
   if (a.is_zero()) return {};
-  int shift = 2 * a.bits_ - length_of(a.mantissa_);
+  int shift = 2 * a.bits_ - bit_length(a.mantissa_);
   if ((a.exponent_ - shift) % 2 != 0) --shift;
   const int exponent = (a.exponent_ - shift) / 2;
-  // The derivative is below 2^-(magnitude / 2), as a is more than half its midpoint.
+  // The derivative is below 2^-(magnitude / 2), because a is more than half its midpoint.
   const int error = Midrad::both(exponent + 3, Midrad::times(a.error_, -(a.magnitude() - 1) / 2 + 1));
   return Midrad::of(rough_root(shifted(a.mantissa_, shift)), exponent, error, a.bits_);
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 constexpr Uint128 top_bit = Uint128{1} << 127;
-constexpr int most_error_bits = 62;
+constexpr int max_error_bits = 62;
 
 int leading_zeros(Uint128 x) {
   const auto high = static_cast<std::uint64_t>(x >> 64);
@@ -33,12 +33,12 @@ Product product(Uint128 a, Uint128 b) {
 Midrad128 Midrad128::of(bool negative, Uint128 bits, std::uint64_t error, int exponent) {
   if (bits == 0 && error == 0) return {};
   Midrad128 w;
-  if (error >> most_error_bits) {
+  if (error >> max_error_bits) {
     constexpr int shift = 4;
     bits >>= shift, error = (error >> shift) + 2, exponent += shift;
   }
   int shift = bits == 0 ? 127 : leading_zeros(bits);
-  if (error != 0) shift = std::min(shift, std::countl_zero(error) - (64 - most_error_bits));
+  if (error != 0) shift = std::min(shift, std::countl_zero(error) - (64 - max_error_bits));
   w.bits_ = bits << shift, w.error_ = error == 0 ? 0 : error << shift;
   w.exponent_ = exponent - shift;
   w.negative_ = negative;
@@ -87,7 +87,7 @@ Midrad128 Midrad128::moved_by_error(bool up) const {
   if (error_ == 0) return *this;
   const Midrad128 error = of(!up, error_, 0, exponent_);
   Midrad128 end = middle() + error;
-  // The sum may need a bit more than there are: one unit further out.
+  // The sum may need one bit more than there are: then the bound moves outward by a unit.
   if (end.error_ != 0) end = end.middle() + of(!up, 2, 0, end.exponent_);
   return end.middle();
 }
@@ -160,7 +160,7 @@ Midrad128 Midrad128::coarse_product(const Midrad128& a, const Midrad128& b) {
   const auto bits_a = static_cast<double>(a.bits_), bits_b = static_cast<double>(b.bits_);
   const auto error_a = static_cast<double>(a.error_), error_b = static_cast<double>(b.error_);
   const double error = (bits_a * error_b + (bits_b + error_b) * error_a) * (1 + 0x1p-50);
-  // Both errors are 2^61 or more, so that at least 64 bits mean nothing and the rest fits.
+  // Both errors are at least 2^61: at least 64 bits are not significant, and the rest fits.
   const int shift = std::ilogb(error) - 58;
   const Product p = product(a.bits_, b.bits_);
   const Uint128 bits = shift < 128 ? (p.high << (128 - shift)) | (p.low >> shift) : p.high >> (shift - 128);
@@ -174,9 +174,9 @@ Midrad128 operator*(const Midrad128& a, const Midrad128& b) {
   Product p = product(a.bits_, b.bits_);
   std::uint64_t error = a.error_ + b.error_ + (a.error_ != 0 && b.error_ != 0 ? 1 : 0);
   int exponent = a.exponent_ + b.exponent_ + 128;
-  // Bits that would be cut off are kept where there is room in front: exact products of few digits stay
-  // exact.
-  if (!(p.high & top_bit) && p.high != 0 && p.low != 0 && !(error >> most_error_bits)) {
+  // If the leading bits are free, the product is shifted up instead of cut off: exact products of few digits
+  // remain exact.
+  if (!(p.high & top_bit) && p.high != 0 && p.low != 0 && !(error >> max_error_bits)) {
     const int shift = error == 0 ? leading_zeros(p.high) : 1;
     p.high = (p.high << shift) | (p.low >> (128 - shift));
     p.low <<= shift, exponent -= shift, error <<= shift;
@@ -192,12 +192,12 @@ Midrad128 operator/(const Midrad128& a, const Midrad128& b) {
   if (a.bits_ == 0 && a.error_ == 0) return {};
   const double divisor = static_cast<double>(b.bits_);
   if (a.bits_ <= a.error_) {
-    const double most = (static_cast<double>(a.bits_) + static_cast<double>(a.error_)) /
-                        (divisor * (1 - b.relative_error() / (1 + b.relative_error())));
-    return Midrad128::with_error(false, 0, std::ldexp(most * (1 + 0x1p-40), 140),
+    const double bound = (static_cast<double>(a.bits_) + static_cast<double>(a.error_)) /
+                         (divisor * (1 - b.relative_error() / (1 + b.relative_error())));
+    return Midrad128::with_error(false, 0, std::ldexp(bound * (1 + 0x1p-40), 140),
                                  a.exponent_ - b.exponent_ - 140);
   }
-  // Fifty bits a round: what is left over, divided in double.
+  // Long division by some fifty bits per round: divides the remainder in double.
   Midrad128 quotient, rest = a.middle();
   const Midrad128 exact_divisor = b.middle();
   for (int round = 0; round < 3 && rest.bits_ != 0; ++round) {
@@ -207,7 +207,7 @@ Midrad128 operator/(const Midrad128& a, const Midrad128& b) {
     quotient = (quotient + part).middle();
     rest = (rest - part * exact_divisor).middle();
   }
-  // Three rounds leave less than 2^-145, and each sum and product added less than 2^-126 of the quotient.
+  // Three rounds leave a remainder below 2^-145; each sum and product added less than 2^-126 of the quotient.
   const bool exact = rest.bits_ == 0 && a.error_ == 0 && b.error_ == 0 && same(quotient * exact_divisor, a);
   if (exact) return quotient;
   const double error_a = a.relative_error(), error_b = b.relative_error();
@@ -220,7 +220,7 @@ Midrad128 operator/(const Midrad128& a, const Midrad128& b) {
 Midrad128 sqrt(const Midrad128& a) {
   if (a.bits_ == 0) return {};
   const Midrad128 square = a.middle();
-  // An even exponent, and a start of 53 bits; twice, what is left of the square over twice the root.
+  // The exponent is made even. From a double's root of 53 bits, two Newton steps add remainder / (2 root).
   const int shift = square.exponent_ & 1 ? square.exponent_ + 1 : square.exponent_;
   const double start = std::sqrt(std::ldexp(static_cast<double>(square.bits_), square.exponent_ - shift));
   Midrad128 root = Midrad128(start).scaled(shift / 2);
@@ -237,4 +237,4 @@ Midrad128 sqrt(const Midrad128& a) {
                                root.exponent_);
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,13 +1,13 @@
-// Ball arithmetic in 128 bits: numbers that know how wrong they may be, a midpoint and a radius, which bounds
-// the error, with exponents as wide as an int.
+// Ball arithmetic in 128 bits: a midpoint and a radius that bounds the error, with exponents as wide as an
+// int.
 //
 //   Midrad128 third = Midrad128(1) / Midrad128(3);     // off by a unit of the 128th bit or so
 //   third.sign() == 1                                  // or unknown_sign where the error reaches 0
 //
-// The stage between certified doubles and numbers of any length: forty digits at some ten nanoseconds an
-// operation, where a double's range does not matter (squares of 1e-300, fourth powers of 1e300). What fits
-// into 128 bits is exact and stays exact, with error 0, so that ties between numbers of few digits are
-// decided here too. Whole arithmetic only, and the same on every processor.
+// The stage between certified doubles and numbers of any length: forty digits at some ten nanoseconds per
+// operation, for magnitudes beyond a double's range too (squares of 1e-300, fourth powers of 1e300). A number
+// that fits into 128 bits is exact, with error 0, so that ties between numbers of few digits are decided
+// here. Integer arithmetic only: the same result on every processor.
 //
 // As in F. Johansson, "Arb: efficient arbitrary-precision midpoint-radius interval arithmetic" (IEEE
 // Transactions on Computers 66, 2017).
@@ -17,11 +17,11 @@
 
 #include "numbers/dyadic.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 __extension__ using Uint128 = unsigned __int128;
 
-/// What sign() says where the error bound reaches 0.
+/// The result of sign() if the ball contains 0 and is not exactly 0.
 constexpr int unknown_sign = 2;
 
 class Midrad128 {
@@ -29,12 +29,13 @@ class Midrad128 {
   Midrad128() = default;
   /// Exact. Requires: value finite.
   explicit Midrad128(double value);
-  /// Exact if the value has at most 128 bits, else within a unit of the last.
+  /// Exact if the value has at most 128 bits, else off by at most a unit of the last bit.
   explicit Midrad128(const Dyadic& value);
-  /// Holds every number between the least of `low` and the greatest of `high`. Requires: 0 <= low <= high.
+  /// A ball that contains every number from the lower bound of `low` to the upper bound of `high`. Requires:
+  /// 0 <= low <= high.
   static Midrad128 hull(const Midrad128& low, const Midrad128& high);
 
-  /// -1, 0, 1, or unknown_sign. 0 is exactly 0.
+  /// -1, 0, 1, or unknown_sign. 0: the number is exactly 0.
   int sign() const {
     if (bits_ > error_) return negative_ ? -1 : 1;
     return bits_ == 0 && error_ == 0 ? 0 : unknown_sign;
@@ -45,11 +46,11 @@ class Midrad128 {
   /// floor(log2 |midpoint|). Requires: not 0.
   int magnitude() const;
 
-  /// The least and the greatest number that this may be, and the midpoint; exact.
+  /// The lower bound, the upper bound, and the midpoint; exact numbers.
   Midrad128 low() const;
   Midrad128 high() const;
   Midrad128 middle() const;
-  Dyadic dyadic() const;  ///< of the midpoint
+  Dyadic dyadic() const;  ///< the midpoint
   /// The nearest double to the midpoint, ties to even; infinite beyond the largest.
   double rounded() const;
 
@@ -69,13 +70,13 @@ class Midrad128 {
   friend Midrad128 operator/(const Midrad128& a, const Midrad128& b);
   /// Requires: the sign of a is known and not negative.
   friend Midrad128 sqrt(const Midrad128& a);
-  /// Both exact and the same number.
+  /// Whether both are exact and the same number.
   friend bool same(const Midrad128& a, const Midrad128& b) {
     return a.error_ == 0 && b.error_ == 0 && a.bits_ == b.bits_ &&
            (a.bits_ == 0 || (a.exponent_ == b.exponent_ && a.negative_ == b.negative_));
   }
 
-  /// Midpoint and error are the same, so that each may be what the other is.
+  /// Whether midpoint and error are the same; the two numbers may still differ.
   friend bool identical(const Midrad128& a, const Midrad128& b) {
     return a.bits_ == b.bits_ && a.error_ == b.error_ &&
            (a.exponent_ == b.exponent_ || (a.bits_ == 0 && a.error_ == 0)) &&
@@ -83,17 +84,17 @@ class Midrad128 {
   }
 
  private:
-  /// (+-bits +- error) 2^exponent, brought to the form that every Midrad128 has.
+  /// (+-bits +- error) 2^exponent, normalized.
   static Midrad128 of(bool negative, Uint128 bits, std::uint64_t error, int exponent);
-  /// The same with any error bound, also one that no integer holds.
+  /// The same for an error bound of any size, also one beyond 64 bits.
   static Midrad128 with_error(bool negative, Uint128 bits, double error, int exponent);
-  /// Where neither has its highest bit set: both are wide, and the error is multiplied out.
+  /// The product if neither has its highest bit set: both errors are large, and the error is multiplied out.
   static Midrad128 coarse_product(const Midrad128& a, const Midrad128& b);
   Midrad128 moved_by_error(bool up) const;
-  /// As large a part of the error as a double tells: error / bits, rounded up.
+  /// error / (bits - error), rounded up: an upper bound of the relative error.
   double relative_error() const;
 
-  // bits_ has its highest bit set, unless the error is too large for that or the number is exactly 0.
+  // Normal form: bits_ has its highest bit set, unless the error is too large for that or the number is 0.
   Uint128 bits_ = 0;
   std::uint64_t error_ = 0;  ///< below 2^62
   std::int32_t exponent_ = 0;
@@ -104,4 +105,4 @@ inline Midrad128 half_of(const Midrad128& a) {
   return a.scaled(-1);
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

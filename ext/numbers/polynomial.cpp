@@ -4,10 +4,10 @@
 
 #include "numbers/residue.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
-/// Requires: b divides a; both reduced, so that its mantissa divides a's.
+/// Requires: b divides a; both are reduced, so that b's mantissa divides a's.
 Dyadic exact_quotient(const Dyadic& a, const Dyadic& b) {
   return {a.mantissa() / b.mantissa(), a.exponent() - b.exponent()};
 }
@@ -18,7 +18,7 @@ Dyadic power(const Dyadic& base, int exponent) {
   return result;
 }
 
-/// a becomes its remainder, times the divisor's leading coefficient for every step.
+/// Replaces a by its pseudo-remainder: multiplied by the divisor's leading coefficient in every step.
 template <class Coefficients>
 void pseudo_divide(Coefficients& a, int degree_a, const Coefficients& b, int degree_b) {
   for (int k = degree_a; k >= degree_b; --k) {
@@ -32,7 +32,7 @@ void pseudo_divide(Coefficients& a, int degree_a, const Coefficients& b, int deg
 }
 
 struct Residues {
-  std::array<Residue, Polynomial::most + 1> c;
+  std::array<Residue, Polynomial::max_degree + 1> c;
   int degree;
 
   explicit Residues(const Polynomial& p) : degree(p.degree) {
@@ -46,8 +46,8 @@ struct Residues {
 
 }  // namespace
 
-Polynomial::Polynomial(const std::array<Dyadic, most + 1>& coefficients) : degree(most) {
-  for (int k = 0; k <= most; ++k) c[k] = coefficients[k].reduced();
+Polynomial::Polynomial(const std::array<Dyadic, max_degree + 1>& coefficients) : degree(max_degree) {
+  for (int k = 0; k <= max_degree; ++k) c[k] = coefficients[k].reduced();
   trim();
 }
 
@@ -62,7 +62,7 @@ Dyadic value_at(const Polynomial& p, const Dyadic& x) {
 }
 
 Polynomial derivative(const Polynomial& p) {
-  std::array<Dyadic, Polynomial::most + 1> slope;
+  std::array<Dyadic, Polynomial::max_degree + 1> slope;
   for (int k = 1; k <= p.degree; ++k) slope[k - 1] = p.c[k] * Dyadic(k);
   return Polynomial(slope);
 }
@@ -72,7 +72,7 @@ Dyadic discriminant(const Polynomial& p) {
 }
 
 Polynomial common_divisor(Polynomial a, Polynomial b) {
-  // Subresultant remainders: coefficients grow in proportion, and no divisors have to be searched.
+  // Subresultant remainder sequence: coefficients grow linearly, and no common factors have to be searched.
   if (a.degree < b.degree) std::swap(a, b);
   Dyadic g(1.0), h(1.0);
   while (b.degree > 0) {
@@ -91,7 +91,7 @@ Polynomial common_divisor(Polynomial a, Polynomial b) {
 
 bool surely_coprime(const Polynomial& p, const Polynomial& q) {
   Residues a(p), b(q);
-  // A common divisor's leading coefficient divides both; where it may vanish there is no proof.
+  // The leading coefficient of a common divisor divides both; if it may vanish, there is no proof.
   if (a.degree < p.degree && b.degree < q.degree) return false;
   if (a.degree < b.degree) std::swap(a, b);
   while (b.degree > 0) {
@@ -102,4 +102,4 @@ bool surely_coprime(const Polynomial& p, const Polynomial& q) {
   return b.degree == 0;
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

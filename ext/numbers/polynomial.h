@@ -1,20 +1,20 @@
-// Polynomials of degree at most four with exact coefficients, and whether two of them have a common root.
+// Polynomials of degree at most four with exact coefficients, and the greatest common divisor of two of them.
 #pragma once
 
 #include <array>
 
 #include "numbers/dyadic.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 struct Polynomial {
-  static constexpr int most = 4;
-  std::array<Dyadic, most + 1> c;  ///< odd mantissas: powers of two cost nothing
-  int degree = -1;                 ///< -1: zero everywhere
+  static constexpr int max_degree = 4;
+  std::array<Dyadic, max_degree + 1> c;  ///< reduced: mantissas are odd
+  int degree = -1;                       ///< -1: zero everywhere
 
   Polynomial() = default;
   /// coefficients[k] belongs to the k-th power.
-  explicit Polynomial(const std::array<Dyadic, most + 1>& coefficients);
+  explicit Polynomial(const std::array<Dyadic, max_degree + 1>& coefficients);
 
   void trim();
 };
@@ -32,8 +32,8 @@ Dyadic discriminant(const Polynomial& p);
 /// The greatest common divisor, up to a constant. Requires: not both zero.
 Polynomial common_divisor(Polynomial a, Polynomial b);
 
-/// No common root for certain, told quickly from the coefficients modulo a prime; a common root is very
-/// likely if false. Requires: not both zero.
+/// True: the two certainly have no common root; false: very likely they have one. A fast test of the
+/// coefficients modulo a prime. Requires: not both zero.
 bool surely_coprime(const Polynomial& p, const Polynomial& q);
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,16 +1,15 @@
-// The roots of a quadratic whose discriminant is positive, without cancellation.
+// Roots of a quadratic with a positive discriminant, computed without cancellation.
 #pragma once
 
 #include <array>
 
-#include "base/rooms.h"
+namespace foresee {
 
-namespace foresee::numbers {
-
-/// c2 times one root, and c0 divided by the other. `d` = c1^2 - 4 c0 c2; its sign and that of c1 are known.
+/// Returns c2 times one root, which is c0 divided by the other. `d` = c1^2 - 4 c0 c2; its sign and that of c1
+/// are known.
 template <class N, std::size_t Size>
 N product_of_root(const std::array<N, Size>& c, const N& d) {
-  // -b and the root of D with one sign: nothing cancels.
+  // -b and the root of D have the same sign: nothing cancels.
   const N root = sqrt(d);
   return half_of(c[1].sign() >= 0 ? -c[1] - root : root - c[1]);
 }
@@ -22,4 +21,4 @@ N root_of_quadratic(const std::array<N, Size>& c, const N& product, int which) {
   return which == first ? product / c[2] : c[0] / product;
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,6 +1,6 @@
 #include "numbers/quadratic_root.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 /// The sign of q at top / bottom.
@@ -38,4 +38,4 @@ int sign_at_root(const Polynomial& q, const Polynomial& p, int which) {
   return order > 0 ? sign_alpha : order < 0 ? sign_beta : 0;
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,15 +1,15 @@
-// Exact numbers modulo the prime 2^61 - 1: a few nanoseconds where exact arithmetic takes milliseconds, and a
-// proof whenever the residue is not 0.
+// Arithmetic modulo the prime 2^61 - 1: a fast proof that an exact number is not 0.
 //
-// Powers of two are rotations there, so that every m 2^e has a residue, and sums and products agree with the
-// exact ones.
+// A residue other than 0 is the proof; it takes a few nanoseconds where exact arithmetic takes milliseconds.
+// Powers of two are rotations, so that every m 2^e has a residue, and sums and products agree with the exact
+// ones.
 #pragma once
 
 #include <cstdint>
 
 #include "numbers/midrad_128.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 class Residue {
  public:
@@ -48,4 +48,4 @@ class Residue {
   std::uint64_t value_ = 0;
 };
 
-}  // namespace foresee::numbers
+}  // namespace foresee

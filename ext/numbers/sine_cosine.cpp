@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace foresee::numbers {
+namespace foresee {
 
 namespace {
 
@@ -12,8 +12,8 @@ Midrad number(double value, int bits) {
   return {Dyadic(value), bits};
 }
 
-/// 2^bits arc tan(1 / n) = 2^bits (1/n - 1/(3 n^3) + 1/(5 n^5) - ...), off by less than `bits`: two divisions
-/// a term, each off by less than 1, and no term is less than 16 times smaller than the one before it.
+/// 2^bits arc tan(1 / n) = 2^bits (1/n - 1/(3 n^3) + 1/(5 n^5) - ...), off by less than `bits`. Each term has
+/// two divisions, each off by less than 1, and is at least 16 times smaller than the term before it.
 Integer arc_tangent_of_inverse(int n, int bits) {
   Integer power = (Integer(1) << bits) / n, sum = power;
   for (int k = 1; !power.is_zero(); ++k) {
@@ -34,7 +34,7 @@ Midrad128 in_128_bits(const Midrad& positive) {
   return Midrad128::hull(Midrad128(positive.low()), Midrad128(positive.high()));
 }
 
-/// The series, `terms` deep. Requires: inverse(n) = 1 / (n (n - 1)); |angle| < 1.
+/// Taylor's series of `terms` terms. Requires: inverse(n) = 1 / (n (n - 1)); |angle| < 1.
 template <class T, class Inverse>
 SineCosine<T> series(const T& angle, int terms, const T& one, const T& half_to_one, const Inverse& inverse) {
   const T square = angle * angle;
@@ -46,11 +46,11 @@ SineCosine<T> series(const T& angle, int terms, const T& one, const T& half_to_o
   return {angle * sums.sine, sums.cosine};
 }
 
-/// Sines and cosines of the multiples of a step, computed once, from which others are near.
+/// Sines and cosines of the multiples of a step, computed once; every angle is near one of them.
 class SineTable {
  public:
   static constexpr int steps = 64;
-  static constexpr double step = 45.0 / steps;  // exact, and so are its multiples
+  static constexpr double step = 45.0 / steps;  // exact, like its multiples
 
   SineTable() {
     const Midrad128 one(1.0), half_to_one = Midrad128::hull(Midrad128(0.5), one);
@@ -74,12 +74,12 @@ class SineTable {
   }
 
  private:
-  static constexpr int terms = 6;  // half a step to the power of 12 is below 2^-87, and 1 / 12! below 2^-28
+  static constexpr int terms = 6;  // (step / 2)^12 in radians is below 2^-87, and 1 / 12! below 2^-28
 
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
   Midrad128 angle(double degrees) const { return degree_ * Midrad128(degrees); }
 
-  /// 1 - x^2/2! + x^4/4! - ..., where the last term is only known to be between half and whole.
+  /// 1 - x^2/2! + x^4/4! - ..., where the factor of the last term is only known to lie in [1/2, 1].
   SineCosine<Midrad128> near_zero(double degrees) const {
     const Midrad128 x = angle(degrees), square = x * x;
     Midrad128 sine = inverse_factorials_[at(2 * terms + 1)], cosine = inverse_factorials_[at(2 * terms)];
@@ -92,7 +92,7 @@ class SineTable {
 
   Midrad128 degree_ = in_128_bits(radians_of_degree(256));
   std::array<SineCosine<Midrad128>, steps + 1> multiples_;
-  std::array<Midrad128, 2 * terms + 2> inverse_factorials_;  ///< the last two times [1/2, 1]: what is left
+  std::array<Midrad128, 2 * terms + 2> inverse_factorials_;  ///< the last two times [1/2, 1]: the remainder
 };
 
 }  // namespace
@@ -103,10 +103,10 @@ SineCosine<Midrad128> sine_cosine(double degrees) {
 }
 
 SineCosine<Midrad> sine_cosine(double degrees, int bits) {
-  // A quarter as many terms as bits: what a power of two as an error bound gives away is theirs too.
+  // A quarter as many terms as bits: enough also for the crude error bounds, which are powers of two.
   return series(radians_of_degree(bits) * number(degrees, bits), bits / 4, number(1, bits),
                 Midrad::hull(Dyadic(0.5), Dyadic(1.0), bits),
                 [bits](int n) { return number(1, bits) / number(static_cast<double>(n) * (n - 1), bits); });
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

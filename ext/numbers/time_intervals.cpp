@@ -5,23 +5,23 @@
 #include "numbers/interval_newton.h"
 #include "numbers/quadratic_formula.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
-/// What roots and the moments between them are found among: in order of time, each with the polynomial's
-/// sign.
+/// Times in increasing order, each with the polynomial's sign: roots lie at them or between neighbours.
 struct Waypoints {
   struct Waypoint {
     AlgebraicRoot* root;
     int sign;
   };
-  std::array<Waypoint, 2 * LazyPolynomial::most + 1> list;
+  std::array<Waypoint, 2 * LazyPolynomial::max_degree + 1> list;
   int count = 0;
 
   void add(AlgebraicRoot* root, int sign) { list[count++] = {root, sign}; }
 };
 
-/// Sign of the discriminant; the coefficients or `discriminant` are made sharper where that takes integers.
+/// The sign of the discriminant `d`. If 128 bits do not decide, `d` comes from the exact coefficients, and the
+/// enclosures of the coefficients are sharpened.
 int discriminant_of(LazyPolynomial& polynomial, Midrad128& d) {
   const auto& c = polynomial.rough();
   d = c[1] * c[1] - (c[0] * c[2]).scaled(2);
@@ -55,27 +55,27 @@ Roots roots_by_formula(LazyPolynomial& polynomial) {
   return roots;
 }
 
-TimeIntervals clipped(std::initializer_list<TimeInterval> intervals, const Asked& asked) {
+TimeIntervals clipped(std::initializer_list<TimeInterval> intervals, const QueriedInterval& queried) {
   TimeIntervals kept;
   for (TimeInterval s : intervals) {
-    if (s.first != &asked.begin && compare(*s.first, asked.begin) < 0) s.first = &asked.begin;
-    if (s.last != &asked.end && compare(*s.last, asked.end) > 0) s.last = &asked.end;
+    if (s.first != &queried.begin && compare(*s.first, queried.begin) < 0) s.first = &queried.begin;
+    if (s.last != &queried.end && compare(*s.last, queried.end) > 0) s.last = &queried.end;
     if (compare(*s.first, *s.last) <= 0) kept.push_back(s);
   }
   return kept;
 }
 
-TimeIntervals inside_by_formula(LazyPolynomial& polynomial, const Asked& asked) {
+TimeIntervals inside_by_formula(LazyPolynomial& polynomial, const QueriedInterval& queried) {
   const Roots roots = roots_by_formula(polynomial);
-  AlgebraicRoot *const begin = &asked.begin, *const end = &asked.end;
+  AlgebraicRoot *const begin = &queried.begin, *const end = &queried.end;
   const int lead = polynomial.lead();
-  if (roots.count == 0) return lead <= 0 ? clipped({{begin, end}}, asked) : TimeIntervals{};
+  if (roots.count == 0) return lead <= 0 ? clipped({{begin, end}}, queried) : TimeIntervals{};
   AlgebraicRoot *const one = roots.list[0], *const other = roots.list[roots.count - 1];
   if (polynomial.degree() == 1)
-    return clipped({lead > 0 ? TimeInterval{begin, one} : TimeInterval{one, end}}, asked);
-  if (lead > 0) return clipped({{one, other}}, asked);
-  if (one == other) return clipped({{begin, end}}, asked);
-  return clipped({{begin, one}, {other, end}}, asked);
+    return clipped({lead > 0 ? TimeInterval{begin, one} : TimeInterval{one, end}}, queried);
+  if (lead > 0) return clipped({{one, other}}, queried);
+  if (one == other) return clipped({{begin, end}}, queried);
+  return clipped({{begin, one}, {other, end}}, queried);
 }
 
 /// The only root between two neighbours at which the signs differ.
@@ -90,7 +90,7 @@ AlgebraicRoot& root_between(LazyPolynomial& polynomial, AlgebraicRoot& before, A
     root.recognize();
     return root;
   }
-  // So near to a neighbour that 128 bits do not tell them apart.
+  // The root is so near to a neighbour that 128 bits do not separate them.
   for (int bits = first_length;; bits *= 2) {
     const Dyadic left = before.enclosure(bits).high(), right = after.enclosure(bits).low();
     const auto sign_at = [&](const Dyadic& x) {
@@ -104,56 +104,57 @@ AlgebraicRoot& root_between(LazyPolynomial& polynomial, AlgebraicRoot& before, A
   }
 }
 
-Waypoints waypoints_of(LazyPolynomial& polynomial, const Asked& asked);
+Waypoints waypoints_of(LazyPolynomial& polynomial, const QueriedInterval& queried);
 
 }  // namespace
 
-Roots zeros_within(LazyPolynomial& polynomial, const Asked& asked) {
+Roots zeros_within(LazyPolynomial& polynomial, const QueriedInterval& queried) {
   Roots zeros;
   if (polynomial.degree() <= 2) {
     const Roots all = roots_by_formula(polynomial);
     for (int i = 0; i < all.count; ++i)
-      if (compare(*all.list[i], asked.begin) > 0 && compare(*all.list[i], asked.end) < 0)
+      if (compare(*all.list[i], queried.begin) > 0 && compare(*all.list[i], queried.end) < 0)
         zeros.list[zeros.count++] = all.list[i];
     return zeros;
   }
-  const Waypoints way = waypoints_of(polynomial, asked);
-  for (int i = 1; i + 1 < way.count; ++i)
-    if (way.list[i].sign == 0) zeros.list[zeros.count++] = way.list[i].root;
+  const Waypoints waypoints = waypoints_of(polynomial, queried);
+  for (int i = 1; i + 1 < waypoints.count; ++i)
+    if (waypoints.list[i].sign == 0) zeros.list[zeros.count++] = waypoints.list[i].root;
   return zeros;
 }
 
 namespace {
 
-/// The ends, the zeros of the slope, and between them the roots.
-Waypoints waypoints_of(LazyPolynomial& polynomial, const Asked& asked) {
-  const Roots turns = zeros_within(polynomial.slope(), asked);
-  Waypoints way;
-  way.add(&asked.begin, polynomial.sign_at(asked.begin));
+/// The ends of the interval, the zeros of the slope, and the roots between them.
+Waypoints waypoints_of(LazyPolynomial& polynomial, const QueriedInterval& queried) {
+  const Roots turns = zeros_within(polynomial.slope(), queried);
+  Waypoints waypoints;
+  waypoints.add(&queried.begin, polynomial.sign_at(queried.begin));
   for (int i = 0; i <= turns.count; ++i) {
-    AlgebraicRoot& next = i < turns.count ? *turns.list[i] : asked.end;
-    const auto last = way.list[way.count - 1];
+    AlgebraicRoot& next = i < turns.count ? *turns.list[i] : queried.end;
+    const auto last = waypoints.list[waypoints.count - 1];
     const int sign = polynomial.sign_at(next);
-    if (last.sign * sign < 0) way.add(&root_between(polynomial, *last.root, next, last.sign), 0);
-    way.add(&next, sign);
+    if (last.sign * sign < 0) waypoints.add(&root_between(polynomial, *last.root, next, last.sign), 0);
+    waypoints.add(&next, sign);
   }
-  return way;
+  return waypoints;
 }
 
-/// 12 C(i, k) / C(n, k): from the powers of y on [0, 1] to Bernstein's form, times 12.
+/// 12 C(i, k) / C(n, k): converts powers of y on [0, 1] to the Bernstein basis, times 12.
 constexpr int bernstein_weight(int n, int i, int k) {
   constexpr int choose[5][5] = {
       {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
   return 12 * choose[i][k] / choose[n][k];
 }
 
-/// Never 0 on the whole of it, told from Bernstein's coefficients: their sign, or 0 where they do not tell.
-int constant_sign(LazyPolynomial& polynomial, const Asked& asked) {
+/// The common sign of the Bernstein coefficients, and so of the polynomial on the whole interval; 0 if they
+/// have none.
+int constant_sign(LazyPolynomial& polynomial, const QueriedInterval& queried) {
   const int n = polynomial.degree();
-  const Midrad128 width = asked.end.at - asked.begin.at;
-  std::array<Midrad128, LazyPolynomial::most + 1> d = polynomial.rough();
+  const Midrad128 width = queried.end.at - queried.begin.at;
+  std::array<Midrad128, LazyPolynomial::max_degree + 1> d = polynomial.rough();
   for (int k = 0; k < n; ++k)
-    for (int i = n - 1; i >= k; --i) d[i] = d[i] + asked.begin.at * d[i + 1];
+    for (int i = n - 1; i >= k; --i) d[i] = d[i] + queried.begin.at * d[i + 1];
   Midrad128 scale = width;
   for (int k = 1; k <= n; ++k, scale = scale * width) d[k] = d[k] * scale;
   int all = 0;
@@ -169,32 +170,32 @@ int constant_sign(LazyPolynomial& polynomial, const Asked& asked) {
 
 }  // namespace
 
-TimeIntervals inside(LazyPolynomial& polynomial, const Asked& asked) {
-  if (polynomial.degree() <= 2) return inside_by_formula(polynomial, asked);
+TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const QueriedInterval& queried) {
+  if (polynomial.degree() <= 2) return inside_by_formula(polynomial, queried);
   TimeIntervals intervals;
-  const int constant = constant_sign(polynomial, asked);
-  if (constant < 0) intervals.push_back({&asked.begin, &asked.end});
+  const int constant = constant_sign(polynomial, queried);
+  if (constant < 0) intervals.push_back({&queried.begin, &queried.end});
   if (constant != 0) return intervals;
-  const Waypoints way = waypoints_of(polynomial, asked);
-  // Between two neighbours there is no root, so the polynomial is at most 0 there if it is at both.
-  for (int i = 0; i < way.count; ++i) {
-    if (way.list[i].sign > 0) continue;
+  const Waypoints waypoints = waypoints_of(polynomial, queried);
+  // There is no root between two neighbours, so the polynomial is at most 0 between them if it is at both.
+  for (int i = 0; i < waypoints.count; ++i) {
+    if (waypoints.list[i].sign > 0) continue;
     int last = i;
-    while (last + 1 < way.count && way.list[last + 1].sign <= 0) ++last;
-    intervals.push_back({way.list[i].root, way.list[last].root});
+    while (last + 1 < waypoints.count && waypoints.list[last + 1].sign <= 0) ++last;
+    intervals.push_back({waypoints.list[i].root, waypoints.list[last].root});
     i = last;
   }
   return intervals;
 }
 
-TimeIntervals outside(const TimeIntervals& inside, const Asked& asked) {
+TimeIntervals complement(const TimeIntervals& inside, const QueriedInterval& queried) {
   TimeIntervals gaps;
-  AlgebraicRoot* first = &asked.begin;
+  AlgebraicRoot* first = &queried.begin;
   for (const TimeInterval& interval : inside) {
-    if (interval.first != &asked.begin) gaps.push_back({first, interval.first});
+    if (interval.first != &queried.begin) gaps.push_back({first, interval.first});
     first = interval.last;
   }
-  if (first != &asked.end) gaps.push_back({first, &asked.end});
+  if (first != &queried.end) gaps.push_back({first, &queried.end});
   return gaps;
 }
 
@@ -211,4 +212,4 @@ TimeIntervals common(const TimeIntervals& a, const TimeIntervals& b) {
   return both;
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

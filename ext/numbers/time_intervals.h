@@ -1,45 +1,46 @@
-// When is a polynomial at most 0? All its intervals of the time asked about, with algebraic roots as ends.
+// Time intervals on which a polynomial is at most 0 (a sublevel set), with algebraic roots as exact ends.
 //
-// Degree 1 and 2 by the formula; a discriminant whose sign 128 bits cannot tell is taken exactly.
-// Degree 3 and 4 by their slope: between its zeros the polynomial runs one way, so its signs there say where
-// it has roots and that there are no others. No bound on how near roots may lie to each other is needed, as a
-// sign in doubt is asked exactly.
+// Degree 1 and 2 use the formula; a discriminant whose sign is unknown in 128 bits is computed exactly.
+// Degree 3 and 4 use the slope: the polynomial is monotone between the zeros of its slope. Its signs there
+// say where it has roots, and that it has no others. No bound on the separation of roots is needed, because a
+// sign in doubt is computed exactly.
 #pragma once
 
 #include <vector>
 
 #include "numbers/algebraic_root.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
-/// Closed; a single moment where both ends are the same root.
+/// A closed interval; a single time if both ends are the same root.
 struct TimeInterval {
   AlgebraicRoot *first, *last;
 };
 
-/// In order of time and apart from each other.
+/// Disjoint and in order of time.
 using TimeIntervals = std::vector<TimeInterval>;
 
-/// The moments asked about. Requires: begin <= end.
-struct Asked {
+/// The time interval of a query. Requires: begin <= end.
+struct QueriedInterval {
   AlgebraicRoot &begin, &end;
 };
 
 struct Roots {
-  std::array<AlgebraicRoot*, LazyPolynomial::most> list;
+  std::array<AlgebraicRoot*, LazyPolynomial::max_degree> list;
   int count = 0;
 };
 
-/// Where a polynomial is 0, in order and strictly within the moments asked about. To be asked once.
-Roots zeros_within(LazyPolynomial& polynomial, const Asked& asked);
+/// The zeros of a polynomial strictly within the queried interval, in order. Call it once per polynomial.
+Roots zeros_within(LazyPolynomial& polynomial, const QueriedInterval& queried);
 
-TimeIntervals inside(LazyPolynomial& polynomial, const Asked& asked);
+TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const QueriedInterval& queried);
 
-/// What lies between intervals, with the ends that they share. Single times at which a polynomial only
-/// touches 0 from below are left out; a root at an end of what is asked about may be an interval of one time.
-TimeIntervals outside(const TimeIntervals& inside, const Asked& asked);
+/// The closure of the complement within the queried interval. It leaves out single times at which a
+/// polynomial only touches 0 from below. A root at an end of the queried interval may be an interval of one
+/// time.
+TimeIntervals complement(const TimeIntervals& inside, const QueriedInterval& queried);
 
-/// The moments that are in both.
+/// The intersection of both.
 TimeIntervals common(const TimeIntervals& a, const TimeIntervals& b);
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <optional>
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
-/// Beyond so many bits only what is exactly between two doubles stays in doubt.
+/// Beyond so many bits, only a value exactly halfway between two doubles is still in doubt.
 constexpr int longest = 4 * first_length;
 
 Midrad number(double value, int bits) {
   return {Dyadic(value), bits};
 }
 
-/// Of Taylor's series, nested from its end: beyond, at 45 degrees, 2^-60 is left.
+/// Terms of Taylor's series, nested from its end; the remainder at 45 degrees is 2^-60.
 constexpr std::size_t series_terms = 9;
 constexpr std::array<double, series_terms> factors(int beside) {
   std::array<double, series_terms> factors{};
@@ -26,7 +26,7 @@ constexpr std::array<double, series_terms> factors(int beside) {
 }
 constexpr std::array<double, series_terms> sine_factors = factors(1), cosine_factors = factors(-1);
 
-/// degrees = 90 quarters + rest, |rest| <= 45; exact, as the rest has no bits that degrees has not.
+/// degrees = 90 quarters + rest, |rest| <= 45; exact, because the rest has no bits that degrees has not.
 struct Angle {
   int quarters;
   double rest;
@@ -36,7 +36,7 @@ Angle angle_of(double degrees) {
   return {static_cast<int>(quarters) & 3, degrees - 90 * quarters};
 }
 
-/// The same turned by so many quarters clockwise.
+/// Turns (x, y) clockwise by `quarters` right angles.
 template <class T>
 void turn_quarters(T& x, T& y, int quarters) {
   for (int i = 0; i < quarters; ++i) {
@@ -45,14 +45,14 @@ void turn_quarters(T& x, T& y, int quarters) {
   }
 }
 
-/// Where all of it rounds to one double.
+/// The double to which the whole ball rounds, if it is only one.
 std::optional<double> rounded_if_known(const Midrad128& value) {
   const double low = value.low().rounded(), high = value.high().rounded();
   if (low != high) return std::nullopt;
   return low + 0.0;
 }
 
-/// enclosure(bits), rounded as soon as all of it rounds to one double.
+/// Rounds enclosure(bits), with more bits until all of it rounds to one double.
 template <class Enclosure>
 double rounded_in_the_end(const Enclosure& enclosure) {
   for (int bits = first_length;; bits *= 2) {
@@ -88,7 +88,7 @@ double rounded_quotient(const Dyadic& a, const Dyadic& b) {
   const double low = rounded(quotient.low()), high = rounded(quotient.high());
   if (low == high) return low + 0.0;
   if (!std::isfinite(low) || !std::isfinite(high)) return rounded(quotient.middle());
-  // Something lies halfway between two doubles, or next to it.
+  // The value lies halfway between two doubles, or next to that.
   const Dyadic between = half_of(Dyadic(low) + Dyadic(high));
   const int side = (a - between * b).sign();
   return (side < 0 ? low : side > 0 ? high : rounded(between)) + 0.0;
@@ -115,4 +115,4 @@ SineCosine<double> quick_sine_cosine(double degrees) {
   return {sine, cosine};
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,18 +1,17 @@
-// Quotients and turned vectors rounded once, and sine and cosine in plain doubles with a promise: the same on
-// every machine.
+// Correctly rounded quotients, square roots and rotated vectors, and sine and cosine with an error bound.
 //
 //   const Turned east = turned_clockwise(0, 5, 90);           // {5, 0}: north turned to starboard
 //   rounded_quotient(Dyadic(1.0), Dyadic(3.0)) == 1.0 / 3.0
 //
-// Degrees are clockwise as seen with x east and y north; multiples of 90 are exact. No libm: its last bit
-// differs between machines. Cost: microseconds where something is rounded once, some 20 ns for
-// quick_sine_cosine().
+// All are the same on every machine: no libm, whose last bit differs between machines. Degrees are clockwise
+// with x east and y north; multiples of 90 are exact. Cost: microseconds for a correctly rounded result, some
+// 20 ns for quick_sine_cosine().
 #pragma once
 
 #include "numbers/dyadic.h"
 #include "numbers/sine_cosine.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 struct Turned {
   double x, y;
@@ -28,11 +27,11 @@ double rounded_quotient(const Dyadic& a, const Dyadic& b);
 /// The square root of a to the nearest double. Requires: a >= 0.
 double rounded_root(const Dyadic& a);
 
-/// How far quick_sine_cosine() may be off.
+/// Error bound of quick_sine_cosine().
 inline constexpr double quick_sine_error = 0x1p-49;
 
-/// By Taylor's series in doubles: its rounding, and that of the angle, stay below a dozen units of 2^-53.
-/// Requires: |degrees| <= 720.
+/// By Taylor's series in doubles: its rounding and that of the angle are below a dozen units of 2^-53
+/// together. Requires: |degrees| <= 720.
 SineCosine<double> quick_sine_cosine(double degrees);
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,7 +1,7 @@
-// What a question is asked about: all objects of one table as they were at one moment of the database.
+// Snapshot of all objects of one table, as a query reads them.
 //
-// A scene is immutable once it is filled and shared by every cursor that reads it, so that rows do not change
-// under a loop that updates the table. Ids are unique; rows are in no particular order.
+// A scene is immutable once it is filled. All cursors that read it share it, so rows do not change under a
+// loop that updates the table. Ids are unique; rows are in no particular order.
 #pragma once
 
 #include <cstdint>
@@ -10,27 +10,27 @@
 #include <string>
 #include <vector>
 
-#include "index/tpr_tree/tree_join.h"
+#include "index/tpr_tree/search/tree_join.h"
 #include "shape/bodies.h"
 #include "shape/row_forms.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct Scene {
-  std::string name;  ///< what messages call it
+  std::string name;  ///< of the table, for messages
   Layout layout;
   std::vector<std::int64_t> ids;
   std::vector<double> rows;               ///< ids.size() rows of row_offsets(layout).size doubles
-  std::optional<TreeLevels> levels = {};  ///< where a join by the tree is asked: rows are in leaf order
-  std::unique_ptr<RowForms> forms = {};   ///< where the layout has any
+  std::optional<TreeLevels> levels = {};  ///< for joins by the tree: rows are in leaf order
+  std::unique_ptr<RowForms> forms = {};   ///< if the layout has outlines or meshes
 
   std::size_t size() const { return ids.size(); }
   Bodies bodies() const {
     Bodies bodies{layout, rows.data(), ids.size()};
-    if (forms) forms->lend(bodies);
+    if (forms) forms->attach_to(bodies);
     return bodies;
   }
-  /// Once all rows are there. `source`: null for a layout without outlines and meshes.
+  /// Requires: all rows are in the scene. `source`: null for a layout without outlines and meshes.
   void take_forms(FormSource* source, Interrupt& interrupt) {
     if (!source) return;
     forms = std::make_unique<RowForms>();
@@ -38,4 +38,4 @@ struct Scene {
   }
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

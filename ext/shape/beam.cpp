@@ -1,4 +1,4 @@
-// The columns that the kernel reads, and what it finds.
+// Gathers rows into the columns that the kernel of beams reads, and runs it.
 #include "shape/beam.h"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include "base/simd.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 template <int D>
@@ -15,7 +15,7 @@ const BeamKernels<D>& kernels() {
       []<Simd simd>(Level<simd>) -> const BeamKernels<D>& { return beam_kernels<D, simd>(); });
 }
 
-/// Some rows, to be read column by column.
+/// Consecutive rows, read one column at a time.
 struct Rows {
   const double* first;
   std::size_t size, count;
@@ -25,13 +25,13 @@ struct Rows {
 #pragma GCC unroll 8
     for (std::size_t l = 0; l < count; ++l, from += size) column[l] = *from;
   }
-  /// What is not declared is the same for all.
+  /// Copies a column; one that is not declared is `otherwise` in every row.
   void copy(int place, double* column, double otherwise) const {
     place == Offsets::absent ? static_cast<void>(std::fill_n(column, count, otherwise)) : copy(place, column);
   }
 };
 
-/// How far each body reaches below and above its position, when it is largest.
+/// Fills in the extents of each body below and above its position, at the time at which it is largest.
 template <int D>
 void copy_extents(const Bodies& bodies, std::size_t first, std::size_t count, const Horizon& horizon,
                   BeamLanes<D>& lanes) {
@@ -48,7 +48,7 @@ void copy_extents(const Bodies& bodies, std::size_t first, std::size_t count, co
   });
 }
 
-/// One life for all where neither t nor until is declared.
+/// Computes lives; one for all bodies if neither t nor until is declared.
 template <int D>
 void find_all_lives(const Rows& rows, const Offsets& at, const Horizon& horizon, BeamLanes<D>& lanes) {
   const bool alike = at.t == Offsets::absent && at.until == Offsets::absent;
@@ -80,11 +80,11 @@ void beams(const Bodies& bodies, std::size_t first, std::size_t count, const Hor
   find(out, count, grow);
 }
 
-#define FORESEE_BEAMS_OF_AXES(D) \
+#define FORESEE_OF_AXES(D) \
   template void beams(const Bodies&, std::size_t, std::size_t, const Horizon&, const Vec<D>&, BeamLanes<D>&)
-FORESEE_BEAMS_OF_AXES(1);
-FORESEE_BEAMS_OF_AXES(2);
-FORESEE_BEAMS_OF_AXES(3);
-#undef FORESEE_BEAMS_OF_AXES
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// A read-only view of many moving objects: what contact, swept boxes and queries compute with.
+// A read-only view of many moving objects: the input of contact, swept boxes and queries.
 //
 //   double rows[] = {0, 0, 1, 0,    10, 0, -1, 0};                       // x, y, vx, vy of two points
 //   Bodies ships{Layout{.axes = 2, .law = Law::uniform}, rows, 2};
@@ -15,7 +15,7 @@
 #include "motion/motion.h"
 #include "shape/layout.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class MeshRows;
 class OutlineRows;
@@ -31,7 +31,7 @@ struct Bodies {
   Offsets at;
   const double* rows = nullptr;
   std::size_t count = 0;
-  const OutlineRows* outlines = nullptr;  ///< of Shape::outline, for contact: which row looks how
+  const OutlineRows* outlines = nullptr;  ///< of Shape::outline, for contact: each row's outline
   const MeshRows* meshes = nullptr;       ///< of Shape::mesh, likewise
 };
 
@@ -46,4 +46,4 @@ Motion<D> motion_of(const Bodies& bodies, std::size_t i) {
           value_or(row, at.until, std::numeric_limits<double>::infinity())};
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

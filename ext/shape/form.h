@@ -1,10 +1,11 @@
-// What do many rows look like? A form is what a column `shape` holds, an outline or a mesh: stored once and
-// shared by rows, each of which turns it by a heading of its own.
+// Form: an outline or a mesh that many rows share, the value of a column `shape`.
+//
+// It is stored once; each row rotates it by a heading of its own.
 //
 //   const std::shared_ptr<const Form> hull = source.form(3);
-//   hull->extents(37.5)                  // throws where it cannot be turned so
+//   hull->extents(37.5)                  // throws if this rotation is not possible
 //
-// Never changes: several threads and statements may hold one.
+// Immutable: several threads and statements may hold one.
 #pragma once
 
 #include <cstdint>
@@ -15,38 +16,38 @@
 #include "motion/box.h"
 #include "shape/layout.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class Form {
  public:
   virtual ~Form() = default;
-  /// Of the layout whose rows have such forms: Shape::outline is a CutOutline, Shape::mesh a CutMesh.
+  /// The shape in a layout: Shape::outline for a SharedOutline, Shape::mesh for a SharedMesh.
   virtual Shape shape() const = 0;
-  /// By which memory is counted.
+  /// The measure of memory.
   virtual std::size_t corners() const = 0;
   /// Canonical well-known text.
   virtual std::string text() const = 0;
-  /// The smallest box around it, turned by `heading` degrees (outline/turn.h); of an outline none along z.
-  /// Throws Error if that is no outline or mesh, or beyond the largest double. Requires: -360 <= heading <=
-  /// 360.
+  /// The bounding box after a rotation by `heading` degrees (outline/outline_rotation.h); 0 along z for an
+  /// outline. Throws Error if the result is not a valid outline or mesh, or beyond the largest double.
+  /// Requires: -360 <= heading <= 360.
   virtual Extents<3> extents(double heading) const = 0;
 };
 
-/// Who knows forms by the numbers that rows have.
+/// Loads forms by the numbers that rows store.
 class FormSource {
  public:
   virtual ~FormSource() = default;
-  /// Never null: throws where there is none of this number. It is one of the shape of the rows' layout.
+  /// Never null: throws if no form has this number. The form has the shape of the rows' layout.
   virtual std::shared_ptr<const Form> form(std::int64_t number) = 0;
 };
 
-/// The one that a text means. Throws Error, which says what is wrong and where, for a text that is none.
-/// Requires: Shape::outline or Shape::mesh.
+/// Reads a form from well-known text. Throws Error, which says what is wrong and where. Requires:
+/// Shape::outline or Shape::mesh.
 std::shared_ptr<const Form> read_form(Shape shape, std::string_view text);
 
-/// "mesh": what messages call a form of this shape.
+/// The name of such a form in messages: "mesh".
 constexpr const char* name_of_form(Shape shape) {
   return shape == Shape::mesh ? "mesh" : "outline";
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

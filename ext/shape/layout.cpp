@@ -4,7 +4,7 @@
 
 #include "shape/shapes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 Offsets offsets_of(const Layout& layout, bool stored) {
@@ -60,4 +60,4 @@ void row_from_record(const Layout& layout, const double* record, double* row) {
   std::copy(record + from.mass + 1, record + from.size, row + to.a + layout.axes);
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

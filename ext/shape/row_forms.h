@@ -1,26 +1,26 @@
-// The forms of many rows, of whichever shape their layout has: for whoever makes bodies of rows.
+// The rotated forms of many rows, outlines or meshes as their layout says, to be attached to bodies.
 //
 //   RowForms forms;
-//   forms.assign(bodies, source, interrupt);              // once the rows are there
-//   forms.lend(bodies);                                   // bodies.outlines or bodies.meshes
+//   forms.assign(bodies, source, interrupt);              // after the rows are filled
+//   forms.attach_to(bodies);                                   // bodies.outlines or bodies.meshes
 #pragma once
 
 #include "shape/mesh/turned_meshes.h"
 #include "shape/outline/turned_outlines.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class RowForms {
  public:
-  /// As TurnedForms::assign(). Requires: a layout whose shapes are stored apart.
+  /// As TurnedForms::assign(). Requires: a layout whose shapes are stored separately.
   void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
     if (bodies.layout.shape == Shape::mesh)
       meshes_.assign(bodies, source, interrupt);
     else
       outlines_.assign(bodies, source, interrupt);
   }
-  /// Contact of these bodies asks here from now on; this must outlive it.
-  void lend(Bodies& bodies) const {
+  /// From now on contact reads the forms of these bodies here; this must outlive it.
+  void attach_to(Bodies& bodies) const {
     if (bodies.layout.shape == Shape::mesh)
       bodies.meshes = &meshes_;
     else
@@ -33,4 +33,4 @@ class RowForms {
   TurnedMeshes meshes_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,8 +1,45 @@
 #include "shape/swept_boxes.h"
 
-#include "base/float_environment.h"
+#include <limits>
 
-namespace foresee::shape {
+#include "base/float_environment.h"
+#include "motion/life_interval.h"
+
+namespace foresee {
+
+namespace {
+
+constexpr std::size_t lives_per_check = 8192;
+
+}  // namespace
+
+bool all_exist_at_start(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt) {
+  if (bodies.at.t == Offsets::absent) return horizon.now >= 0;
+  bool late = false;
+  for (std::size_t i = 0; i < bodies.count && !late; ++i) {
+    if (i % lives_per_check == 0) interrupt.check();
+    const double t = bodies.row(i)[bodies.at.t];
+    late = t > horizon.now && !(t - horizon.now > horizon.h);
+  }
+  return !late;
+}
+
+bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt) {
+  const Offsets& at = bodies.at;
+  if (at.t == Offsets::absent && at.until == Offsets::absent && horizon.now >= 0) return true;
+  bool partly = false;
+  for (std::size_t i = 0; i < bodies.count && !partly; ++i) {
+    if (i % lives_per_check == 0) interrupt.check();
+    const double* row = bodies.row(i);
+    const double t = value_or(row, at.t, 0);
+    const bool late = t > horizon.now;
+    const bool early = at.until != Offsets::absent && row[at.until] - horizon.now < horizon.h;
+    partly = (late || early) &&
+             !life_of(t, value_or(row, at.until, std::numeric_limits<double>::infinity()), horizon).none;
+  }
+  return !partly;
+}
+
 namespace {
 
 constexpr std::size_t objects_per_check = 4096;
@@ -26,4 +63,4 @@ template std::vector<Box<1>> swept_boxes<1>(const Bodies&, const Horizon&, const
 template std::vector<Box<2>> swept_boxes<2>(const Bodies&, const Horizon&, const Vec<2>&, Interrupt&);
 template std::vector<Box<3>> swept_boxes<3>(const Bodies&, const Horizon&, const Vec<3>&, Interrupt&);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,5 +1,4 @@
-// Where can the objects of a scene be during the horizon, and what do they cover for certain at one moment?
-// motion/swept_box.h, asked about rows.
+// Swept boxes of the rows of a scene over a horizon, and core boxes at one time (motion/swept_box.h).
 #pragma once
 
 #include <algorithm>
@@ -10,23 +9,35 @@
 #include "shape/bodies.h"
 #include "shape/shapes.h"
 
-namespace foresee::shape {
+namespace foresee {
 
-/// The box around object i as of t, seen from its position.
+// Tests whether all objects that exist during the horizon exist at its start, or throughout it: then no tests
+// of single lives are needed.
+//
+//   all_exist_at_start(ships, {.now = 600, .h = 300}, interrupt)
+//
+// Cost: one pass over the rows, up to the first body that does not; none if the layout has no t and no until.
+
+/// Whether every body that exists during the horizon exists at its start.
+bool all_exist_at_start(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
+
+/// Whether every body that exists during the horizon exists during all of it.
+bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
+
+/// The extents of object i as of t, relative to its position.
 template <int D>
 Extents<D> extents_of(const Bodies& bodies, std::size_t i) {
   return extents_of<D>(bodies.layout.shape, bodies.row(i), bodies.at);
 }
 
-/// The same at the last moment of the horizon at which the object exists, when it is largest: rounded
-/// outward.
+/// The same at the last time of the horizon at which the object exists, when it is largest; rounded outward.
 template <int D>
 Extents<D> largest_extents(const Bodies& bodies, std::size_t i, const Horizon& horizon) {
   const Extents<D> extents = extents_of<D>(bodies, i);
   if (!grows(bodies.layout)) return extents;
   const double* const row = bodies.row(i);
   const double until = value_or(row, bodies.at.until, std::numeric_limits<double>::infinity());
-  const Life life = life_of(value_or(row, bodies.at.t, 0), until, horizon);
+  const LifeInterval life = life_of(value_or(row, bodies.at.t, 0), until, horizon);
   const double age = std::max(0.0, life.end) + life.reach * 0x1p-51;
   const Vec<D> growth = growth_of<D>(bodies.layout.shape, row, bodies.at);
   return grown<D>(extents, growth * (age * (1 + 0x1p-50)) + 0x1p-1000);
@@ -39,8 +50,8 @@ Box<D> swept_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, co
                       grown(largest_extents<D>(bodies, i, horizon), margin));
 }
 
-/// A box that lies within the shape of object i at the moment `now`: what is in it touches the object. Empty
-/// where the object does not exist then, and where no double vouches for one.
+/// A box inside object i at time `now`: every point of the box touches the object. Empty if the object does
+/// not exist then, or if rounding leaves no such box.
 template <int D>
 Box<D> core_box(const Bodies& bodies, std::size_t i, double now) {
   return core_box<D>(motion_of<D>(bodies, i), now, core_of<D>(bodies.layout.shape, bodies.row(i), bodies.at));
@@ -51,4 +62,4 @@ template <int D>
 std::vector<Box<D>> swept_boxes(const Bodies& bodies, const Horizon& horizon, const Vec<D>& margin,
                                 Interrupt& interrupt);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,11 +1,11 @@
 #include "shape/turned_forms.h"
 
 #include "base/integer_of.h"
-#include "base/steps.h"
-#include "shape/mesh/cut_mesh.h"
-#include "shape/outline/cut_outline.h"
+#include "base/interrupt_steps.h"
+#include "shape/mesh/shared_mesh.h"
+#include "shape/outline/shared_outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 template <class KindOfForm>
 void TurnedForms<KindOfForm>::assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
@@ -28,44 +28,44 @@ void TurnedForms<KindOfForm>::assign(const Bodies& bodies, FormSource& source, I
 
 template <class KindOfForm>
 const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::pieces(std::size_t row,
-                                                                   OwnPieces<Pieces>& own) const {
+                                                                   ScratchPieces<Pieces>& own) const {
   const KindOfForm* const form = forms_[row];
-  const Lie lie{form, heading(row)};
-  if (!form || lie.heading == 0) return form ? &form->pieces() : nullptr;
+  const Pose pose{form, heading(row)};
+  if (!form || pose.heading == 0) return form ? &form->pieces() : nullptr;
   if (const Pieces* const known = turned_[row].load(std::memory_order_acquire)) return known;
-  const Pieces* pieces = kept(lie);
-  if (!pieces) pieces = made_for(row, lie, own);
+  const Pieces* pieces = kept(pose);
+  if (!pieces) pieces = made_for(row, pose, own);
   if (pieces != own.pieces.get()) turned_[row].store(pieces, std::memory_order_release);
   return pieces;
 }
 
 template <class KindOfForm>
-const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::kept(const Lie& lie) const {
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::kept(const Pose& pose) const {
   const std::lock_guard lock(mutex_);
-  const auto found = kept_.find(lie);
+  const auto found = kept_.find(pose);
   return found == kept_.end() ? nullptr : found->second.get();
 }
 
 template <class KindOfForm>
-const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::made_for(std::size_t row, const Lie& lie,
-                                                                     OwnPieces<Pieces>& own) const {
-  if (own.are_of(lie.form, lie.heading)) return own.pieces.get();
-  auto made = std::make_unique<const Pieces>(lie.form->pieces_as_it_lies(lie.heading));
-  if (const Pieces* const shared = keep(lie, made)) return shared;
-  own = {known_.at(*integer_of(bodies_.row(row)[bodies_.at.outline])), lie.heading, std::move(made)};
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::made_for(std::size_t row, const Pose& pose,
+                                                                     ScratchPieces<Pieces>& own) const {
+  if (own.are_of(pose.form, pose.heading)) return own.pieces.get();
+  auto made = std::make_unique<const Pieces>(pose.form->rotated_pieces(pose.heading));
+  if (const Pieces* const shared = keep(pose, made)) return shared;
+  own = {known_.at(*integer_of(bodies_.row(row)[bodies_.at.outline])), pose.heading, std::move(made)};
   return own.pieces.get();
 }
 
 template <class KindOfForm>
-const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::keep(const Lie& lie,
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::keep(const Pose& pose,
                                                                  std::unique_ptr<const Pieces>& made) const {
   const std::lock_guard lock(mutex_);
   const std::size_t more = made->memory() + sizeof(typename decltype(kept_)::value_type);
-  const auto found = kept_.find(lie);
+  const auto found = kept_.find(pose);
   if (found != kept_.end()) return found->second.get();  // another thread was quicker
   if (kept_bytes_ + more > budget_) return nullptr;
   kept_bytes_ += more;
-  return kept_.emplace(lie, std::move(made)).first->second.get();
+  return kept_.emplace(pose, std::move(made)).first->second.get();
 }
 
 template <class KindOfForm>
@@ -74,7 +74,7 @@ std::size_t TurnedForms<KindOfForm>::memory() const {
   return forms_.size() * sizeof(forms_[0]) + (turned_ ? forms_.size() * sizeof(turned_[0]) : 0) + kept_bytes_;
 }
 
-template class TurnedForms<CutOutline>;
-template class TurnedForms<CutMesh>;
+template class TurnedForms<SharedOutline>;
+template class TurnedForms<SharedMesh>;
 
-}  // namespace foresee::shape
+}  // namespace foresee

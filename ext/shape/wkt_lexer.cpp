@@ -6,12 +6,12 @@
 
 #include "base/error.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
 constexpr std::string_view white_space = " \t\n\v\f\r", separators = "(),;= \t\n\v\f\r";
-constexpr std::size_t most_quoted = 40;
+constexpr std::size_t max_quoted = 40;
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -21,14 +21,14 @@ char upper(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-/// So many characters of it, in UTF-8, as a message can hold, and none behind a zero byte.
+/// The first characters, in UTF-8, as many as a message can hold, up to a zero byte.
 std::string quoted(std::string_view found) {
   found = found.substr(0, found.find('\0'));
   std::size_t characters = 0, last = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool begins = (static_cast<unsigned char>(found[i]) & 0xc0) != 0x80;
-    if (begins && ++characters == most_quoted) last = i;
-    if (characters > most_quoted || i > 4 * most_quoted) return std::string(found.substr(0, last)) + "…";
+    const bool starts = (static_cast<unsigned char>(found[i]) & 0xc0) != 0x80;
+    if (starts && ++characters == max_quoted) last = i;
+    if (characters > max_quoted || i > 4 * max_quoted) return std::string(found.substr(0, last)) + "…";
   }
   return std::string(found);
 }
@@ -89,7 +89,7 @@ double WktLexer::number() {
   std::string_view left = rest();
   const bool plus = left.starts_with('+');
   if (plus) left.remove_prefix(1);
-  // Of what from_chars reads as a number, words are none here.
+  // from_chars also reads words, such as "inf", as numbers; they are refused here.
   const std::size_t sign = !plus && left.starts_with('-') ? 1 : 0;
   if (left.size() <= sign || !(is_digit(left[sign]) || left[sign] == '.')) expected("a number");
   double number = 0;
@@ -115,4 +115,4 @@ void WktLexer::expected(const std::string& what) {
   fail("expected " + what + ", found '" + quoted(found) + "'");
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -6,11 +6,11 @@
 #include "index/pages.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 int report(char** message, int code, const char* text) noexcept {
-  if (message == nullptr) return code;  // an application may pass none to the entry point
+  if (message == nullptr) return code;  // an application may pass null to the entry point
   sqlite3_free(*message);
   *message = sqlite3_mprintf("%s", text);
   return code;
@@ -38,4 +38,4 @@ int code_of_exception(char** message) noexcept {
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "base/float_environment.h"
 #include "sqlite/sql_tokens.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 std::size_t memory_of(const Scene& scene) {
@@ -27,7 +27,7 @@ void Connection::rename(std::int64_t number, const std::string& table) {
 }
 
 void Connection::leave(std::int64_t number) noexcept {
-  finalize();  // a command or a watch of this table may have asked
+  finalize();  // a command or a watch of this table may have prepared statements
   const auto open = tables_.find(number);
   if (open == tables_.end()) return;
   scenes_.erase(open->second.store.get());
@@ -45,13 +45,13 @@ const Connection::OpenTable* Connection::find(std::int64_t number) const {
   return open == tables_.end() ? nullptr : &open->second;
 }
 
-double Connection::likely_objects(const AskedTable& name) const {
-  const auto is_meant = [](const std::optional<std::string>& asked, const std::string& open) {
-    return !asked || sqlite3_stricmp(asked->c_str(), open.c_str()) == 0;
+double Connection::likely_objects(const QueriedTable& name) const {
+  const auto matches = [](const std::optional<std::string>& queried, const std::string& open) {
+    return !queried || sqlite3_stricmp(queried->c_str(), open.c_str()) == 0;
   };
   std::optional<std::int64_t> largest;
   for (const auto& [number, open] : tables_)
-    if (open.store && is_meant(name.table, open.table) && is_meant(name.schema, open.schema))
+    if (open.store && matches(name.table, open.table) && matches(name.schema, open.schema))
       largest = std::max(largest.value_or(0), open.store->likely_objects());
   return static_cast<double>(largest.value_or(ObjectCount().likely()));
 }
@@ -81,7 +81,7 @@ std::shared_ptr<const Scene> Connection::find_scene(const OpenTable& table, bool
 std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool with_levels) {
   if (auto scene = find_scene(table, with_levels)) return scene;
   const ContentVersion version = table.store->read_version();
-  scenes_.erase(table.store.get());  // before the next one is decoded: memory holds one
+  scenes_.erase(table.store.get());  // before the new one is decoded, so that memory holds only one
   auto scene = std::make_shared<Scene>();
   scene->name = table.table;
   scene->layout = table.store->declaration().layout;
@@ -96,7 +96,7 @@ std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool
   }
   scene->take_forms(table.store->forms(), interrupt_);
   scenes_[table.store.get()] = {version, scene, ++last_use_};
-  drop_scenes_used_long_ago();
+  evict_scenes();
   return scene;
 }
 
@@ -113,7 +113,7 @@ std::shared_ptr<Scene> Connection::load_object(const OpenTable& table, std::int6
   return scene;
 }
 
-void Connection::drop_scenes_used_long_ago() noexcept {
+void Connection::evict_scenes() noexcept {
   std::size_t held = 0;
   for (const auto& [store, cached] : scenes_) held += memory_of(*cached.scene);
   while (held > scene_memory_ && scenes_.size() > 1) {
@@ -125,4 +125,4 @@ void Connection::drop_scenes_used_long_ago() noexcept {
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// What one database connection knows of foresee: which moving_objects tables are connected, their decoded
-// scenes, and the memory that joins compute in.
+// State that foresee keeps per database connection: the connected moving_objects tables, their decoded
+// scenes, and the memory in which joins compute.
 //
-// One Connection lives in the modules' pAux and dies with the last of them. Tables come and go with every
-// schema change (VACUUM, ALTER); a table's decoded scene lives as long as the table is connected and is valid
-// for one ContentVersion. Beside the scene asked for last, as many stay as have room together; a question
-// keeps those that it reads in any case.
+// The modules' pAux owns one Connection, which is destroyed with the last module. A schema change (VACUUM,
+// ALTER) disconnects and reconnects tables. A decoded scene is cached while its table is connected and is
+// valid for one ContentVersion. The most recently used scene is always kept, others as far as the memory
+// limit allows. A running query keeps the scenes that it reads in any case.
 #pragma once
 
 #include <algorithm>
@@ -19,10 +19,10 @@
 #include "query/scene.h"
 #include "sqlite/names/table_lookups.h"
 #include "sqlite/watch_upkeep.h"
-#include "storage/rows/statement_interrupt.h"
+#include "storage/rows/statement.h"
 #include "storage/table/store.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class TableCursor;
 
@@ -40,15 +40,14 @@ class Connection {
 
   TableLookups& lookups() { return lookups_; }
 
-  // A table announces itself in xConnect and leaves in xDisconnect; the number finds it again (see
-  // open_table.h).
+  // xConnect calls announce(), xDisconnect calls leave(). The number identifies the table (see open_table.h).
   std::int64_t announce(std::shared_ptr<Store> store, const std::string& schema, const std::string& table);
   void rename(std::int64_t number, const std::string& table);
   void leave(std::int64_t number) noexcept;
 
-  /// Lets go of our own statements that are at rest. To be called when SQLite disconnects a table-valued
-  /// function, as leave() does for a table: sqlite3_close() disconnects all, then refuses while a statement
-  /// is left, and a question may outlive the tables that it reads.
+  /// Finalizes foresee's own statements that are not running. Must be called when SQLite disconnects a
+  /// table-valued function, as leave() does for a table. sqlite3_close() disconnects all tables and then
+  /// fails if a statement is left; a query may outlive the tables that it reads.
   void finalize() noexcept;
 
   struct OpenTable {
@@ -56,43 +55,42 @@ class Connection {
     std::string schema, table;
     std::int64_t number;
   };
-  /// Null if no table has this number. Valid until the table leaves. By name SQLite alone finds a table
-  /// (open_table.h): what it has replaced stays connected while an old statement is prepared.
+  /// Null if no table has this number. Valid until leave(). Only SQLite resolves a name (open_table.h): a
+  /// table that it has replaced stays connected while an old statement is prepared.
   const OpenTable* find(std::int64_t number) const;
 
-  /// Null until it is registered.
+  /// Null until predictive_watch is registered.
   WatchUpkeep* watches() const { return watches_.get(); }
   void keep_watches(std::unique_ptr<WatchUpkeep> upkeep) { watches_ = std::move(upkeep); }
 
-  /// How many objects the table of this name has, as far as memory knows: nothing is read, nothing connected.
-  /// Of several that may be meant the largest, of all where no name is given; where no such table is
-  /// connected yet, as many as R*Tree assumes without statistics.
-  double likely_objects(const AskedTable& name) const;
+  /// Estimated number of objects of the table with this name, from memory: reads nothing, connects nothing.
+  /// The largest of the connected tables that match; without a name all match. Where none is connected yet,
+  /// the number that R*Tree assumes without statistics.
+  double likely_objects(const QueriedTable& name) const;
 
-  // Scans that are open, by what they read: SQLite may connect a table anew while a scan of its older self
-  // goes on, and both have one store.
+  // Open scans by the store that they read: SQLite may reconnect a table during a scan of its older instance,
+  // and both share one store.
   void scan_opened(const Store* store, TableCursor& cursor) { cursors_[store].push_back(&cursor); }
   void scan_closed(const Store* store, TableCursor& cursor) noexcept;
   std::span<TableCursor* const> cursors(const Store* store) const noexcept;
 
-  /// The table's contents as they are now, and as they stay whatever is written later; with the levels of its
-  /// tree if they are wanted. Throws StoreError for damaged rows. Cost: a look-up where this version's scene
-  /// is at hand, else all rows are read and decoded.
+  /// A snapshot of the table's current contents, with the levels of its tree on request. Throws StoreError
+  /// for damaged rows. Cost: a look-up if this version's scene is cached, else all rows are read and decoded.
   std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false);
 
-  /// The same where this version's scene is at hand, and null elsewhere: nothing is decoded.
+  /// The cached scene of this version, or null: nothing is decoded.
   std::shared_ptr<const Scene> find_scene(const OpenTable& table, bool with_levels = false);
 
-  /// A scene of the object of this id alone, or of none, as it is now; without its outline or mesh. Cost: a
+  /// A scene of the one object with this id, empty if it does not exist; without its outline or mesh. Cost: a
   /// look-up.
   static std::shared_ptr<Scene> load_object(const OpenTable& table, std::int64_t id);
 
-  /// PRAGMA threads: how many a computation may use beside the caller's; 0 unless somebody asks for more.
+  /// PRAGMA threads: the number of helper threads that a computation may use; 0 by default.
   std::size_t helper_threads() const {
     return static_cast<std::size_t>(std::max(0, sqlite3_limit(db_, SQLITE_LIMIT_WORKER_THREADS, -1)));
   }
 
-  /// Memory for one join, kept from join to join; one that runs beside another gets its own.
+  /// Memory for one join, reused by the next. A join that runs during another gets its own.
   std::shared_ptr<GridSpace> grid_space() {
     return space_.use_count() == 1 ? space_ : std::make_shared<GridSpace>();
   }
@@ -101,10 +99,10 @@ class Connection {
   struct CachedScene {
     ContentVersion version;
     std::shared_ptr<const Scene> scene;
-    std::uint64_t used;  ///< the later, the larger
+    std::uint64_t used;  ///< a counter: larger is later
   };
 
-  void drop_scenes_used_long_ago() noexcept;
+  void evict_scenes() noexcept;
 
   sqlite3* db_;
   StatementInterrupt interrupt_;
@@ -119,4 +117,4 @@ class Connection {
   std::shared_ptr<GridSpace> space_ = std::make_shared<GridSpace>();
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 std::optional<std::string> as_unixepoch(sqlite3_value* value) {
   if (sqlite3_value_type(value) != SQLITE_TEXT) return std::nullopt;
@@ -18,4 +18,4 @@ std::optional<std::string> as_unixepoch(sqlite3_value* value) {
   return "unixepoch(" + shown(value) + ")";
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// Is a text a date? Moments are numbers, and who has dates is told how to make numbers of them.
+// Recognizes date texts. Times are numbers, so the error message for a date says how to convert it.
 #pragma once
 
 #include <optional>
@@ -6,9 +6,9 @@
 
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
-/// "unixepoch('2026-11-21 12:00')" for such a text; nothing for another value.
+/// "unixepoch('2026-11-21 12:00')" for a text that starts with a date; nothing for another value.
 std::optional<std::string> as_unixepoch(sqlite3_value* value);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,14 +1,14 @@
-// The entry point: everything that `.load foresee` brings.
+// Entry point of the extension: registers everything that `.load foresee` provides.
 #include "sqlite/callback.h"
 #include "sqlite/foresee.h"
-#include "sqlite/host.h"
+#include "sqlite/host_sqlite.h"
 #include "sqlite/modules.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-/// This PRAGMA reads no schema: a file may still wait for its key.
+/// Reads no schema: an encrypted file may not have its key yet.
 bool is_registered(sqlite3* db) {
   Statement modules(db, "PRAGMA module_list");
   for (Statement::Run run(modules); run.step();)
@@ -23,7 +23,7 @@ extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlit
   if (api != nullptr) sqlite3_api = api;
   return guarded(message, [db] {
     require_version(sqlite3_libversion_number(), sqlite3_libversion());
-    // Loaded again, functions would know nothing of the tables that are connected by then.
+    // A second registration would know nothing of the tables that are connected already.
     if (is_registered(db)) return SQLITE_OK;
     const auto connection = std::make_shared<Connection>(db);
     int rc = register_scalars(db);
@@ -34,4 +34,4 @@ extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlit
   });
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,4 +1,5 @@
-/* foresee linked into an application: call it once for each connection, or hand it to sqlite3_auto_extension.
+/* C interface of foresee linked into an application.
+** Call it once per connection, or pass it to sqlite3_auto_extension.
 **
 **   sqlite3_open("fleet.db", &db);
 **   sqlite3_foresee_init(db, &message, 0);

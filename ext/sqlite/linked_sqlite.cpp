@@ -1,5 +1,5 @@
-// SQLite's functions in an application that carries its own SQLite: those that it is linked with. What is
-// missing in the list is a null pointer, which the first test that calls it finds.
+// Table of SQLite's functions for an application that links its own SQLite. A function that is missing in the
+// list is a null pointer; the first test that calls it fails.
 #define SQLITE_CORE
 #include <sqlite3ext.h>
 

@@ -1,14 +1,14 @@
-// What sqlite3_foresee_init registers, one function a file.
+// Registration functions that sqlite3_foresee_init calls; the file that defines each is named beside it.
 #pragma once
 
 #include <memory>
 
 #include "sqlite/connection.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 // Each returns an SQLite result code.
-int register_scalars(sqlite3* db);  // scalars.cpp
+int register_scalars(sqlite3* db);  // scalar_functions.cpp
 int register_moving_objects(sqlite3* db,
                             const std::shared_ptr<Connection>& connection);  // moving_objects.cpp
 int register_predictive_watch(sqlite3* db,
@@ -16,4 +16,4 @@ int register_predictive_watch(sqlite3* db,
 int register_table_functions(sqlite3* db,
                              const std::shared_ptr<Connection>& connection);  // table_functions.cpp
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 bool is_space(char c) {
@@ -49,7 +49,7 @@ void SqlTokens::skip_blanks() {
   }
 }
 
-/// Behind the end of a comment, which has a beginning of two characters.
+/// Moves past `end`, the end of a comment that starts with two characters.
 void SqlTokens::skip_past(std::string_view end) {
   const std::size_t found = rest_.find(end, 2);
   rest_.remove_prefix(found == std::string_view::npos ? rest_.size() : found + end.size());
@@ -86,4 +86,4 @@ bool same_name(std::string_view a, std::string_view b) {
                     [](char l, char r) { return lower(l) == lower(r); });
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,12 +1,12 @@
-// Of which words, names and signs does a text of SQL consist? One token after another, as SQLite splits it.
+// Tokenizer of SQL text: words, quoted names, numbers and signs, split as SQLite does.
 //
 //   SqlTokens tokens("USING [a b](x -- why\n)");
 //   while (const auto token = tokens.next()) use(token->text);      // USING, a b, (, x, )
 //
-// Blanks and comments come between tokens. What is quoted in any of SQLite's four ways comes without its
-// quotes, a doubled closing quote once; what is never closed ends with the text. Signs come one character at
-// a time, and a number reaches as far as letters, digits and points do: enough for declarations. Cost:
-// linear, and one token is held at a time.
+// Skips blanks and comments. A name in any of SQLite's four kinds of quotes is returned without them, and a
+// doubled closing quote once; without a closing quote it ends with the text. A sign is one character. A
+// number extends over letters, digits and points, which is enough for declarations. Cost: linear in the text;
+// one token is held at a time.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/rooms.h"
-
-namespace foresee::sqlite {
+namespace foresee {
 
 struct SqlToken {
   enum class Kind : std::uint8_t { word, quoted, number, sign };
@@ -33,7 +31,7 @@ class SqlTokens {
   /// `text` must outlive this.
   explicit SqlTokens(std::string_view text) : rest_(text) {}
 
-  /// Nothing at the end.
+  /// The next token; nothing at the end.
   std::optional<SqlToken> next();
 
  private:
@@ -46,7 +44,7 @@ class SqlTokens {
   std::string_view rest_;
 };
 
-/// Equal as SQLite compares names: ASCII letters in any case.
+/// Whether the names are equal for SQLite, which ignores the case of ASCII letters.
 bool same_name(std::string_view a, std::string_view b);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

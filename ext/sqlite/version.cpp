@@ -3,7 +3,7 @@
 #include "base/simd.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 const char* version() {
   return FORESEE_VERSION;
@@ -21,4 +21,4 @@ std::string debug_report() {
   return report;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

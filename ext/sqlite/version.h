@@ -1,16 +1,14 @@
-// Which build is this?
+// Identification of the build: version, commit, compiler, SIMD level.
 #pragma once
 
 #include <string>
 
-#include "base/rooms.h"
-
-namespace foresee::sqlite {
+namespace foresee {
 
 /// The version as SQL reports it, e.g. "0.2.0".
 const char* version();
 
-/// Version, commit, compiler, SIMD in use and SQLite, one a line.
+/// Version, commit, compiler, SIMD in use and SQLite, one per line.
 std::string debug_report();
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

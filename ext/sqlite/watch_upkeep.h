@@ -1,13 +1,11 @@
-// Who keeps the watches of a table up to date? Tables know that there are such, and no more of them: the room
-// sqlite/watch/ does the work behind this.
+// Interface through which a table keeps its watches up to date; sqlite/watch/ implements it. Tables know no
+// more of watches than this.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
-#include "base/rooms.h"
-
-namespace foresee::sqlite {
+namespace foresee {
 
 class Connection;
 
@@ -15,14 +13,15 @@ class WatchUpkeep {
  public:
   virtual ~WatchUpkeep() = default;
 
-  /// Before COMMIT, once the table's changes are in its rows: every watch of it takes them over.
+  /// Applies the table's changes to each of its watches. Called before COMMIT, when its rows hold the
+  /// changes.
   virtual void settle_table(Connection& connection, std::int64_t table) = 0;
-  /// A watched table has another name: its watches go by that.
+  /// Makes the watches of a renamed table use its new name.
   virtual void rename_table(Connection& connection, std::int64_t table, const std::string& old_name) = 0;
-  /// Throws where a watch needs the table, which is to be dropped.
+  /// Throws StoreError (SQLITE_LOCKED) if a watch needs the table, which is about to be dropped.
   virtual void require_unwatched(Connection& connection, std::int64_t table) = 0;
-  /// Lets go of all statements.
+  /// Releases all statements.
   virtual void finalize() noexcept = 0;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace foresee::base {
+namespace foresee {
 namespace {
 
 TEST(FloatEnvironment, RoundsToNearestAndGivesTheHostItsModeBack) {
@@ -48,4 +48,4 @@ TEST(FloatEnvironment, KeepsSubnormalNumbers) {
 #endif
 
 }  // namespace
-}  // namespace foresee::base
+}  // namespace foresee

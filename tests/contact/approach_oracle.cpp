@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 Coefficients squared_distance(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
@@ -16,10 +16,10 @@ Coefficients squared_distance(const testing_by_hand::Object& a, const testing_by
   return sum;
 }
 
-/// A moment at which the distance may be least: an exact one, or where the slope vanishes.
+/// A time at which the distance may be smallest: an exact one, or a root of the slope.
 struct Candidate {
   Exact at;
-  std::optional<Moment> root = {};
+  std::optional<TimePoint> root = {};
 
   int compare(const Exact& x) const { return root ? root->compare(x) : (at - x).sign(); }
 };
@@ -28,7 +28,7 @@ class Distances {
  public:
   explicit Distances(Coefficients square) : square_(std::move(square)) {}
 
-  /// Sign of the square at the candidate minus a number.
+  /// The sign of the squared distance at the candidate minus a number.
   int beyond(Candidate& c, const Exact& number) const {
     if (!c.root) return (value_at(square_, c.at) - number).sign();
     Coefficients difference = square_;
@@ -36,12 +36,12 @@ class Distances {
     return c.root->sign_of(Sturm(integers_of(difference)));
   }
 
-  /// Is the distance at a less than at b, which is the earlier and the least so far?
+  /// Whether the distance at a is less than at b, which is earlier and the smallest so far.
   bool less(Candidate& a, Candidate& b) const {
     if (!a.root) return beyond(b, value_at(square_, a.at)) > 0;
     if (!b.root) return beyond(a, value_at(square_, b.at)) < 0;
     if (beyond(b, 0.0) == 0) return false;
-    if (is_square_and_constant()) return false;  // two minima of one depth: b is the earlier
+    if (is_square_and_constant()) return false;  // two equal minima: b is the earlier
     for (;; a.root->halve(), b.root->halve()) {
       const Exact gap = value_at(square_, b.root->low) - value_at(square_, a.root->low);
       const Exact doubt = spread(*a.root) + spread(*b.root);
@@ -51,14 +51,14 @@ class Distances {
   }
 
  private:
-  /// Is the square c (t^2 + p t + q)^2 + d?
+  /// Whether the squared distance is c (t^2 + p t + q)^2 + d.
   bool is_square_and_constant() const {
     const Exact &f1 = square_[1], &f2 = square_[2], &f3 = square_[3], &f4 = square_[4];
     return Exact(8.0) * f4 * f4 * f1 == f3 * (Exact(4.0) * f4 * f2 - f3 * f3);
   }
 
-  /// By how much the square can change within a bracket.
-  Exact spread(const Moment& m) const {
+  /// The maximal change of the squared distance within a bracket.
+  Exact spread(const TimePoint& m) const {
     Exact steepest;
     for (std::size_t k = square_.size(); k-- > 1;) {
       const Exact term = square_[k] * Exact(static_cast<double>(k));
@@ -74,20 +74,20 @@ class Distances {
 
 std::string judge_approach(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                            const Horizon& horizon, const ClosestApproach& answer) {
-  const Asked asked = asked_about(a, b, horizon);
+  const QueriedInterval queried = queried_interval(a, b, horizon);
   const Coefficients square = squared_distance(a, b, horizon.now);
   const Distances distances(square);
   const Sturm slope(derivative(integers_of(square)));
-  Candidate best{asked.begin};
-  for (Moment& root : moments_between(slope, asked.begin, asked.end))
+  Candidate best{queried.begin};
+  for (TimePoint& root : times_between(slope, queried.begin, queried.end))
     if (Candidate other{{}, root}; distances.less(other, best)) best = other;
-  if (Candidate end{asked.end}; distances.less(end, best)) best = end;
+  if (Candidate end{queried.end}; distances.less(end, best)) best = end;
 
-  auto moment_is = [&](double value, const Exact& offset) {
+  auto time_is = [&](double value, const Exact& offset) {
     return is_nearest(value, [&](const Exact& tie) { return best.compare(tie - offset); });
   };
-  if (!moment_is(answer.dt, 0.0)) return "dt is not the nearest double";
-  if (!moment_is(answer.t, horizon.now)) return "t is not the nearest double";
+  if (!time_is(answer.dt, 0.0)) return "dt is not the nearest double";
+  if (!time_is(answer.t, horizon.now)) return "t is not the nearest double";
   if (distances.beyond(best, 0.0) == 0) return answer.d == 0 ? "" : "d is not 0";
   if (!is_nearest(answer.d,
                   [&](const Exact& tie) { return tie.sign() < 0 ? 1 : distances.beyond(best, tie * tie); }))
@@ -95,4 +95,4 @@ std::string judge_approach(const testing_by_hand::Object& a, const testing_by_ha
   return "";
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

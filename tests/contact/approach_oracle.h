@@ -1,14 +1,14 @@
-// The judge of the closest approach: every place where the squared distance stops falling or rising, by
-// Sturm's theorem, compared with both ends of the moments asked about.
+// The oracle of the closest approach: all local extrema of the squared distance, found by Sturm's theorem,
+// and both ends of the lifetime, compared exactly.
 #pragma once
 
 #include "contact/oracle.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
-/// Compares the engine's answer with the exact one; empty if they agree, else what is wrong.
-/// Requires: both exist at some moment of the horizon.
+/// Compares the answer of the engine with the exact one. Returns "" if they agree, else a description of the
+/// difference. Requires: both exist at some time of the horizon.
 std::string judge_approach(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                            const Horizon& horizon, const ClosestApproach& answer);
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

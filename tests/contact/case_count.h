@@ -1,12 +1,12 @@
-// How many cases a test looks at: as many as it asks for; FORESEE_LONG=1 makes them 50 times as many, and
-// under sanitizers, which make the judges twenty times slower, they are a twentieth.
+// The number of cases that a test draws: the number it requests, 50 times as many with FORESEE_LONG=1, and a
+// twentieth under sanitizers, which make the oracles twenty times slower.
 #pragma once
 
 #include <cstdlib>
 
 #include "sanitized.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 using testing::sanitized;
 
@@ -14,4 +14,4 @@ inline int scaled_count(int cases) {
   return std::getenv("FORESEE_LONG") ? cases * 50 : sanitized ? (cases + 19) / 20 : cases;
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -1,4 +1,4 @@
-// The closest approach against its judge: t, dt and d each the nearest double to the exact one, over the
+// closest_approach() against its oracle: t, dt and d are each the double nearest to the exact one, over the
 // families of hard_pairs.h and motions made for ties.
 //
 // FORESEE_LONG=1 multiplies the number of cases by 50.
@@ -11,14 +11,14 @@
 #include "contact/case_count.h"
 #include "contact/hard_pairs.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 
 void expect_exact(const Object& a, const Object& b, const Horizon& horizon, const char* family, int number) {
-  const oracle::Asked asked = oracle::asked_about(a, b, horizon);
-  if (asked.begin > asked.end) return;
+  const oracle::QueriedInterval queried = oracle::queried_interval(a, b, horizon);
+  if (queried.begin > queried.end) return;
   const Case c{a, b, {.horizon = horizon}};
   const ClosestApproach answer = closest(a, b, c.question);
   const std::string complaint = oracle::judge_approach(a, b, horizon, answer);
@@ -56,12 +56,12 @@ TEST(ClosestApproachOracle, OfExtremeNumbers) {
   for (int axes : {1, 2, 3}) check_families(extreme_families(), axes, 20);
 }
 
-/// Motions that are symmetric in time around a moment: two minima of one depth, or ends at one distance, or a
-/// threefold root of the slope; and, moved by a few units in the last place, almost.
+/// Motions that are symmetric in time: two equal minima, or ends of equal distance, or a triple root of the
+/// slope. Some are moved by a few units in the last place.
 TEST(ClosestApproachOracle, OfMirroredMotions) {
   std::mt19937_64 random(5);
-  auto whole = [&random](int most) {
-    return static_cast<double>(static_cast<int>(random() % (2 * most + 1)) - most) / 2;
+  auto whole = [&random](int limit) {
+    return static_cast<double>(static_cast<int>(random() % (2 * limit + 1)) - limit) / 2;
   };
   for (int i = 0; i < scaled_count(1500); ++i) {
     const int axes = 1 + static_cast<int>(random() % 3);
@@ -96,4 +96,4 @@ TEST(ClosestApproachOracle, ObjectsToAnyOtherAnswer) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,5 +1,5 @@
-// Horizons from 2^-1074 to 2^1000, in which squares and products leave the range of doubles where distances
-// do not: the rooms' door against the exact stage alone, which computes with exact numbers.
+// Horizons from 2^-1074 to 2^1000, in which squares and products leave the range of doubles but distances do
+// not: make_contact() against the exact stage alone.
 #include <gtest/gtest.h>
 
 #include <cfloat>
@@ -10,7 +10,7 @@
 #include "contact/set/shape_pairs.h"
 #include "contact/window_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using testing_by_hand::contact;
@@ -31,10 +31,10 @@ std::optional<ContactTimes> exactly(const Object& a, const Object& b, const Cont
                     question.within,
                     question.within};
   const ContactSet set = a.layout.shape == Shape::box ? box_ball_set(setup) : ball_ball_set(setup);
-  const ExactMoments moments = exact_moments_of(setup, row_a.data(), row_b.data());
-  if (moments.rounded.none) return std::nullopt;
+  const ExactLifetime lifetime = exact_lifetime_of(setup, row_a.data(), row_b.data());
+  if (lifetime.rounded.none) return std::nullopt;
   PairPolynomials polynomials(set, setup, row_a.data(), row_b.data());
-  return exact_times(polynomials, moments);
+  return exact_times(polynomials, lifetime);
 }
 
 void expect_exact(const Object& a, const Object& b, const ContactQuestion& question) {
@@ -67,7 +67,7 @@ TEST(ExtremeInstants, TheSlopeOfAChordOverflowsWhereThePlacesDoNot) {
   expect_exact(a, b, {.horizon = {0, .5}});
 }
 
-TEST(ExtremeInstants, AWindowIsEnteredWhereMomentsAreSubnormal) {
+TEST(ExtremeInstants, AWindowIsEnteredWhereTimesAreSubnormal) {
   const MovingWindow window({.lower = {0, -1}, .upper = {0x1p-76, 1}}, {.axes = 2}, 0);
   Object point = object(2, Shape::point);
   point.layout.law = Law::uniform, point.x[0] = -5.7 * 0x1p-74, point.v[0] = 0x1p1000;
@@ -79,7 +79,7 @@ TEST(ExtremeInstants, AWindowIsEnteredWhereMomentsAreSubnormal) {
   EXPECT_EQ(hits.size(), 1u);
 }
 
-/// Discs, and boxes with discs, that come near each other at some moment of the horizon, whatever its length.
+/// Discs, and boxes with discs, that come near each other at some time of a horizon of any length.
 TEST(ExtremeInstants, AnswersAreExactOverHorizonsOfAnyLength) {
   std::mt19937_64 random(1123);
   const auto whole = [&](int low, int high) { return low + static_cast<int>(random() % (high - low + 1)); };
@@ -110,4 +110,4 @@ TEST(ExtremeInstants, AnswersAreExactOverHorizonsOfAnyLength) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// What the laws of outlines and of meshes share: numbers, scenes, and one way to ask both.
+// What the laws of outlines and of meshes share: numbers, scenes, and one interface to both.
 //
 //   for_each_scene<MeshForms>([](const MeshScene& scene, const std::optional<ContactTimes>& answer) {
 //     expect_same(answer, mesh_contact({scene.b, scene.a, scene.question}), "exchanged");
@@ -11,7 +11,7 @@
 #include "contact/mesh/meshes_by_hand.h"
 #include "contact/outline/outline_scenes.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 /// Halves of whole numbers, so that touches, ties and grazes come up; or any.
 class DrawnNumbers {
@@ -119,4 +119,4 @@ void for_each_scene(Check&& check) {
       }
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

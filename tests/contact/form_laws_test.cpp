@@ -1,8 +1,8 @@
-// Laws of contact (contact/contact.h) for outlines and meshes alike: scenes told in other words have the same
-// answers, and greater distances are reached no later.
+// Laws of contact (contact/contact.h) for outlines and meshes alike: a scene that is exchanged, scaled or
+// mirrored has the same answers, and greater distances are reached no later.
 #include "contact/form_laws.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -75,4 +75,4 @@ TYPED_TEST(FormLaws, AGreaterDistanceIsReachedNoLater) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

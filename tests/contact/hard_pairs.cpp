@@ -1,6 +1,6 @@
 #include "contact/hard_pairs.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 namespace {
 
 const Family families[] = {
@@ -85,7 +85,7 @@ std::span<const Family> hostile_families() {
 oracle::Rule rule_of(const Object& a, const Object& b, const ContactQuestion& question) {
   const auto is_box = [](const Object& o) { return o.layout.shape == Shape::box; };
   const auto is_round = [](const Object& o) { return o.layout.shape != Shape::box; };
-  // Of those of some kind: sizes at their t, and growth from then on.
+  // For shapes of the kind: sizes at their t, and growth from then on.
   auto both = [&](auto of_kind, auto size, int axis) {
     oracle::Coefficients sum(2);
     for (const Object* o : {&a, &b}) {
@@ -156,4 +156,4 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
              << c.question.within << " within_z " << c.question.within_z.value_or(-1);
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -1,5 +1,5 @@
-// Seeded families of pairs that are hard in one way each: exact touches and almost, far from the origin, at
-// other reference times, of mixed and extreme scales.
+// Seeded families of pairs, each hard in one respect: exact touches and near misses, positions far from the
+// origin, different reference times, mixed and extreme scales.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,22 @@
 
 #include "contact/oracle.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
-/// How the numbers of a family look.
+/// The distribution of the numbers of a family.
 struct Family {
   const char* name;
   double places = 8, speeds = 3, turns = 2, sizes = 3;  ///< ranges of x, v, a, extents
   bool whole = false;        ///< halves of whole numbers: exact touches, ties, grazes
-  int ulps = 0;              ///< then moved by up to so many units in the last place
+  int ulps = 0;              ///< then moved by up to this many units in the last place
   double offset = 0;         ///< far from the origin
-  double now = 0, ages = 0;  ///< reference times lie up to `ages` before now
+  double now = 0, ages = 0;  ///< reference times are up to `ages` before now
   double horizon = 8;
   int scale = 0;   ///< lengths times 2^scale
-  int spread = 0;  ///< each number times its own power of two within +-spread
+  int spread = 0;  ///< each number times a random power of two within +-spread
   bool same_motion = false;
-  bool lives = false;  ///< until, and beginnings within the horizon
-  double growths = 0;  ///< range of how fast shapes grow
+  bool lives = false;  ///< until, and starts within the horizon
+  double growths = 0;  ///< range of the growth of shapes
 };
 
 std::span<const Family> ordinary_families();
@@ -35,7 +35,7 @@ std::span<const Family> growing_families();
 /// Families in which products leave the range of doubles.
 std::span<const Family> extreme_families();
 
-/// Families of exponents so far apart that 128 bits seldom tell.
+/// Families of exponents so far apart that 128 bits seldom decide.
 std::span<const Family> hostile_families();
 
 enum class Shapes {
@@ -82,7 +82,7 @@ class Generator {
     return o;
   }
 
-  /// Moves b so that it comes near a at some moment of the horizon: otherwise rare families never meet.
+  /// Moves b so that it comes near a at some time of the horizon: else some families have no contacts.
   void aim(const Object& a, Object& b, const Horizon& horizon) {
     const double meet = horizon.now + std::abs(number(horizon.h));
     auto displacement = [meet](const Object& o, int j) {
@@ -94,7 +94,7 @@ class Generator {
     for (int j = 0; j < b.layout.axes; ++j) {
       const double place =
           a.x[j] + displacement(a, j) - displacement(b, j) + (chance(3) ? 0 : length(2 * family_.sizes));
-      // Of hostile scales some displacements are beyond all doubles.
+      // With extreme scales some displacements overflow.
       if (std::isfinite(place)) b.x[j] = place;
     }
   }
@@ -124,22 +124,22 @@ struct Case {
   ContactQuestion question;
 };
 
-/// What counts as contact, by the table of shapes.
+/// The definition of contact for the oracle, by the table of shapes.
 oracle::Rule rule_of(const Object& a, const Object& b, const ContactQuestion& question);
 
 Case make_case(Generator& generate, const Family& family, Shapes shapes, int axes);
 
-/// look(case, generate) at `count` cases of every family, the ordinary and the extreme ones.
-template <class Look>
-void for_each_hard_pair(Shapes shapes, int axes, int count, std::uint64_t seed, Look&& look) {
+/// Calls look(case, generate) for `count` cases of every family, ordinary and extreme.
+template <class Visit>
+void for_each_hard_pair(Shapes shapes, int axes, int count, std::uint64_t seed, Visit&& visit) {
   for (const auto& families : {ordinary_families(), extreme_families()})
     for (const Family& family : families) {
       Generator generate(family, ++seed);
-      for (int i = 0; i < count; ++i) look(make_case(generate, family, shapes, axes), generate);
+      for (int i = 0; i < count; ++i) visit(make_case(generate, family, shapes, axes), generate);
     }
 }
 
-/// Both objects and the question, to the last digit.
+/// Prints both objects and the ContactQuestion, to the last digit.
 std::ostream& operator<<(std::ostream& out, const Case& c);
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -1,5 +1,5 @@
-// How the laws of contact (contact/contact.h) are checked: each case of the families of hard_pairs.h, for
-// every pair of shapes, beside the same case changed.
+// The check of a law of contact (contact/contact.h): each case of the families of hard_pairs.h, for every
+// pair of shapes, is compared with a changed case.
 //
 //   check_law([](Case& c) { return std::swap(c.a, c.b), true; }, unchanged);         // Law 1
 #pragma once
@@ -12,18 +12,18 @@
 #include "contact/case_count.h"
 #include "contact/hard_pairs.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
-/// Everything that contact says about a pair.
+/// All answers of contact about a pair.
 struct Said {
   std::optional<ContactTimes> times;
-  std::optional<ClosestApproach> approach;  ///< where both exist at some moment
+  std::optional<ClosestApproach> approach;  ///< if both exist at some time
 };
 
 inline Said said_of(const Case& c) {
-  const oracle::Asked asked = oracle::asked_about(c.a, c.b, c.question.horizon);
+  const oracle::QueriedInterval queried = oracle::queried_interval(c.a, c.b, c.question.horizon);
   Said said{contact(c.a, c.b, c.question), {}};
-  if (asked.begin <= asked.end) said.approach = closest(c.a, c.b, c.question);
+  if (queried.begin <= queried.end) said.approach = closest(c.a, c.b, c.question);
   return said;
 }
 
@@ -39,7 +39,7 @@ inline void expect_same(const Said& right, const Said& other, double time, doubl
   if (right.approach) {
     EXPECT_EQ(other.approach->t, time * right.approach->t) << c;
     EXPECT_EQ(other.approach->dt, time * right.approach->dt) << c;
-    // A distance below the normal numbers has lost bits that the scaled one has.
+    // A subnormal distance lacks bits that the scaled one has.
     const double d = length * right.approach->d;
     const bool full = right.approach->d == 0 || std::min(right.approach->d, d) >= 0x1p-1022;
     if (full) {
@@ -48,7 +48,7 @@ inline void expect_same(const Said& right, const Said& other, double time, doubl
   }
 }
 
-/// Every pair of shapes, on every number of axes that it has.
+/// Every pair of shapes, on every number of axes that it supports.
 using Scenery = std::pair<Shapes, int>;
 
 inline std::vector<Scenery> all_sceneries() {
@@ -61,8 +61,8 @@ inline std::vector<Scenery> all_sceneries() {
   return all;
 }
 
-/// `change` makes another case whose answers are the first one's, times scaled by `time`, lengths by
-/// `length`; false where its numbers would not be exact.
+/// `change` makes another case with the same answers, except that times are scaled by `time` and lengths by
+/// `length`. It returns false if the numbers of that case would not be exact.
 using Change = std::function<bool(Case&)>;
 using Compare = std::function<void(const Case& c, const Case& changed)>;
 
@@ -115,9 +115,8 @@ inline double turn_of(const Object& o, int axis) {
   return o.layout.law < Law::accelerated ? 0 : o.a[axis];
 }
 
-/// Tells the same motion by where and how fast it is `s` after its own reference time; false if that is not
-/// exact.
-inline bool retell(Object& o, double s) {
+/// Describes the same motion with a reference time that is later by `s`; false if its numbers are not exact.
+inline bool move_reference_time(Object& o, double s) {
   using oracle::Exact;
   bool exact = true;
   for (int j = 0; j < o.layout.axes; ++j) {
@@ -129,4 +128,4 @@ inline bool retell(Object& o, double s) {
   return exact;
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

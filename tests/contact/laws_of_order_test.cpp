@@ -1,11 +1,11 @@
-// Laws 10 to 16 of contact (contact/contact.h): what a longer horizon, greater lengths and other pairs of a
-// call may change.
+// Laws 10 to 16 of contact (contact/contact.h): the effects of a longer horizon, of greater lengths and of
+// other pairs in the same call.
 #include <array>
 
 #include "contact/laws.h"
 #include "numbers/dyadic.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -32,7 +32,7 @@ TEST(Laws, HorizonsCanBeSplit) {
       });
 }
 
-/// No pair is lost, and none touches later.
+/// No pair is lost, and no pair touches later.
 void expect_not_later(const Case& c, const Case& grown) {
   const auto before = contact(c.a, c.b, c.question), after = contact(grown.a, grown.b, grown.question);
   if (!before) return;
@@ -41,7 +41,7 @@ void expect_not_later(const Case& c, const Case& grown) {
   EXPECT_LE(after->dt, before->dt) << c;
 }
 
-/// Law 11, of `within`.
+/// Law 11, for `within`.
 TEST(Laws, GrowingIsNeverLater) {
   check_law(
       [](Case& c) {
@@ -51,7 +51,7 @@ TEST(Laws, GrowingIsNeverLater) {
       expect_not_later);
 }
 
-/// Law 11, of extents.
+/// Law 11, for extents.
 TEST(Laws, GreaterExtentsAreNeverLater) {
   check_law(
       [](Case& c) {
@@ -95,8 +95,8 @@ TEST(Laws, LongerHorizonsKeepFirstContacts) {
       });
 }
 
-/// Law 14. The end of the horizon is rounded as a time is.
-TEST(Laws, ContactsLieWithinTheHorizonAndBothLives) {
+/// Law 14. The end of the horizon is rounded like a time.
+TEST(Laws, ContactsAreWithinTheHorizonAndBothLives) {
   check_law([](Case&) { return true; },
             [](const Case& c, const Case&) {
               const auto times = contact(c.a, c.b, c.question);
@@ -111,7 +111,7 @@ TEST(Laws, ContactsLieWithinTheHorizonAndBothLives) {
             });
 }
 
-/// Law 15, of balls that do not grow: both sides rounded once.
+/// Law 15, for balls that do not grow: both sides rounded once.
 TEST(Laws, BallsTouchIffTheirCentresComeNearEnough) {
   int touching = 0;
   check_law(
@@ -134,7 +134,7 @@ TEST(Laws, BallsTouchIffTheirCentresComeNearEnough) {
   EXPECT_GT(touching, 0);
 }
 
-/// Every a beside every b, in one call, in rows and in another order.
+/// Every a with every b, in one call, sorted by row and in another order.
 void expect_independent(const std::vector<Case>& cases) {
   std::vector<double> rows_a, rows_b;
   std::vector<Pair> pairs;
@@ -193,4 +193,4 @@ TEST(Laws, OtherPairsOfTheCallDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

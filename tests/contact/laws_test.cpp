@@ -1,8 +1,8 @@
-// Laws 1 to 9 of contact (contact/contact.h), bit for bit: cases that are told in another way have the same
+// Laws 1 to 9 of contact (contact/contact.h), bit for bit: equivalent descriptions of a case have the same
 // answers.
 #include "contact/laws.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -33,7 +33,7 @@ TEST(Laws, MirroringChangesNothing) {
 TEST(Laws, ExchangingAxesChangesNothing) {
   check_law(
       [](Case& c) {
-        // A cylinder's axis stays, and so does that of a limit of its own.
+        // The axis of a cylinder, or of a separate limit, is not exchanged.
         const bool upright = c.a.layout.shape == Shape::cylinder || c.b.layout.shape == Shape::cylinder ||
                              c.a.layout.has_growth_z || c.b.layout.has_growth_z ||
                              c.question.within_z.has_value();
@@ -93,7 +93,7 @@ TEST(Laws, ShiftingTheSceneChangesNothing) {
         unchanged);
 }
 
-/// Law 7. Absolute times are other doubles, so only those from now on are the same bits.
+/// Law 7. Absolute times are other doubles, so only times measured from now are the same bits.
 TEST(Laws, ShiftingTimeChangesNothing) {
   for (double offset : {4096.0, -1048576.0})
     check_law(
@@ -131,15 +131,16 @@ TEST(Laws, ReferenceTimesDoNotMatter) {
           const double before = o->t;
           o->t -= 3;
           exact = exact && !grows(o->layout) && before <= c.question.horizon.now &&
-                  oracle::Exact(before) - oracle::Exact(3) == oracle::Exact(o->t) && retell(*o, -3);
+                  oracle::Exact(before) - oracle::Exact(3) == oracle::Exact(o->t) &&
+                  move_reference_time(*o, -3);
         }
         return exact;
       },
       unchanged);
 }
 
-/// Law 9: from the end of the horizon backwards, the same pair touches or not and comes as near. Instants are
-/// rounded towards other doubles.
+/// Law 9: with time reversed from the end of the horizon, the same pairs touch, and at the same distance.
+/// Times are rounded to other doubles.
 TEST(Laws, TimeReversalChangesNoDecision) {
   check_law(
       [](Case& c) {
@@ -147,7 +148,7 @@ TEST(Laws, TimeReversalChangesNoDecision) {
         bool exact = true;
         for (Object* o : {&c.a, &c.b}) {
           exact = exact && !grows(o->layout) && o->t == now &&
-                  o->until == std::numeric_limits<double>::infinity() && retell(*o, h);
+                  o->until == std::numeric_limits<double>::infinity() && move_reference_time(*o, h);
           for (double& v : o->v) v = -v;
         }
         return exact;
@@ -160,4 +161,4 @@ TEST(Laws, TimeReversalChangesNoDecision) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

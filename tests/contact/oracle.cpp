@@ -4,20 +4,20 @@
 #include <cmath>
 #include <map>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
-/// Contact in a stretch of time: the polynomial of a region, <= 0; or the answer is known.
+/// Contact in an interval of time: the polynomial of a region, <= 0; or a known answer.
 constexpr int always = -1, never = -2;
 
-/// The signs of the borders at a moment, two for each axis: of x + half, of x - half.
+/// The signs of the borders at a time, two per axis: of x + half, of x - half.
 using Signs = std::vector<int>;
 
 class Regions {
  public:
   explicit Regions(const Rule& rule) : rule_(rule), is_round_(rule.axes.size()) {
     for (int j : rule.round) is_round_[j] = true;
-    // Around a point there is only one region.
+    // Around a point there is one region only.
     around_a_point_ =
         std::all_of(rule.round.begin(), rule.round.end(), [&](int j) { return is_zero(rule.half[j]); });
     for (std::size_t j = 0; j < rule.axes.size(); ++j)
@@ -30,7 +30,7 @@ class Regions {
 
   const std::vector<Sturm>& borders() const { return borders_; }
 
-  /// Which region's polynomial tells: a digit for every round axis, 0 inside, 1 below, 2 above.
+  /// The region whose polynomial decides: a digit for every round axis, 0 inside, 1 below, 2 above.
   int region(const Signs& signs) const {
     for (std::size_t j = 0; j < is_round_.size(); ++j)
       if (!is_round_[j] && (signs[2 * j] < 0 || signs[2 * j + 1] > 0)) return never;
@@ -78,107 +78,107 @@ class Regions {
   std::map<int, Sturm> excesses_;
 };
 
-/// A moment at which some borders are crossed.
+/// A time at which some borders are crossed.
 struct Crossing {
-  Moment moment;
+  TimePoint time;
   std::vector<int> zero_here;  ///< which borders vanish
 };
 
-/// An end of the first contact: an end of what was asked, or a moment.
+/// An end of the first contact: an end of the queried interval, or a root.
 struct Found {
-  enum { nothing, at_begin, at_end, at_moment } where = nothing;
-  std::optional<Moment> moment = {};
+  enum { nothing, at_start, at_end, at_time } where = nothing;
+  std::optional<TimePoint> time = {};
 };
 
-/// Walks through time and keeps the first contact.
+/// Visits the intervals in order of time and keeps the first contact.
 class Walk {
  public:
-  Walk(const Rule& rule, const Asked& asked) : asked_(asked), regions_(rule) {
+  Walk(const Rule& rule, const QueriedInterval& queried) : queried_(queried), regions_(rule) {
     std::size_t border = 0;
     for (const Sturm& sturm : regions_.borders()) {
-      for (Moment& moment : moments_between(sturm, asked.begin, asked.end))
-        add(moment, static_cast<int>(border));
+      for (TimePoint& time : times_between(sturm, queried.begin, queried.end))
+        add(time, static_cast<int>(border));
       ++border;
     }
-    // Later narrowing keeps moments apart that were told apart before.
+    // Later bisection keeps separate times separate.
     std::sort(crossings_.begin(), crossings_.end(),
-              [](const Crossing& a, const Crossing& b) { return a.moment.low < b.moment.low; });
+              [](const Crossing& a, const Crossing& b) { return a.time.low < b.time.low; });
     go();
   }
 
   Found first, last;
 
  private:
-  void add(Moment& moment, int border) {
+  void add(TimePoint& time, int border) {
     for (Crossing& known : crossings_)
-      if (same_moment(moment, known.moment)) {
+      if (same_time(time, known.time)) {
         known.zero_here.push_back(border);
         return;
       }
-    crossings_.push_back({moment, {border}});
+    crossings_.push_back({time, {border}});
   }
 
   void go() {
-    point({Found::at_begin}, holds_at(asked_.begin));
-    if (!(asked_.begin < asked_.end)) return;
-    reached_ = asked_.begin;
+    point({Found::at_start}, holds_at(queried_.begin));
+    if (!(queried_.begin < queried_.end)) return;
+    reached_ = queried_.begin;
     Crossing* before = nullptr;
     for (Crossing& next : crossings_) {
       stretch(before, &next);
       if (over_) return;
       Signs signs = signs_at(stretch_sample_);
       for (int border : next.zero_here) signs[border] = 0;
-      point({Found::at_moment, next.moment}, holds_at(next.moment, regions_.region(signs)));
+      point({Found::at_time, next.time}, holds_at(next.time, regions_.region(signs)));
       if (over_) return;
-      pass(next.moment);
+      pass(next.time);
       before = &next;
     }
-    if (!(reached_ < asked_.end)) return;
+    if (!(reached_ < queried_.end)) return;
     stretch(before, nullptr);
-    if (!over_) point({Found::at_end}, holds_at(asked_.end));
+    if (!over_) point({Found::at_end}, holds_at(queried_.end));
   }
 
-  /// From one crossing (or the begin) to the next (or the end), both left out.
+  /// From one crossing (or the start) to the next (or the end), both exclusive.
   void stretch(Crossing* from, Crossing* to) {
-    stretch_sample_ = sample_before(to ? &to->moment : nullptr);
+    stretch_sample_ = sample_before(to ? &to->time : nullptr);
     const int region = regions_.region(signs_at(stretch_sample_));
     if (region < 0) return gap(region == always);
     const Sturm& excess = regions_.excess(region);
-    std::vector<Moment> roots = roots_within(excess, from, to);
-    if (from) reached_ = from->moment.high;
-    for (Moment& root : roots) {
+    std::vector<TimePoint> roots = roots_within(excess, from, to);
+    if (from) reached_ = from->time.high;
+    for (TimePoint& root : roots) {
       gap(sign_at(excess.polynomial(), sample_before(&root)) <= 0);
       if (over_) return;
-      if (root.compare(asked_.end) == 0) return;  // seen as the end
-      point({Found::at_moment, root}, true);
+      if (root.compare(queried_.end) == 0) return;  // counts as the end
+      point({Found::at_time, root}, true);
       pass(root);
     }
-    gap(sign_at(excess.polynomial(), sample_before(to ? &to->moment : nullptr)) <= 0);
+    gap(sign_at(excess.polynomial(), sample_before(to ? &to->time : nullptr)) <= 0);
   }
 
-  /// Narrows the crossings until every root is within or not.
-  std::vector<Moment> roots_within(const Sturm& p, Crossing* from, Crossing* to) {
-    const Exact low = from ? from->moment.low : reached_, high = to ? to->moment.high : asked_.end;
-    std::vector<Moment> roots;
-    for (Moment& root : moments_between(p, low, high)) {
-      if (from && (same_moment(root, from->moment) || root.low < from->moment.low)) continue;
-      if (to && (same_moment(root, to->moment) || to->moment.low < root.low)) continue;
+  /// Bisects the crossings until every root is certainly inside or outside.
+  std::vector<TimePoint> roots_within(const Sturm& p, Crossing* from, Crossing* to) {
+    const Exact low = from ? from->time.low : reached_, high = to ? to->time.high : queried_.end;
+    std::vector<TimePoint> roots;
+    for (TimePoint& root : times_between(p, low, high)) {
+      if (from && (same_time(root, from->time) || root.low < from->time.low)) continue;
+      if (to && (same_time(root, to->time) || to->time.low < root.low)) continue;
       roots.push_back(root);
     }
     return roots;
   }
 
-  /// A number after all that has been passed and before the moment (or the end).
-  Exact sample_before(Moment* moment) {
-    if (!moment) return middle(reached_, asked_.end);
-    while (!(moment->low > reached_)) moment->halve();
-    return middle(reached_, moment->low);
+  /// A number after all that has been visited and before the next crossing (or the end).
+  Exact sample_before(TimePoint* time) {
+    if (!time) return middle(reached_, queried_.end);
+    while (!(time->low > reached_)) time->halve();
+    return middle(reached_, time->low);
   }
 
-  void pass(Moment& moment) {
-    if (moment.compare(asked_.end) < 0)
-      while (moment.high == asked_.end) moment.halve();
-    reached_ = moment.high;
+  void pass(TimePoint& time) {
+    if (time.compare(queried_.end) < 0)
+      while (time.high == queried_.end) time.halve();
+    reached_ = time.high;
   }
 
   Signs signs_at(const Exact& x) const {
@@ -190,8 +190,8 @@ class Walk {
     const int region = regions_.region(signs_at(x));
     return region < 0 ? region == always : sign_at(regions_.excess(region).polynomial(), x) <= 0;
   }
-  bool holds_at(Moment& moment, int region) {
-    return region < 0 ? region == always : moment.sign_of(regions_.excess(region)) <= 0;
+  bool holds_at(TimePoint& time, int region) {
+    return region < 0 ? region == always : time.sign_of(regions_.excess(region)) <= 0;
   }
 
   void gap(bool holds) { over_ = over_ || (!holds && first.where != Found::nothing); }
@@ -201,7 +201,7 @@ class Walk {
     last = where;
   }
 
-  const Asked& asked_;
+  const QueriedInterval& queried_;
   Regions regions_;
   std::vector<Crossing> crossings_;
   Exact reached_, stretch_sample_;
@@ -223,32 +223,32 @@ Coefficients relative_axis(const testing_by_hand::Object& a, const testing_by_ha
   return pb;
 }
 
-Asked asked_about(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
-                  const Horizon& horizon) {
+QueriedInterval queried_interval(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                                 const Horizon& horizon) {
   const Exact now(horizon.now);
-  Asked asked{0.0, horizon.h};
+  QueriedInterval queried{0.0, horizon.h};
   for (const auto* o : {&a, &b}) {
-    asked.begin = std::max(asked.begin, Exact(o->layout.has_t ? o->t : 0) - now);
+    queried.begin = std::max(queried.begin, Exact(o->layout.has_t ? o->t : 0) - now);
     if (o->layout.has_until && o->until != std::numeric_limits<double>::infinity())
-      asked.end = std::min(asked.end, Exact(o->until) - now);
+      queried.end = std::min(queried.end, Exact(o->until) - now);
   }
-  return asked;
+  return queried;
 }
 
 std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                   const Horizon& horizon, const std::optional<ContactTimes>& answer) {
-  const Asked asked = asked_about(a, b, horizon);
-  if (asked.begin > asked.end) return answer ? "a contact of objects that never exist together" : "";
-  const Walk walk(rule, asked);
+  const QueriedInterval queried = queried_interval(a, b, horizon);
+  if (queried.begin > queried.end) return answer ? "a contact of objects that never exist together" : "";
+  const Walk walk(rule, queried);
   if (walk.first.where == Found::nothing) return answer ? "an invented contact" : "";
   if (!answer) return "a missed contact";
 
   auto right = [&](const Found& found, double value, const Exact& offset) {
     return is_nearest(value, [&](const Exact& tie) {
       const Exact x = tie - offset;
-      if (found.where == Found::at_begin) return (asked.begin - x).sign();
-      if (found.where == Found::at_end) return (asked.end - x).sign();
-      return found.moment->compare(x);
+      if (found.where == Found::at_start) return (queried.begin - x).sign();
+      if (found.where == Found::at_end) return (queried.end - x).sign();
+      return found.time->compare(x);
     });
   };
   if (!right(walk.first, answer->dt, 0.0)) return "dt is not the nearest double";
@@ -258,4 +258,4 @@ std::string judge(const Rule& rule, const testing_by_hand::Object& a, const test
   return "";
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -1,5 +1,5 @@
-// The catalogue of hard cases: the families of hard_pairs.h, every answer compared with the exact one:
-// contact or none, and dt, dt_end, t, t_end each the nearest double.
+// make_contact() against the oracle on the families of hard_pairs.h: contact or no contact, and each of dt,
+// dt_end, t, t_end the double nearest to the exact one.
 //
 // FORESEE_LONG=1 multiplies the number of cases by 50.
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "contact/case_count.h"
 #include "contact/hard_pairs.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -32,7 +32,7 @@ void check(const Family& family, Shapes shapes, int axes, int cases, std::uint64
             << " t_end " << answer->t_end;
     FAIL() << family.name << ", axes " << axes << ", case " << i << ": " << complaint << "\n" << story.str();
   }
-  // A family in which nothing ever meets would prove nothing.
+  // A family without any contact would prove nothing.
   if (family.spread == 0 && scaled_count(cases) >= 50 && axes < 3) {
     EXPECT_GT(contacts, 0) << family.name;
   }
@@ -117,7 +117,7 @@ TEST(Oracle, HostileScales) {
   check_all(hostile_families(), Shapes::cylinders, {3}, 10);
 }
 
-/// A judge that finds nothing wrong would prove nothing either.
+/// An oracle that accepts every answer would prove nothing either.
 TEST(Oracle, ObjectsToAnyOtherAnswer) {
   for (const Shapes shapes : {Shapes::boxes, Shapes::balls, Shapes::box_and_ball, Shapes::cylinders}) {
     Generator generate(ordinary_families()[1], 7);
@@ -146,4 +146,4 @@ TEST(Oracle, ObjectsToAnyOtherAnswer) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

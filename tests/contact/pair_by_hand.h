@@ -1,4 +1,4 @@
-// Two objects by hand, and the answer of the contact room about them.
+// Two objects with given numbers, and the answers of contact about them.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 #include "contact/contact.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 /// One object with every number spelled out; only those of its layout are used.
 struct Object {
@@ -46,23 +46,23 @@ inline Object object(int axes, Shape shape) {
   return o;
 }
 
-/// Of the only pair. Throws if not all ways of asking agree.
+/// The answer for the only pair. Throws if decide() and first_contacts() do not agree.
 inline std::optional<ContactTimes> answer_of(Contact& contact) {
   const auto require = [](bool agrees, const char* what) {
-    if (!agrees) throw std::logic_error(std::string("two ways of asking contact do not agree: ") + what);
+    if (!agrees) throw std::logic_error(std::string("two functions of Contact do not agree: ") + what);
   };
   const Pair pair{0, 0};
   std::vector<Pair> hits, decided;
-  std::vector<ContactTimes> times, begins;
+  std::vector<ContactTimes> times, starts;
   contact.first_contacts({&pair, 1}, TimesWanted::both, hits, times);
   require(times.size() == hits.size(), "pairs and times");
   contact.decide({&pair, 1}, decided);
   require(hits == decided, "with times, and whether");
   decided.clear();
-  contact.first_contacts({&pair, 1}, TimesWanted::begins, decided, begins);
-  require(hits == decided, "with both times, and with begins");
+  contact.first_contacts({&pair, 1}, TimesWanted::starts, decided, starts);
+  require(hits == decided, "with both times, and with starts");
   if (hits.empty()) return std::nullopt;
-  require(times[0].t == begins[0].t && times[0].dt == begins[0].dt, "begins");
+  require(times[0].t == starts[0].t && times[0].dt == starts[0].dt, "starts");
   return times[0];
 }
 
@@ -82,4 +82,4 @@ inline ClosestApproach closest(const Object& a, const Object& b, const ContactQu
   return approach;
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -4,22 +4,23 @@
 #include <bit>
 #include <cmath>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
-bool begins_before(const Stretch& s, const Stretch& t) {
+bool starts_before(const RationalInterval& s, const RationalInterval& t) {
   return s.begin < t.begin;
 }
 
-/// A little more than half an ulp before or after, where another double would be the nearest.
-Rational beside(double moment, int side) {
-  const double next = std::nextafter(moment, side * HUGE_VAL);
-  return Rational(moment) + (Rational(next) - Rational(moment)) * Rational(513, 1024);
+/// A little more than half an ulp before or after, where another double is the nearest.
+Rational beside(double time, int side) {
+  const double next = std::nextafter(time, side * HUGE_VAL);
+  return Rational(time) + (Rational(next) - Rational(time)) * Rational(513, 1024);
 }
 
 using Touch = std::function<bool(const Rational&)>;
 
-/// Two contacts may be less than an ulp apart: the first ends at a double beside which the second holds.
+/// Two contacts may be less than an ulp apart: then the second holds beside the double at which the first
+/// ends.
 bool ends_within_half_an_ulp(const Touch& touch, double end) {
   const Rational half_an_ulp = beside(end, 1) - Rational(end);
   for (int i = -64; i < 64; ++i)
@@ -29,24 +30,25 @@ bool ends_within_half_an_ulp(const Touch& touch, double end) {
 
 }  // namespace
 
-std::optional<Stretch> first_of(std::vector<Stretch> contacts) {
+std::optional<RationalInterval> first_of(std::vector<RationalInterval> contacts) {
   if (contacts.empty()) return {};
-  std::sort(contacts.begin(), contacts.end(), begins_before);
-  Stretch first = contacts[0];
-  for (const Stretch& s : contacts)
+  std::sort(contacts.begin(), contacts.end(), starts_before);
+  RationalInterval first = contacts[0];
+  for (const RationalInterval& s : contacts)
     if (s.begin <= first.end && first.end < s.end) first.end = s.end;
   return first;
 }
 
-std::vector<Stretch> gaps_between(std::vector<Stretch> contacts, const Stretch& asked) {
-  std::sort(contacts.begin(), contacts.end(), begins_before);
-  std::vector<Stretch> gaps;
-  Rational reached = asked.begin;
-  for (const Stretch& s : contacts) {
+std::vector<RationalInterval> gaps_between(std::vector<RationalInterval> contacts,
+                                           const RationalInterval& queried) {
+  std::sort(contacts.begin(), contacts.end(), starts_before);
+  std::vector<RationalInterval> gaps;
+  Rational reached = queried.begin;
+  for (const RationalInterval& s : contacts) {
     if (reached < s.begin) gaps.push_back({reached, s.begin});
     reached = std::max(reached, s.end);
   }
-  if (reached < asked.end || contacts.empty()) gaps.push_back({reached, asked.end});
+  if (reached < queried.end || contacts.empty()) gaps.push_back({reached, queried.end});
   return gaps;
 }
 
@@ -59,19 +61,19 @@ bool is_rounded(double value, const Rational& exact) {
   return even ? low <= exact && exact <= high : low < exact && exact < high;
 }
 
-Stretch Encounter::asked() const {
+RationalInterval Encounter::queried() const {
   const Rational now(question.horizon.now);
-  Stretch asked{0, Rational(question.horizon.h)};
+  RationalInterval queried{0, Rational(question.horizon.h)};
   for (const auto* o : {&a, &b}) {
-    asked.begin = std::max<Rational>(asked.begin, Rational(o->t) - now);
-    if (std::isfinite(o->until)) asked.end = std::min<Rational>(asked.end, Rational(o->until) - now);
+    queried.begin = std::max<Rational>(queried.begin, Rational(o->t) - now);
+    if (std::isfinite(o->until)) queried.end = std::min<Rational>(queried.end, Rational(o->until) - now);
   }
-  return asked;
+  return queried;
 }
 
-Rational Encounter::place(int axis, const Rational& moment) const {
+Rational Encounter::place(int axis, const Rational& time) const {
   const auto at = [&](const testing_by_hand::Object& o) -> Rational {
-    const Rational s = moment + Rational(question.horizon.now) - Rational(o.t);
+    const Rational s = time + Rational(question.horizon.now) - Rational(o.t);
     return Rational(o.x[axis]) + s * (Rational(o.v[axis]) + s * Rational(o.a[axis]) / 2);
   };
   return at(b) - at(a);
@@ -81,17 +83,17 @@ Rational Encounter::velocity(int axis) const {
   return Rational(b.v[axis]) - Rational(a.v[axis]);
 }
 
-Rational Encounter::radius(const Rational& moment) const {
+Rational Encounter::radius(const Rational& time) const {
   Rational radius(question.within);
   for (const auto* o : {&a, &b}) {
     radius += Rational(o->r);
-    const Rational age = moment + Rational(question.horizon.now) - Rational(o->t);
+    const Rational age = time + Rational(question.horizon.now) - Rational(o->t);
     if (o->layout.has_growth) radius += age * Rational(o->growth);
   }
   return radius;
 }
 
-std::string compared(const std::optional<Stretch>& exact, const std::optional<ContactTimes>& answer,
+std::string compared(const std::optional<RationalInterval>& exact, const std::optional<ContactTimes>& answer,
                      double now) {
   if (exact.has_value() != answer.has_value()) return exact ? "missed" : "invented";
   if (!exact) return {};
@@ -102,22 +104,22 @@ std::string compared(const std::optional<Stretch>& exact, const std::optional<Co
   return {};
 }
 
-std::string judged_by_moments(const std::function<bool(const Rational&)>& touch, double h,
-                              const std::optional<ContactTimes>& answer) {
+std::string judged_by_times(const std::function<bool(const Rational&)>& touch, double h,
+                            const std::optional<ContactTimes>& answer) {
   const double begin = answer ? answer->dt : 2 * h, end = answer ? answer->dt_end : 2 * h;
   for (int i = 0; i <= 16; ++i) {
-    const double moment = h * i / 16;
-    if (moment < begin && touch(moment)) return answer ? "begins earlier" : "missed";
-    if (begin < moment && moment < end && !touch(moment)) return "ends earlier";
+    const double time = h * i / 16;
+    if (time < begin && touch(time)) return answer ? "starts earlier" : "missed";
+    if (begin < time && time < end && !touch(time)) return "ends earlier";
   }
   if (!answer) return {};
-  // Between neighbours there is no moment of which rounding leaves no doubt.
+  // Between neighbouring doubles rounding decides no time.
   const bool has_inside = std::nextafter(begin, end) < end;
-  if (begin > 0 && touch(beside(begin, -1))) return "begins earlier by an ulp";
-  if (has_inside && !touch(beside(begin, 1))) return "begins later";
+  if (begin > 0 && touch(beside(begin, -1))) return "starts earlier by an ulp";
+  if (has_inside && !touch(beside(begin, 1))) return "starts later";
   if (end < h && touch(beside(end, 1)) && !ends_within_half_an_ulp(touch, end)) return "ends later";
   if (has_inside && !touch(beside(end, -1))) return "ends earlier by an ulp";
   return {};
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -1,5 +1,5 @@
-// What the judges of outlines and meshes have in common: times in rational numbers, and how an answer is held
-// against them; for contact whose times are no rational numbers, against single moments beside the answer.
+// Shared parts of the oracles of outlines and meshes: times in rational numbers, and the comparison of an
+// answer with them. Contact whose times are not rational is compared at single times near the answer.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -10,45 +10,46 @@
 
 #include "contact/pair_by_hand.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-/// Closed.
-struct Stretch {
+/// A closed interval of time.
+struct RationalInterval {
   Rational begin, end;
 };
 
-/// Of all together: those that touch each other are one.
-std::optional<Stretch> first_of(std::vector<Stretch> contacts);
+/// The first of the union; intervals that touch each other are one.
+std::optional<RationalInterval> first_of(std::vector<RationalInterval> contacts);
 
-/// What `contacts` leave of `asked`. A gap that ends where another begins is none.
-std::vector<Stretch> gaps_between(std::vector<Stretch> contacts, const Stretch& asked);
+/// `queried` without `contacts`. Adjacent gaps are joined.
+std::vector<RationalInterval> gaps_between(std::vector<RationalInterval> contacts,
+                                           const RationalInterval& queried);
 
-/// Is `value` the double nearest to `exact`, ties to even?
+/// Whether `value` is the double nearest to `exact`, ties to even.
 bool is_rounded(double value, const Rational& exact);
 
-/// Two objects as they move, all times measured from now.
+/// Two moving objects, with all times measured from now.
 struct Encounter {
   const testing_by_hand::Object &a, &b;
   const ContactQuestion& question;
 
-  /// While both exist; none if it ends before it begins.
-  Stretch asked() const;
-  /// Where b is seen from a, and how fast it goes there.
-  Rational place(int axis, const Rational& moment) const;
+  /// While both exist; empty if it ends before it starts.
+  RationalInterval queried() const;
+  /// Position and velocity of b relative to a.
+  Rational place(int axis, const Rational& time) const;
   Rational velocity(int axis) const;
-  Rational radius(const Rational& moment) const;
+  Rational radius(const Rational& time) const;
 };
 
-/// Empty if these are the times of `exact`, correctly rounded, else what is wrong.
-std::string compared(const std::optional<Stretch>& exact, const std::optional<ContactTimes>& answer,
+/// Returns "" if these are the times of `exact`, correctly rounded, else a description of the difference.
+std::string compared(const std::optional<RationalInterval>& exact, const std::optional<ContactTimes>& answer,
                      double now);
 
-/// Judges contact of any radius and motion by single moments: just beside the times that were answered, and
-/// many others. `touch` says whether they do at a moment. Requires: both exist all the time. Empty if nothing
-/// is wrong.
-std::string judged_by_moments(const std::function<bool(const Rational&)>& touch, double h,
-                              const std::optional<ContactTimes>& answer);
+/// Checks contact of any radius and motion at single times: just beside the times of the answer, and many
+/// others. `touch` returns whether the objects touch at a time. Requires: both exist all the time. Returns ""
+/// if all agree.
+std::string judged_by_times(const std::function<bool(const Rational&)>& touch, double h,
+                            const std::optional<ContactTimes>& answer);
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -1,5 +1,5 @@
-// Real ships (AIS), where the data set is at hand: ../shared/data beside the repository, or
-// $FORESEE_SHARED_DATA.
+// Contact of real ships (AIS) against the oracle, if the data set is present: ../shared/data beside the
+// repository, or $FORESEE_SHARED_DATA.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "contact/contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 std::string data_folder() {
@@ -93,4 +93,4 @@ TEST(RealShips, MeetAsBoxesOfHalfExtent463Metres) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

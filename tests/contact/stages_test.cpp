@@ -1,8 +1,7 @@
-// Every stage of contact alone, on the families of hard_pairs.h: where it is certain it agrees with the exact
-// one.
+// Every stage of contact alone, on the families of hard_pairs.h: a certain answer is that of the exact stage.
 //
-// Chord, certified double and pairs side by side against the exact stage; its 128 bits against integers; and
-// the begin and end that doubles vouch for against those of the exact stage, bit for bit.
+// Compared with the exact stage are the chord, certified doubles and the lanes; and, bit for bit, start and
+// end from doubles. The 128-bit numbers of the exact stage are compared with integers.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -15,12 +14,12 @@
 #include "contact/set/shape_pairs.h"
 #include "every_simd.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 
-/// How often each stage was certain.
+/// The number of certain answers of each stage.
 struct Certain {
   int chord = 0, lanes_miss = 0, lanes_touch = 0, advancement = 0, in_128_bits = 0, times = 0;
 };
@@ -41,12 +40,12 @@ class StagesOfPair {
                c.question.within,
                c.question.within_z.value_or(0)},
         set_(make_set(setup_)),
-        moments_(moments_of(setup_, row_a_.data(), row_b_.data())) {}
+        lifetime_(pair_lifetime_of(setup_, row_a_.data(), row_b_.data())) {}
 
   void check() {
-    if (moments_.none) return;
+    if (lifetime_.none) return;
     PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
-    const ExactMoments exact = exact_moments_of(setup_, row_a_.data(), row_b_.data());
+    const ExactLifetime exact = exact_lifetime_of(setup_, row_a_.data(), row_b_.data());
     const bool touches = exact_touches(polynomials, exact);
     check_doubles(touches);
     check_lanes(touches, exact);
@@ -57,13 +56,13 @@ class StagesOfPair {
  private:
   void check_doubles(bool touches) {
     CertainScratch scratch(set_);
-    Advancement<D, Degree> advancement(set_, setup_, row_a_.data(), row_b_.data(), moments_, {0, for_ever},
+    Advancement<D, Degree> advancement(set_, setup_, row_a_.data(), row_b_.data(), lifetime_, {0, unbounded},
                                        scratch);
-    const Chord<D> chord(advancement.certain().relative(), moments_.dt_end);
+    const Chord<D> chord(advancement.certain().relative(), lifetime_.dt_end);
     const auto hull = set_.hull();
-    const Period<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), scratch.lengths,
-                                              {moments_.dt_begin, moments_.dt_end});
-    if (moments_.begin_exact && moments_.end_exact && near.begin > near.end) {
+    const Interval<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), scratch.lengths,
+                                                {lifetime_.dt_start, lifetime_.dt_end});
+    if (lifetime_.start_exact && lifetime_.end_exact && near.begin > near.end) {
       ++certain_.chord;
       EXPECT_FALSE(touches) << "chord: " << case_;
     }
@@ -75,7 +74,7 @@ class StagesOfPair {
     }
   }
 
-  void check_lanes(bool touches, const ExactMoments& exact) {
+  void check_lanes(bool touches, const ExactLifetime& exact) {
     const AllLengths<Bounded> lengths(set_);
     std::vector<LanesLine> space(lanes_space(set_));
     const LanesQuestion question{.a = setup_.a.at,
@@ -89,7 +88,7 @@ class StagesOfPair {
     SetLanes lanes;
     std::fill_n(lanes.a, lanes.width, row_a_.data());
     std::fill_n(lanes.b, lanes.width, row_b_.data());
-    set_kernel<D, Degree>().look(question, lanes);
+    set_kernel<D, Degree>().classify(question, lanes);
     expect_from_every_cpu(question, lanes);
     for (const int l : {0, 13}) {
       const bool misses = lanes.begin[l] > lanes.end[l];
@@ -108,23 +107,23 @@ class StagesOfPair {
   void expect_from_every_cpu(const LanesQuestion& question, const SetLanes& lanes) const {
     testing::for_every_simd([&](Simd) {
       SetLanes others = lanes;
-      set_kernel<D, Degree>().look(question, others);
+      set_kernel<D, Degree>().classify(question, others);
       EXPECT_EQ(std::memcmp(&lanes, &others, sizeof lanes), 0) << case_;
     });
   }
 
-  void check_128_bits(PairPolynomials& polynomials, const ExactMoments& exact) {
+  void check_128_bits(PairPolynomials& polynomials, const ExactLifetime& exact) {
     for (int i = 0; i < static_cast<int>(set_.primitives().size()); ++i)
-      for (const Dyadic& moment : {exact.begin, exact.end}) {
+      for (const Dyadic& time : {exact.begin, exact.end}) {
         LazyPolynomial& polynomial = polynomials.polynomial(polynomials.number_of(i));
-        const int sign = polynomial.value_at(Midrad128(moment)).sign();
+        const int sign = polynomial.value_at(Midrad128(time)).sign();
         if (sign == unknown_sign) continue;
         ++certain_.in_128_bits;
-        EXPECT_EQ(sign, sign_at(polynomial.exact(), moment)) << "128 bits: " << case_;
+        EXPECT_EQ(sign, sign_at(polynomial.exact(), time)) << "128 bits: " << case_;
       }
   }
 
-  void check_times(const ExactMoments& exact) {
+  void check_times(const ExactLifetime& exact) {
     PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
     const auto times = exact_times(polynomials, exact);
     ASSERT_TRUE(times) << case_;
@@ -142,7 +141,7 @@ class StagesOfPair {
   std::vector<double> row_a_, row_b_;
   Setup setup_;
   ContactSet set_;
-  Moments moments_;
+  PairLifetime lifetime_;
 };
 
 template <int D>
@@ -196,7 +195,7 @@ TEST(Stages, CylinderAndBox) {
   check_kind<3>(cylinder_box_set, Shapes::cylinder_and_box, 900);
 }
 
-/// Whatever is done to numbers of 128 bits, the exact result lies within their error.
+/// The exact result of any operation on 128-bit numbers is within their error.
 TEST(Midrad128, EnclosesWhatIsExact) {
   std::mt19937_64 random(7);
   const auto number = [&random] {
@@ -225,7 +224,7 @@ TEST(Midrad128, EnclosesWhatIsExact) {
   }
 }
 
-TEST(Midrad128, FewDigitsStayExact) {
+TEST(Midrad128, FewDigitsRemainExact) {
   const Midrad128 tenth(0.1);
   EXPECT_EQ((tenth * tenth - tenth * tenth).sign(), 0);
   EXPECT_TRUE((Midrad128(3) * Midrad128(0x1p-900) * Midrad128(5e300)).exact());
@@ -233,4 +232,4 @@ TEST(Midrad128, FewDigitsStayExact) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 void trim(Integers& p) {
   while (!p.empty() && p.back() == 0) p.pop_back();
 }
 
-/// Where numbers grow long; below that, looking for common divisors costs more than it saves.
+/// From this length on, common divisors are removed; below it the search costs more than it saves.
 void divide_content(Integers& p) {
   if (p.empty() || msb(abs(p.back())) < 1500) return;
   Whole content = 0;
@@ -47,16 +47,16 @@ Integers quotient(const Integers& p, const Integers& divisor) {
   return quotient;
 }
 
-void isolate(const Sturm& sturm, const Exact& low, const Exact& high, std::vector<Moment>& moments) {
+void isolate(const Sturm& sturm, const Exact& low, const Exact& high, std::vector<TimePoint>& instants) {
   const int count = sturm.count(low, high);
   if (count == 0) return;
   if (count == 1) {
-    moments.emplace_back(sturm, low, high);
+    instants.emplace_back(sturm, low, high);
     return;
   }
   const Exact mid = middle(low, high);
-  isolate(sturm, low, mid, moments);
-  isolate(sturm, mid, high, moments);
+  isolate(sturm, low, mid, instants);
+  isolate(sturm, mid, high, instants);
 }
 
 }  // namespace
@@ -78,11 +78,11 @@ Exact operator+(const Exact& a, const Exact& b) {
 }
 
 Integers integers_of(const Coefficients& p) {
-  int least = std::numeric_limits<int>::max();
+  int lowest = std::numeric_limits<int>::max();
   for (const Exact& c : p)
-    if (c.sign() != 0) least = std::min(least, c.e);
+    if (c.sign() != 0) lowest = std::min(lowest, c.e);
   Integers result;
-  for (const Exact& c : p) result.push_back(c.sign() == 0 ? Whole(0) : Whole(c.n << (c.e - least)));
+  for (const Exact& c : p) result.push_back(c.sign() == 0 ? Whole(0) : Whole(c.n << (c.e - lowest)));
   trim(result);
   return result;
 }
@@ -147,13 +147,13 @@ int Sturm::variations(const Exact& x) const {
   return changes;
 }
 
-void Moment::halve() {
+void TimePoint::halve() {
   const Exact mid = middle(low, high);
   (compare(mid) > 0 ? low : high) = mid;
   if (high == mid) sign_high_ = sign_of(mid);
 }
 
-int Moment::compare(const Exact& x) const {
+int TimePoint::compare(const Exact& x) const {
   if (x <= low) return 1;
   if (x > high) return -1;
   if (sign_high_ == 0) return x < high ? 1 : 0;
@@ -161,7 +161,7 @@ int Moment::compare(const Exact& x) const {
   return sign == 0 ? 0 : sign == sign_high_ ? -1 : 1;
 }
 
-int Moment::sign_of(const Sturm& p) {
+int TimePoint::sign_of(const Sturm& p) {
   for (int round = 0; round < 6; ++round, halve())
     if (p.count(low, high) == 0) return sign_at(p.polynomial(), high);
   const Sturm common(common_divisor(sturm_->square_free(), p.square_free()));
@@ -170,9 +170,9 @@ int Moment::sign_of(const Sturm& p) {
   return sign_at(p.polynomial(), high);
 }
 
-bool same_moment(Moment& a, Moment& b) {
+bool same_time(TimePoint& a, TimePoint& b) {
   auto apart = [&] { return std::min(a.high, b.high) <= std::max(a.low, b.low); };
-  // Most are far apart, which is soon seen; only then is a common root worth looking for.
+  // Most are far apart, which few steps show; only then is a common root searched.
   for (int round = 0; round < 30; ++round, a.halve(), b.halve())
     if (apart()) return false;
   const Sturm common(common_divisor(a.sturm_->square_free(), b.sturm_->square_free()));
@@ -182,10 +182,10 @@ bool same_moment(Moment& a, Moment& b) {
   return false;
 }
 
-std::vector<Moment> moments_between(const Sturm& sturm, const Exact& low, const Exact& high) {
-  std::vector<Moment> moments;
-  if (sturm.polynomial().size() > 1 && low < high) isolate(sturm, low, high, moments);
-  return moments;
+std::vector<TimePoint> times_between(const Sturm& sturm, const Exact& low, const Exact& high) {
+  std::vector<TimePoint> instants;
+  if (sturm.polynomial().size() > 1 && low < high) isolate(sturm, low, high, instants);
+  return instants;
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -1,14 +1,14 @@
-// What the judges compute with: exact binary fractions, Sturm's count of roots, and moments held as brackets
-// of one root.
+// The arithmetic of the oracles: exact binary fractions, Sturm's count of roots, and times as isolating
+// intervals of one root.
 //
-// Plain and unrelated to the engine: no polynomial is ever expanded around a point or turned to another
-// basis; roots are counted by Sturm's theorem, then narrowed by halving.
+// It is simple and independent of the engine: no polynomial is expanded around a point or converted to
+// another basis. Roots are counted by Sturm's theorem and isolated by bisection.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <vector>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
 using Whole = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<512, 0, boost::multiprecision::signed_magnitude,
@@ -21,7 +21,7 @@ struct Exact {
   int e = 0;
 
   Exact() = default;
-  Exact(double value);  // NOLINT: a double is what it says
+  Exact(double value);  // NOLINT: a double is exactly such a number
   Exact(Whole whole, int exponent) : n(std::move(whole)), e(exponent) {}
 
   int sign() const { return n.sign(); }
@@ -51,17 +51,17 @@ Integers integers_of(const Coefficients& p);
 Integers derivative(const Integers& p);
 Exact value_at(const Coefficients& p, const Exact& x);
 int sign_at(const Integers& p, const Exact& x);
-/// Up to a factor.
+/// The same polynomial up to a factor.
 Integers common_divisor(Integers a, Integers b);
 
-/// A polynomial and how many distinct roots it has where.
+/// A polynomial and its number of distinct roots in an interval.
 class Sturm {
  public:
   explicit Sturm(Integers p);
   const Integers& polynomial() const { return polynomial_; }
-  /// The same roots, each once; its signs may be others.
+  /// A polynomial of the same roots, each simple; its signs may differ.
   const Integers& square_free() const { return chain_.front(); }
-  /// Distinct roots in (low, high].
+  /// The number of distinct roots in (low, high].
   int count(const Exact& low, const Exact& high) const { return variations(low) - variations(high); }
 
  private:
@@ -71,32 +71,32 @@ class Sturm {
   std::vector<Integers> chain_;
 };
 
-/// A moment: the only root of a polynomial in (low, high].
-class Moment {
+/// A time: the only root of a polynomial in (low, high].
+class TimePoint {
  public:
-  Moment(const Sturm& sturm, Exact low, Exact high)
+  TimePoint(const Sturm& sturm, Exact low, Exact high)
       : low(std::move(low)), high(std::move(high)), sturm_(&sturm), sign_high_(sign_of(this->high)) {}
 
   void halve();
-  /// -1, 0, 1: the moment is before, at, after x.
+  /// -1, 0, 1: the time is before, at, after x.
   int compare(const Exact& x) const;
   /// The sign of a polynomial here.
   int sign_of(const Sturm& p);
-  /// True if both are the same moment; else narrows them until their brackets are apart.
-  friend bool same_moment(Moment& a, Moment& b);
+  /// True if both are the same time; else bisects them until their intervals are disjoint.
+  friend bool same_time(TimePoint& a, TimePoint& b);
 
   Exact low, high;
 
  private:
   int sign_of(const Exact& x) const { return sign_at(sturm_->square_free(), x); }
-  const Sturm* sturm_;  ///< owned by whoever made the moment
+  const Sturm* sturm_;  ///< owned by the maker of the time
   int sign_high_;       ///< 0: the root is `high`
 };
 
 /// All roots in (low, high], in order.
-std::vector<Moment> moments_between(const Sturm& sturm, const Exact& low, const Exact& high);
+std::vector<TimePoint> times_between(const Sturm& sturm, const Exact& low, const Exact& high);
 
-/// Is `value` the double nearest to what `compare(x)` compares with x, ties to even?
+/// Whether `value` is the double nearest to the number that `compare(x)` compares with x, ties to even.
 template <class Compare>
 bool is_nearest(double value, Compare&& compare) {
   if (!(std::abs(value) < std::numeric_limits<double>::max())) return false;
@@ -107,4 +107,4 @@ bool is_nearest(double value, Compare&& compare) {
   return (low > 0 || (low == 0 && even)) && (high < 0 || (high == 0 && even));
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -1,18 +1,16 @@
-// What does a fuzzer make of its bytes? Whole numbers, taken from the front one after the other.
+// Whole numbers from a fuzzer's bytes, taken from the front one after another.
 //
 //   FuzzBytes bytes({data, size});
 //   const int kind = bytes.in_range(0, 3);
 //
-// Where the bytes end every number is the least that it may be. As libFuzzer's own provider does it, but for
-// every compiler.
+// After the last byte every number is the smallest of its range. Like libFuzzer's own provider, but for every
+// compiler.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>
-
-#include "all_rooms.h"
 
 namespace foresee::testing {
 
@@ -24,14 +22,14 @@ class FuzzBytes {
 
   bool flag() { return (next() & 1) != 0; }
 
-  /// Both ends may come. Takes as many bytes as the range has.
+  /// A number of the closed range. Takes as many bytes as the range needs.
   template <class T>
-  T in_range(T least, T greatest) {
-    const std::uint64_t range = static_cast<std::uint64_t>(greatest) - static_cast<std::uint64_t>(least);
+  T in_range(T min, T max) {
+    const std::uint64_t range = static_cast<std::uint64_t>(max) - static_cast<std::uint64_t>(min);
     std::uint64_t drawn = 0;
     for (std::uint64_t rest = range; rest > 0 && left() > 0; rest >>= 8) drawn = drawn << 8 | next();
     if (range != UINT64_MAX) drawn %= range + 1;
-    return static_cast<T>(static_cast<std::uint64_t>(least) + drawn);
+    return static_cast<T>(static_cast<std::uint64_t>(min) + drawn);
   }
 
   template <class T>

@@ -1,14 +1,13 @@
-// Hostile meshes as text: triangles between corners on a small grid and of any size, surfaces that are
-// closed, open and twice there, and texts that are cut, doubled and spoilt. A message or a mesh will do; what
-// is a mesh must read back the same, be stored and read the same, hang together in a tree, and lie turned as
-// a mesh or be refused. A crash or a hang will not do.
+// Hostile meshes as text. The triangles have corners on a small grid and of any size; surfaces are closed,
+// open or present twice; texts are cut, doubled and corrupted. The result must be a message or a mesh. A mesh
+// must read back the same, be stored and read the same, and be connected in a tree. Its rotated form must be
+// a mesh or be refused. A crash or a hang is a failure.
 #include <array>
 #include <vector>
 
 #include "base/error.h"
 #include "shape/mesh/mesh_check.h"
-#include "shape/mesh/mesh_reader.h"
-#include "shape/mesh/mesh_writer.h"
+#include "shape/mesh/mesh_text.h"
 #include "shape/mesh/triangle_tree.h"
 #include "shape/mesh/turned_mesh.h"
 #include "storage/format/mesh_blob.h"
@@ -22,7 +21,7 @@ std::string corner(FuzzBytes& bytes) {
   return x + ' ' + y + ' ' + fuzz_coordinate(bytes);
 }
 
-/// Three or four of some corners.
+/// A face of three or four of the corners.
 std::string face(FuzzBytes& bytes, const std::vector<std::string>& corners) {
   std::string text, first;
   for (int n = bytes.in_range(0, 30) == 0 ? 4 : 3; n > 0; --n) {
@@ -76,9 +75,9 @@ void run(FuzzBytes& bytes) {
     require(!decode_mesh(encode_mesh(mesh), stored) && stored == mesh, "is not stored the same", text);
     const TriangleTree tree(mesh);
     require_whole(tree, mesh, text);
-    const Mesh lies = turned(mesh, heading);
-    check_turned(mesh, lies, heading);
-    require_whole(TriangleTree(tree, lies), lies, text);
+    const Mesh rotated = turned(mesh, heading);
+    check_turned(mesh, rotated, heading);
+    require_whole(TriangleTree(tree, rotated), rotated, text);
   } catch (const Error& error) {
     require(std::strlen(error.what()) < 600, "a long message", text);
   }

@@ -1,6 +1,6 @@
-// Hostile nodes with valid checksums: some bytes of some nodes, of the map and of the table's facts are
-// changed, checksums made right again, and everything is asked and written. An error or any rows will do;
-// a crash, a hang or a leak will not.
+// Hostile nodes with valid checksums: some bytes of nodes, of the map and of the table's metadata are
+// changed, checksums are recomputed, and the table is queried and written. The result must be an error or any
+// rows; a crash, a hang or a leak is a failure.
 #include <array>
 #include <cstring>
 #include <memory>
@@ -46,8 +46,8 @@ void load(Connection& db, const std::vector<unsigned char>& image) {
     fail("deserialize");
 }
 
-/// Overwrites up to 8 bytes of a blob, if there is one; the places that matter most come most often.
-/// seal(blob) makes the checksum right.
+/// Overwrites up to 8 bytes of a blob, if there is one; the critical places are the most frequent.
+/// seal(blob) recomputes the checksum.
 template <class Seal>
 void change_blob(Connection& db, FuzzBytes& bytes, const char* table, std::int64_t number, Seal seal) {
   sqlite3_blob* blob = nullptr;
@@ -75,7 +75,7 @@ void change_node(Connection& db, FuzzBytes& bytes) {
   change_blob(db, bytes, "ships_node", number, [number](auto& node) { seal_node(node, number); });
 }
 
-/// The hash agrees, as somebody would see to who knows the format.
+/// The hash agrees, as after a forgery by a person who knows the format.
 void change_shape(Connection& db, FuzzBytes& bytes) {
   const auto number = bytes.in_range<std::int64_t>(1, 3);
   std::uint32_t checksum = 0;
@@ -119,7 +119,7 @@ void change_tables(Connection& db, FuzzBytes& bytes) {
   }
 }
 
-void ask_and_write(Connection& db, FuzzBytes& bytes, const FuzzTable& table) {
+void query_and_write(Connection& db, FuzzBytes& bytes, const FuzzTable& table) {
   const std::string question = fuzz_question(bytes, table);
   for (const char* method : fuzz_methods) db.rows(with_method(question, method));
   db.rows("SELECT * FROM ships");
@@ -149,7 +149,7 @@ void run(FuzzBytes& bytes) {
       change_shape(db, bytes);
     else
       bytes.in_range(0, 3) > 0 ? change_node(db, bytes) : change_tables(db, bytes);
-  ask_and_write(db, bytes, fuzz_tables[which]);
+  query_and_write(db, bytes, fuzz_tables[which]);
 }
 
 }  // namespace

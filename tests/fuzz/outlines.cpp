@@ -1,7 +1,7 @@
 // Hostile outlines as text: numbers on a small grid and of any size, rings that cross and touch, and texts
-// that are cut, doubled and spoilt. A message or an outline will do; what is an outline must read back the
-// same, be cut into pieces of its area, and lie turned as an outline or be refused. A crash or a hang will
-// not do.
+// that are cut, doubled and corrupted. The result must be a message or an outline. An outline must read back
+// the same and be cut into pieces of its area. Its rotated form must be an outline or be refused. A crash or
+// a hang is a failure.
 #include <cstring>
 #include <string>
 
@@ -9,10 +9,9 @@
 #include "numbers/dyadic.h"
 #include "shape/outline/convex_pieces.h"
 #include "shape/outline/orientation.h"
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 #include "shape/outline/validity.h"
-#include "shape/outline/wkt_reader.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 #include "wkt.h"
 
 namespace foresee::testing {
@@ -54,9 +53,9 @@ Dyadic twice_area(std::span<const Corner> ring) {
 Dyadic twice_area(const Outline& outline) {
   Dyadic twice;
   for (std::size_t p = 0; p < outline.parts(); ++p)
-    for (std::size_t r = outline.part_begin(p); r < outline.part_begin(p + 1); ++r) {
+    for (std::size_t r = outline.part_start(p); r < outline.part_start(p + 1); ++r) {
       const Dyadic area = twice_area(outline.ring(r)), size = area.sign() < 0 ? -area : area;
-      twice = r == outline.part_begin(p) ? twice + size : twice - size;
+      twice = r == outline.part_start(p) ? twice + size : twice - size;
     }
   return twice;
 }
@@ -81,9 +80,9 @@ void run(FuzzBytes& bytes) {
     check_outline(outline);
     const ConvexPieces pieces = convex_pieces(outline);
     require_tiling(pieces, outline, text);
-    const Outline lies = turned(outline, heading);
-    check_turned(outline, lies, heading);
-    require_tiling(turned_pieces(pieces, lies), lies, text);
+    const Outline rotated = turned(outline, heading);
+    check_turned(outline, rotated, heading);
+    require_tiling(turned_pieces(pieces, rotated), rotated, text);
   } catch (const Error& error) {
     require(std::strlen(error.what()) < 400, "a long message", text);
   }

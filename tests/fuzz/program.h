@@ -1,7 +1,7 @@
-// What the fuzzers share: a connection, and statements that are made of a fuzzer's bytes.
+// Shared by the fuzzers: a connection, and statements that are made of a fuzzer's bytes.
 //
 // A number that SQL must give back is written with all its digits. Small whole numbers are the most frequent:
-// objects that touch, tie and coincide are where errors hide.
+// they produce objects that touch, tie and coincide, where errors are likely.
 #pragma once
 
 #include <sqlite3.h>
@@ -73,7 +73,7 @@ class Connection {
   sqlite3* db_ = nullptr;
 };
 
-/// As they are read back; the last but one is none.
+/// As they are read back; the last but one is not a number.
 inline constexpr const char* fuzz_outlines[] = {
     "'POLYGON((0 0, 2 0, 0 2, 0 0))'",
     "'POLYGON((-1 -1, 3 -1, 3 0, 0 0, 0 3, -1 3, -1 -1))'",
@@ -94,10 +94,10 @@ inline constexpr const char* fuzz_meshes[] = {
 };
 
 struct FuzzTable {
-  const char* columns;  ///< after the id
+  const char* columns;  ///< those after the id
   int numbers;
   int axes;
-  std::span<const char* const> shapes = {};  ///< one of them comes behind the numbers, if there are any
+  std::span<const char* const> shapes = {};  ///< one of them follows the numbers, if the table has any
 };
 
 inline constexpr FuzzTable fuzz_tables[] = {
@@ -112,8 +112,7 @@ inline constexpr FuzzTable fuzz_tables[] = {
     {"t, x, y, z, vx, vy, vz, r, heading, shape", 9, 3, fuzz_meshes},
 };
 
-/// The parts one after the other. They are also made in this order, on every compiler; the operands of + are
-/// not.
+/// The parts one after the other. Every compiler also evaluates them in this order, unlike the operands of +.
 inline std::string in_order(std::initializer_list<std::string> parts) {
   std::string whole;
   for (const std::string& part : parts) whole += part;
@@ -166,7 +165,7 @@ inline std::string fuzz_axes(FuzzBytes& bytes, const FuzzTable& table) {
   return list;
 }
 
-/// A question that every method must answer alike; METHOD stands for its name.
+/// A query for which every method must give the same rows; METHOD stands for its name.
 inline std::string fuzz_question(FuzzBytes& bytes, const FuzzTable& table) {
   const std::string h = literal(std::fabs(fuzz_number(bytes)));
   const int kind = bytes.in_range(0, 3);

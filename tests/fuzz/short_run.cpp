@@ -1,9 +1,9 @@
 // A fuzzer's short run as a test: the same inputs on every machine, whatever the compiler.
 //
 //   short_run_nodes 0 1000 regressions/nodes_*     # these files, then inputs 0 to 999
-//   short_run_nodes 737 738                        # only the last one that it named before it failed
+//   short_run_nodes 737 738                        # only the input that it named last before it failed
 //
-// libFuzzer's own run depends on addresses, so it is another one each time: it is for long runs.
+// libFuzzer's own run depends on addresses, so it differs each time: it is for long runs.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -16,11 +16,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace {
 
-constexpr std::size_t most_bytes = 400;
+constexpr std::size_t max_bytes = 400;
 
 std::vector<std::uint8_t> random_input(std::uint64_t number) {
   std::mt19937_64 random(number);
-  std::vector<std::uint8_t> bytes(1 + random() % most_bytes);
+  std::vector<std::uint8_t> bytes(1 + random() % max_bytes);
   for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
   return bytes;
 }

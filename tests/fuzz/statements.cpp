@@ -1,6 +1,6 @@
 // Random statements against a model: a moving_objects table and an ordinary table with the same columns go
-// through the same transactions, savepoints, writes and commands. Their contents agree at every moment, every
-// method answers a question alike, and the integrity check finds nothing.
+// through the same transactions, savepoints, writes and commands. Their contents always agree, every method
+// gives the same rows, and the integrity check finds nothing.
 #include "program.h"
 
 namespace foresee::testing {
@@ -60,7 +60,7 @@ class Twins {
       case 13:
         return compare();
       case 14:
-        return ask();
+        return query();
       default:
         return both(
             in_order({"INSERT INTO TABLE VALUES(", fuzz_id(bytes_), ", ", fuzz_values(bytes_, table_), ")"}));
@@ -76,7 +76,7 @@ class Twins {
 
   int which_savepoint() { return bytes_.in_range(0, savepoints_ - 1); }
 
-  /// What moving_objects refuses changes nothing there, so nothing in the model either.
+  /// A statement that moving_objects refuses changes nothing there, so nothing in the model either.
   void both(const std::string& sql) {
     const auto in = [&](const std::string& table) {
       return std::string(sql).replace(sql.find("TABLE"), 5, table);
@@ -108,7 +108,7 @@ class Twins {
       fail("object " + id + " differs");
   }
 
-  void ask() {
+  void query() {
     const std::string question = fuzz_question(bytes_, table_);
     const std::string right = db_.rows(with_method(question, "scan"));
     for (const char* method : fuzz_methods) {

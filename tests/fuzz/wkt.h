@@ -1,4 +1,4 @@
-// What the fuzzers of outlines and meshes share: coordinates, texts that are spoilt, and what must hold.
+// Shared by the fuzzers of outlines and meshes: coordinates, corrupted texts, and checks of turned shapes.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#include "base/shown.h"
+#include "base/number_text.h"
 #include "bytes.h"
 
 namespace foresee::testing {
@@ -18,22 +18,22 @@ inline void require(bool holds, const char* what, const std::string& text) {
   std::abort();
 }
 
-/// On a small grid, an ulp beside it, or of any size.
+/// A coordinate on a small grid, an ulp beside it, or of any size.
 inline std::string fuzz_coordinate(FuzzBytes& bytes) {
   switch (bytes.in_range(0, 9)) {
     case 0: {
       const auto bits = bytes.any<std::uint64_t>();
       double any;
       std::memcpy(&any, &bits, sizeof any);
-      return base::shown(any);
+      return shown(any);
     }
     case 1: {
       const int exponent = bytes.in_range(-300, 200);
-      return base::shown(std::ldexp(bytes.in_range(-9, 9), exponent));
+      return shown(std::ldexp(bytes.in_range(-9, 9), exponent));
     }
     case 2: {
       const double whole = bytes.in_range(0, 5);
-      return base::shown(std::nextafter(whole, bytes.flag() ? 9 : -9));
+      return shown(std::nextafter(whole, bytes.flag() ? 9 : -9));
     }
     default:
       return std::to_string(bytes.in_range(0, 5));

@@ -1,25 +1,25 @@
-// Geodesics against a differential equation that shares nothing with the series of the product, and against
-// published figures.
+// Geodesics, checked against a differential equation that shares no code with the series of the product, and
+// against published figures.
 #include "geography/geodesic.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "geography/walked.h"
+#include "geography/geodesic_by_steps.h"
 #include "scenes.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 using testing::Random;
 
 TEST(Geodesic, HasThePublishedLengths) {
   // C. F. F. Karney's own example, and half the meridian.
-  const Geodesic way = geodesic_between({40.6, -73.8}, {51.6, -0.5});
-  EXPECT_NEAR(way.distance, 5551759.400319, 1e-6);
-  EXPECT_NEAR(way.azimuth, 51.198882845579824, 1e-12);
-  EXPECT_NEAR(way.azimuth_there, 107.821776735514, 1e-11);
+  const Geodesic line = geodesic_between({40.6, -73.8}, {51.6, -0.5});
+  EXPECT_NEAR(line.distance, 5551759.400319, 1e-6);
+  EXPECT_NEAR(line.azimuth, 51.198882845579824, 1e-12);
+  EXPECT_NEAR(line.azimuth_there, 107.821776735514, 1e-11);
   EXPECT_NEAR(geodesic_between({90, 0}, {-90, 0}).distance, greatest_distance, 1e-4);
   EXPECT_NEAR(geodesic_between({0, 0}, {0, 90}).distance, 6378137 * std::acos(0.0), 1e-8);
 }
@@ -38,17 +38,17 @@ TEST(Geodesic, LeadsWhereStepsAlongItLead) {
   }
 }
 
-TEST(Geodesic, BetweenTwoPlacesIsTheWayFromOneToTheOther) {
+TEST(Geodesic, BetweenTwoPlacesLeadsFromOneToTheOther) {
   Random random(2);
   for (int i = 0; i < 2000; ++i) {
     const LatLon from{random.in(-90, 90), random.in(-180, 180)};
     const double azimuth = random.in(-180, 180), distance = std::pow(10, random.in(-3, 6.5));
     const GeodesicEnd end = geodesic_from(from, azimuth, distance);
-    const Geodesic way = geodesic_between(from, end.place);
-    EXPECT_NEAR(way.distance, distance, 2e-8) << i;
-    EXPECT_NEAR(way.reduced_length, end.reduced_length, 2e-8) << i;
+    const Geodesic line = geodesic_between(from, end.place);
+    EXPECT_NEAR(line.distance, distance, 2e-8) << i;
+    EXPECT_NEAR(line.reduced_length, end.reduced_length, 2e-8) << i;
     // Its azimuth is known as well as its length lets it.
-    EXPECT_NEAR(std::remainder(way.azimuth - azimuth, 360) / 57.3 * distance, 0, 2e-8) << i;
+    EXPECT_NEAR(std::remainder(line.azimuth - azimuth, 360) / 57.3 * distance, 0, 2e-8) << i;
   }
 }
 
@@ -68,4 +68,4 @@ TEST(Geodesic, FromAPlaceToItselfIsNone) {
 }
 
 }  // namespace
-}  // namespace foresee::geography
+}  // namespace foresee

@@ -1,5 +1,5 @@
-// The globe: places in space against the formula in long doubles, velocities and accelerations against
-// geodesics that were walked.
+// Geocentric coordinates: places against the formula in long doubles, velocities and accelerations against
+// integrated geodesics.
 #include "geography/globe.h"
 
 #include <gtest/gtest.h>
@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "geography/walked.h"
+#include "geography/geodesic_by_steps.h"
 #include "scenes.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -32,20 +32,20 @@ TEST(Globe, PutsPlacesOnTheEllipsoid) {
 }
 
 /// As the header says: 0.001 m after 6 km, 0.19 m after 36 km, 7 m after 120 km.
-TEST(Globe, WhoGoesStraightOnStaysCloseToItsGeodesic) {
+TEST(Globe, AStraightCourseIsCloseToItsGeodesic) {
   Random random(2);
   double farthest[3] = {0, 0, 0};
-  const double ways[3] = {6000, 36000, 120000}, allowed[3] = {0.0012, 0.2, 7.2};
+  const double lengths[3] = {6000, 36000, 120000}, allowed[3] = {0.0012, 0.2, 7.2};
   for (int i = 0; i < 40; ++i) {
     const LatLon place{random.in(-85, 85), random.in(-180, 180)};
     const double course = random.in(0, 360), speed = 10;
     const OnGlobe point = to_globe({{place, Course{speed, course}}});
     for (int k = 0; k < 3; ++k) {
-      const double t = ways[k] / speed;
+      const double t = lengths[k] / speed;
       std::array<double, 3> then;
       for (std::size_t j = 0; j < 3; ++j)
         then[j] = point.x[j] + t * point.motion->v[j] + t * t / 2 * point.motion->a[j];
-      farthest[k] = std::max(farthest[k], off(then, on_ellipsoid(walked(place, course, ways[k]).place)));
+      farthest[k] = std::max(farthest[k], off(then, on_ellipsoid(walked(place, course, lengths[k]).place)));
     }
   }
   for (int k = 0; k < 3; ++k) {
@@ -81,9 +81,9 @@ TEST(Globe, AtThePoleHasAHeight) {
 }
 
 TEST(Globe, HasNoHeightAtItsCentre) {
-  EXPECT_THROW(from_globe({{0, 0, 0}, {}}), base::Error);
-  EXPECT_THROW(from_globe({{1e4, 1e4, -1e4}, {}}), base::Error);
+  EXPECT_THROW(from_globe({{0, 0, 0}, {}}), Error);
+  EXPECT_THROW(from_globe({{1e4, 1e4, -1e4}, {}}), Error);
 }
 
 }  // namespace
-}  // namespace foresee::geography
+}  // namespace foresee

@@ -1,5 +1,5 @@
-// The plane about an origin: distances and bearings from there, velocities as differences of places show
-// them.
+// The projection to a plane: distances and bearings from the origin, velocities against differences of
+// places.
 #include "geography/plane.h"
 
 #include <gtest/gtest.h>
@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "geography/walked.h"
+#include "geography/geodesic_by_steps.h"
 #include "scenes.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -25,15 +25,16 @@ TEST(Plane, KeepsDistanceAndBearingFromItsOrigin) {
     const LatLon origin{random.in(-90, 90), random.in(-200, 200)},
         place{random.in(-90, 90), random.in(-200, 200)};
     const OnPlane point = to_plane({place, {}}, origin);
-    const Geodesic way = geodesic_between(origin, place);
-    EXPECT_NEAR(std::hypot(point.x, point.y), way.distance, 1e-8) << i;
-    EXPECT_NEAR(std::remainder(std::atan2(point.x, point.y) * 57.29577951308232 - way.azimuth, 360), 0, 1e-12)
+    const Geodesic line = geodesic_between(origin, place);
+    EXPECT_NEAR(std::hypot(point.x, point.y), line.distance, 1e-8) << i;
+    EXPECT_NEAR(std::remainder(std::atan2(point.x, point.y) * 57.29577951308232 - line.azimuth, 360), 0,
+                1e-12)
         << i;
     EXPECT_FALSE(point.v) << i;
   }
 }
 
-/// A velocity is where one is a little later less where one was a little earlier, both walked in long
+/// A velocity is the difference of the places a little later and a little earlier, both integrated in long
 /// doubles.
 TEST(Plane, VelocityIsWhatDifferencesOfPlacesShow) {
   Random random(2);
@@ -66,7 +67,7 @@ TEST(Plane, LeadsBackToTheReport) {
     const Fix back = from_plane(to_plane({place, course}, origin), origin);
     EXPECT_NEAR(metres_between(back.place, place), 0, 1e-8) << i;
     EXPECT_NEAR(back.course->speed, course.speed, 1e-9 * course.speed) << i;
-    // A course is told from north, which turns quickly near a pole.
+    // A course is measured from north, which turns quickly near a pole.
     EXPECT_NEAR(degrees_between(back.course->degrees, course.degrees) * std::cos(place.lat / 57.3), 0, 1e-8)
         << i << ' ' << distance;
   }
@@ -90,17 +91,17 @@ TEST(Plane, KnowsCoursesOfAnySize) {
   EXPECT_EQ(zero.v, full.v);
 }
 
-TEST(Plane, WhoDoesNotMoveHasNoCourse) {
+TEST(Plane, AnObjectAtRestHasNoCourse) {
   const Fix fix = from_plane({1000, 2000, {{0, 0}}}, {54, 8});
   EXPECT_EQ(fix.course->speed, 0);
   EXPECT_TRUE(std::isnan(fix.course->degrees));
 }
 
 TEST(Plane, EndsAtTheOtherSideOfTheEarth) {
-  EXPECT_THROW(to_plane({{-30, 89.5}, Course{1, 2}}, {30, -90.5}), base::Error);
+  EXPECT_THROW(to_plane({{-30, 89.5}, Course{1, 2}}, {30, -90.5}), Error);
   EXPECT_NO_THROW(to_plane({{-30, 89.5}, {}}, {30, -90.5}));
-  EXPECT_THROW(from_plane({2.1e7, 0, {}}, {30, -90.5}), base::Error);
+  EXPECT_THROW(from_plane({2.1e7, 0, {}}, {30, -90.5}), Error);
 }
 
 }  // namespace
-}  // namespace foresee::geography
+}  // namespace foresee

@@ -1,16 +1,16 @@
-// From degrees to metres and back, where formulas divide by nothing: poles, their neighbourhood, the date
-// line, places opposite the origin, and speeds at either end of a double's range.
+// Conversions from degrees to metres and back, where formulas divide by zero. Cases: poles and their
+// neighbourhood, the date line, places opposite the origin, and speeds at either end of a double's range.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/error.h"
+#include "geography/geodesic_by_steps.h"
 #include "geography/globe.h"
 #include "geography/plane.h"
-#include "geography/walked.h"
 #include "scenes.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -54,7 +54,7 @@ LatLon any_place(Random& random, const LatLon& origin) {
   return {any_latitude(random), any_longitude(random)};
 }
 
-/// Velocities in space, which no convention about the longitude of a pole divides.
+/// Compares velocities in space, which do not depend on a convention for the longitude of a pole.
 double off(const Fix& a, const Fix& b) {
   const auto va = to_globe({a}).motion->v, vb = to_globe({b}).motion->v;
   return std::hypot(va[0] - vb[0], va[1] - vb[1], va[2] - vb[2]);
@@ -63,7 +63,7 @@ double off(const Fix& a, const Fix& b) {
 /// Nothing where no plane about the origin holds a velocity.
 OnPlane on_plane(const Fix& fix, const LatLon& origin) try {
   return to_plane(fix, origin);
-} catch (const base::Error&) {
+} catch (const Error&) {
   return to_plane({fix.place, {}}, origin);
 }
 
@@ -110,7 +110,7 @@ TEST(RoundTrip, LongitudesAtThePolesMayBeOfAnySize) {
 
 TEST(RoundTrip, WhereTheGeodesicsOfTheEquatorMeetThereIsNoVelocity) {
   const double meeting = 180 * (1 - 1 / 298.257223563);
-  EXPECT_THROW(to_plane({{0, meeting}, Course{5, 0}}, {0, 0}), base::Error);
+  EXPECT_THROW(to_plane({{0, meeting}, Course{5, 0}}, {0, 0}), Error);
   EXPECT_NO_THROW(to_plane({{0, meeting}, {}}, {0, 0}));
   EXPECT_NO_THROW(to_plane({{0, meeting - 0.01}, Course{5, 0}}, {0, 0}));
 }
@@ -156,7 +156,7 @@ TEST(RoundTrip, OfSpeedsOfAnySize) {
 TEST(RoundTrip, AVelocityIsFiniteWhereADoubleHoldsIt) {
   // At 10 N 170 E the plane about 0, 0 is stretched by about five across.
   const LatLon place{10, 170}, origin{0, 0};
-  EXPECT_THROW(to_plane({place, Course{1.79e308, 0}}, origin), base::Error);
+  EXPECT_THROW(to_plane({place, Course{1.79e308, 0}}, origin), Error);
   const OnPlane fits = to_plane({place, Course{0.1 * largest, 0}}, origin),
                 one = to_plane({place, Course{0.1, 0}}, origin);
   for (std::size_t k = 0; k < 2; ++k)
@@ -170,21 +170,21 @@ TEST(RoundTrip, AVelocityIsFiniteWhereADoubleHoldsIt) {
   EXPECT_EQ((*to_plane({origin, Course{smallest, 90}}, origin).v)[0], smallest);
   EXPECT_EQ(from_plane({0, 0, {{largest, 0}}}, origin).course->speed, largest);
   EXPECT_EQ(from_plane({0, 0, {{0, -smallest}}}, origin).course->degrees, 180);
-  EXPECT_THROW(from_plane({0, 0, {{0.9 * largest, 0.9 * largest}}}, origin), base::Error);
+  EXPECT_THROW(from_plane({0, 0, {{0.9 * largest, 0.9 * largest}}}, origin), Error);
 }
 
 TEST(RoundTrip, OnTheGlobeIsFiniteWhereADoubleHoldsIt) {
   const OnGlobe fast = to_globe({{{0, 0}, Course{1e157, 90}}});
   EXPECT_NEAR(fast.motion->a[0] / (-1e157 / 6378137 * 1e157), 1, 1e-12);
-  EXPECT_THROW(to_globe({{{0, 0}, Course{1e160, 90}}}), base::Error);
-  EXPECT_THROW(to_globe({{{0, 0}, {}}, -6378137}), base::Error);
-  EXPECT_THROW(to_globe({{{0, 0}, Course{1, 2}}, -1e7}), base::Error);
+  EXPECT_THROW(to_globe({{{0, 0}, Course{1e160, 90}}}), Error);
+  EXPECT_THROW(to_globe({{{0, 0}, {}}, -6378137}), Error);
+  EXPECT_THROW(to_globe({{{0, 0}, Course{1, 2}}, -1e7}), Error);
   EXPECT_EQ(to_globe({{{0, 0}, {}}, 1.7e308}).x[0], 1.7e308);
-  EXPECT_THROW(from_globe({{1.7e308, 1.7e308, 0}, {}}), base::Error);
+  EXPECT_THROW(from_globe({{1.7e308, 1.7e308, 0}, {}}), Error);
   EXPECT_EQ(from_globe({{1.7e308, 0, 0}, {}}).height, 1.7e308);
   const Flight flight = from_globe({{6.4e6, 0, 0}, OnGlobe::Motion{{0, 0.5 * largest, 0.5 * largest}, {}}});
   EXPECT_NEAR(flight.fix.course->speed / largest, std::sqrt(0.5), 1e-15);
-  EXPECT_THROW(from_globe({{6.4e6, 0, 0}, OnGlobe::Motion{{0, largest, largest}, {}}}), base::Error);
+  EXPECT_THROW(from_globe({{6.4e6, 0, 0}, OnGlobe::Motion{{0, largest, largest}, {}}}), Error);
 }
 
 TEST(RoundTrip, OnTheAxisThereIsOneLongitude) {
@@ -199,4 +199,4 @@ TEST(RoundTrip, OnTheAxisThereIsOneLongitude) {
 }
 
 }  // namespace
-}  // namespace foresee::geography
+}  // namespace foresee

@@ -243,7 +243,7 @@ class Tiles(Fleet):
         self.assertEqual(len(list((self.out / "shards").iterdir())), 2)
 
     def test_columns_of_motion_are_those_of_the_extension(self):
-        words = re.findall(r'Word\{"(\w+)"', (ROOT / "ext/sqlite/table/vocabulary.cpp").read_text())
+        words = re.findall(r'Word\{"(\w+)"', (ROOT / "ext/sqlite/table/column_vocabulary.cpp").read_text())
         self.assertEqual(set(MOTION), {"id", *words})
 
     def test_parquet(self):

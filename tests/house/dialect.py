@@ -62,7 +62,8 @@ WORDS = [(re.compile(pattern, re.I), write) for pattern, write in [
     (r"\bnought\b|\bwhence\b|\baslant\b", "zero, from which, rotated"),
 ]]
 
-# Of identifiers in snake_case: words between _ or at an end. `asked` and `told` are columns of stored watches.
+# Of identifiers in snake_case: words between _ or at an end. `told` is a column of stored watches, `asked` and `anew` are keys of
+# their _meta.
 NAMES = [(re.compile(rf"(?:^|_)(?:{pattern})(?=_|$)"), write) for pattern, write in [
     (r"asked|asks?", "queried, query, requested"),
     (r"told|tells?", "reported, logged"),
@@ -85,7 +86,7 @@ NAMES = [(re.compile(rf"(?:^|_)(?:{pattern})(?=_|$)"), write) for pattern, write
     (r"(?<!at_)least", "min, lower_bound"),
     (r"ways?", "path, trajectory, context, method, crossing"),
     (r"looks", "evaluations"),
-    (r"for_ever", "unbounded"),
+    (r"for_?ever", "unbounded"),
     (r"powers", "coefficients"),
     (r"letter", "reference"),
     (r"anew", "again; rebuild, recompute"),
@@ -94,8 +95,8 @@ NAMES = [(re.compile(rf"(?:^|_)(?:{pattern})(?=_|$)"), write) for pattern, write
     (r"rooms", "modules"),
 ]]
 # Names of stored columns, and words in another sense.
-LEGITIMATE_NAMES = re.compile(r"^(?:t_least|until_least|are_most|is_letter|letter|letter_of|limit_letter|leaf_stays|looks_ahead)$")
-STORED_COLUMNS = re.compile(r"(?:^|_)(?:asked|told)(?=_|$)")
+LEGITIMATE_NAMES = re.compile(r"^(?:t_min|until_least|is_majority|is_letter|letter|letter_of|limit_letter|keeps_leaf|looks_ahead)$")
+STORED_COLUMNS = re.compile(r"(?:^|_)(?:asked|told|anew)(?=_|$)")
 
 HEADINGS = [(re.compile(pattern, re.I), write) for pattern, write in [
     (r"^what bites$", "Pitfalls"),

@@ -16,9 +16,7 @@ from pathlib import Path
 from house import ROOT, main
 from prose import split_code_line, without_raw_pages
 
-# GOALS are final. TODAY has the figures that are larger than their goal at present; they may only be lowered, and an entry whose
-# goal is reached is removed.
-GOALS = {
+LIMITS = {
     "C++ files of ext/": 550,
     "private headers": 32,
     "private headers without a reason": 0,
@@ -26,18 +24,43 @@ GOALS = {
     "folders over 26 files": 0,
     "includes without a use in tests": 0,
 }
-TODAY = {
-    "C++ files of ext/": 608,
-    "private headers": 64,
-    "private headers without a reason": 64,
-    "files over 300 lines": 1,  # storage/table/store.h
-    "folders over 26 files": 5,  # index/tpr_tree, index/gpcd_grid, sqlite/functions, shape, tests/sqlite
-}
 LONGEST_FILE = 300
 FULLEST_FOLDER = 26
 
 # The private headers that stay, each with the reason why it is not part of its user.
 PRIVATE = {
+    "query/join/slab_helpers.h": "threads of a join with an interface of their own; join.cpp would have over 300 lines",
+    "shape/outline/triangulation.h": "the public header of triangulation.cpp; convex_pieces.cpp would have over 300 lines",
+    "storage/nodes/map_changes.h": "a log with an interface of its own; node_cache.h would have over 300 lines",
+    "storage/nodes/object_spill.h": "a temporary file of objects; store_pack.cpp would have over 300 lines",
+    "storage/table/integrity_check.h": "the public header of integrity_check.cpp, which has 243 lines",
+    "storage/table/stored_forms.h": "a cache of outlines and meshes; store.h would have over 300 lines",
+    "storage/table/tree_snapshot.h": "a class of its own; store_transactions.cpp would have over 300 lines",
+    "contact/boxes/box_lanes_kernel.h": "one file with its kernel has 320 lines: it settles meetings, the kernel settles ends",
+    "contact/certain/certain_slope.h": "one file with closest_approach.cpp has 310 lines; a subject of its own, signs of the slope",
+    "contact/clearance/bent_separation.h": "the interface of bent_separation.cpp; both with separation_increase.cpp have 528 lines",
+    "contact/set_contact.h": "the base class of BoxContact and a template that set_contact.cpp instantiates alone",
+    "contact/mesh/containment.h": "the interface of ray tests, which compile apart from mesh_contact.cpp",
+    "contact/mesh/disc_tests.h": "node tests by bounding discs, which compile apart from mesh_contact.cpp",
+    "contact/mesh/space_tests.h": "with mesh_contact.cpp it would have 337 lines",
+    "contact/mesh/triangle_filter.h": "a stage of its own, in plain doubles and not in bounded ones",
+    "contact/pieces/endpoint_rounding.h": "with union_pair.h it would have 386 lines",
+    "contact/pieces/pair_intervals.h": "with union_pair.h it would have 393 lines",
+    "sqlite/functions/function_plan.h": "planning of a call, apart from the virtual table; both in one file exceed 300 lines",
+    "sqlite/names/table_lookups.h": "the cache of table look-ups has a contract of its own, apart from the connection's state",
+    "sqlite/table/layout_rules.h": "the rules of declared columns, apart from parsing; both in one file exceed 300 lines",
+    "sqlite/table/record_values.h": "conversion of SQL values into a record, apart from the table's life cycle",
+    "sqlite/table/row_write.h": "the body of xUpdate, apart from the other methods; both in one file exceed 300 lines",
+    "sqlite/watch/declare_watch.h": "parsing of a watch's declaration, apart from its methods; both in one file exceed 300 lines",
+    "sqlite/watch/watched_tables.h": "the tables that a watch reads, apart from the search for their pairs",
+    "query/avoid/clear_ranges.h": "the interface of clear_ranges.cpp; with avoid.cpp it would have over 500 lines",
+    "query/avoid/initial_state.h": "with avoid.cpp it would have over 300 lines",
+    "query/avoid/intruders.h": "the interface of intruders.cpp; with avoid.cpp it would have over 400 lines",
+    "index/gpcd_grid/lanes.h": "with grid.h it would have over 450 lines; the lanes of one stripe are a subject of their own",
+    "index/gpcd_grid/scan_vectors.h": "with scan.kernel.cpp it would have over 340 lines; registers per instruction set, no algorithm",
+    "index/tpr_tree/bulk_load/space_partitioning.h": "with tpr_tree.cpp it would have over 360 lines",
+    "index/tpr_tree/update/merge.h": "with tpr_tree.cpp it would have over 480 lines",
+    "index/tpr_tree/update/node_split.h": "with insertion.cpp it would have over 300 lines; the split heuristic is a subject of its own",
 }
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
@@ -183,8 +206,7 @@ def list_private(root):
 
 class Grain(unittest.TestCase):
     def holds(self, what, found):
-        """At most as many as today or, where nothing is listed of today, as the goal says."""
-        limit = TODAY.get(what, GOALS[what])
+        limit = LIMITS[what]
         shown = "\n".join([str(one) for one in (found.items() if isinstance(found, dict) else found)][:100])
         self.assertLessEqual(len(found), limit, f"{what}: {len(found)}, limit {limit}\n{shown}")
 
@@ -205,9 +227,6 @@ class Grain(unittest.TestCase):
 
     def test_tests_use_what_they_include(self):
         self.holds("includes without a use in tests", useless_includes(ROOT))
-
-    def test_figures_of_today_are_above_their_goals(self):
-        self.assertEqual([what for what, figure in TODAY.items() if figure <= GOALS[what]], [])
 
 
 class Checker(unittest.TestCase):

@@ -1,5 +1,5 @@
-"""One name, one type, in all rooms: a room knows the names of those to its right, so that two of one name would be
-ambiguous or hide each other; within a room they are undefined behaviour that no compiler reports (it has crashed a build).
+"""One name, one type: all headers stand in one namespace, and two types of one name are undefined behaviour that no
+compiler reports where no file includes both (it has crashed a build).
 
     python3 names_test.py
 """
@@ -31,9 +31,9 @@ class Names(unittest.TestCase):
 
     def test_two_types_of_one_name_are_found(self):
         with tempfile.TemporaryDirectory() as folder:
-            for room, text in {"a": "struct Name {\n};\n", "b": "class Name final : public Base {\n};\nstruct Other;\n",
+            for module, text in {"a": "struct Name {\n};\n", "b": "class Name final : public Base {\n};\nstruct Other;\n",
                                "c": "struct Other {};\n"}.items():
-                (Path(folder) / f"{room}.h").write_text(text)
+                (Path(folder) / f"{module}.h").write_text(text)
             self.assertEqual(shared_names(folder)[0], {"Name": ["a.h", "b.h"]})
 
 

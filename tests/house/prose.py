@@ -12,7 +12,7 @@ from bisect import bisect_right
 from dataclasses import dataclass, field
 
 CODE = re.compile(r"'[^'\s]+'|``[^`]+``|`[^`]*`|\"[^\"]*\"|“[^”]*”|\*\*?SQL\*\*?|\bhttps?://\S+|<!--.*?-->|\]\([^)]*\)|</?\w+[^>\n]*>")
-SQL = re.compile(r"\b(TIN|POLYGON|MULTIPOLYGON|POLYHEDRALSURFACE|SELECT|INSERT|UPDATE|DELETE FROM|CREATE|DROP|ALTER|PRAGMA|SAVEPOINT|ROLLBACK|RELEASE|WHERE|VALUES|BEGIN|COMMIT)\b"
+SQL = re.compile(r"\b(TIN|POLYGON|MULTIPOLYGON|POLYHEDRALSURFACE|SELECT|INSERT|UPDATE|DELETE FROM|CREATE|DROP|ALTER|PRAGMA|SAVEPOINT|ROLLBACK|RELEASE|WHERE|VALUES|BEGIN|COMMIT|PRIMARY KEY)\b"
                  r"|^\s*(REAL|INTEGER|TEXT|HIDDEN)\b")
 RAW, PLAIN, CHARACTER = re.compile(r'R"(\w*)\((.*?)\)\1"'), re.compile(r'"((?:[^"\\]|\\.)*)"'), re.compile(r"'(?:[^'\\]|\\.)+'")
 COMMENT = re.compile(r"^\s*//[/!]?<?(.*)$")
@@ -73,7 +73,7 @@ def without_raw_pages(text):
 
 
 def prose_of_cpp(text):
-    pieces, comment, message = [], None, None
+    pieces, comment, message, code_before = [], None, None, ""
 
     def close():
         nonlocal comment
@@ -98,13 +98,13 @@ def prose_of_cpp(text):
             comment = Piece("comment")
             comment.add(number, re.sub(r"^//[/!]?<?", "", beside))
         if literals and not code.lstrip().startswith("#include"):
-            if message is not None and message.lines[-1] == number - 1 and code.lstrip().startswith('"'):
-                pass
-            else:
+            goes_on = code.lstrip().startswith('"') and not code_before.endswith(",")  # not the next literal of a list
+            if message is None or message.lines[-1] != number - 1 or not goes_on:
                 message = Piece("message")
                 pieces.append(message)
             for literal in literals:
                 message.add(number, literal)
+        code_before = code.rstrip()
     close()
     return [without_code(piece) for piece in pieces
             if piece.kind != "message" or (" " in piece.text.strip() and not SQL.search(piece.text))]

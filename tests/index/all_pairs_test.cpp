@@ -1,7 +1,8 @@
+// All pairs as candidates: each pair once, in batches, and interruptible.
 #include "index/all_pairs.h"
 
 #include "candidate_pairs.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
 namespace foresee::testing {
 namespace {
@@ -33,7 +34,7 @@ TEST(AllPairs, ComesInBatchesOfAFewThousand) {
   EXPECT_LE(batch.size(), 10000u);
 }
 
-TEST(AllPairs, StopsWhenAsked) {
+TEST(AllPairs, StopsWhenInterrupted) {
   StopAt stop(2);
   auto candidates = make_all_pairs(10000, stop);
   std::vector<Pair> batch;

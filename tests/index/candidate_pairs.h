@@ -1,4 +1,4 @@
-// What every index test compares: the pairs of an index as a sorted list, and the plain answer.
+// Helpers of index tests: the candidates of an index as a sorted list, and all pairs that meet.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "index/candidates.h"
-#include "never.h"
+#include "never_interrupt.h"
 #include "scenes.h"
 
 namespace foresee::testing {
 
-/// Everything that `candidates` has, in any order.
+/// All pairs of `candidates`, in any order.
 inline std::vector<Pair> drain(Candidates& candidates) {
   std::vector<Pair> pairs;
   while (candidates.next(pairs)) {
@@ -21,7 +21,7 @@ inline std::vector<Pair> drain(Candidates& candidates) {
   return pairs;
 }
 
-/// Each pair as {smaller, larger}: how pairs within one side are compared.
+/// Each pair as {smaller, larger}, for the comparison of pairs within one side.
 inline std::vector<Pair> within_order(std::vector<Pair> pairs) {
   for (Pair& pair : pairs)
     if (pair.a > pair.b) std::swap(pair.a, pair.b);
@@ -34,7 +34,7 @@ inline std::vector<Pair> in_order(std::vector<Pair> pairs) {
   return pairs;
 }
 
-/// An empty box meets nothing, not even a box that is infinite on every side.
+/// An empty box meets no box, not even one that is infinite on every side.
 template <int D>
 bool meet(const Box<D>& a, const Box<D>& b) {
   return !a.is_empty() && !b.is_empty() && a.meets(b);
@@ -58,7 +58,7 @@ std::vector<Pair> pairs_that_meet(std::span<const Box<D>> a, std::span<const Box
   return pairs;
 }
 
-/// Expects that sorted `found` has every pair of `wanted` once, none twice, and no more than `extra` others.
+/// Expects that sorted `found` has every pair of `wanted` once, none twice, and at most `extra` others.
 inline void expect_all_once(const std::vector<Pair>& found, const std::vector<Pair>& wanted,
                             std::size_t extra) {
   EXPECT_TRUE(std::adjacent_find(found.begin(), found.end()) == found.end()) << "a pair comes twice";

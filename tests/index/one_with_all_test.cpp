@@ -1,8 +1,9 @@
+// Candidates of one row: its pairs with every row of the other side, each once.
 #include "index/one_with_all.h"
 
 #include <gtest/gtest.h>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 std::vector<Pair> all_of(const OneWithAll& rows) {
@@ -28,4 +29,4 @@ TEST(OneWithAll, GoesOnAcrossBatches) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// The scene generator itself: the numbers that every other seeded test stands on.
+// The generator of random scenes, on which every other seeded test depends.
 #include "scenes.h"
 
 #include <gtest/gtest.h>

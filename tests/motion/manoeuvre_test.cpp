@@ -1,4 +1,4 @@
-// The five manoeuvres, and that a set of changed motions holds each of them.
+// The five manoeuvres; a set of changed motions contains each of them.
 #include "motion/manoeuvre.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "motion/motion_set.h"
 #include "scenes.h"
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -47,7 +47,7 @@ TEST(Manoeuvre, ChangesWhatItSays) {
   EXPECT_EQ(pushed.a, (std::array<double, 3>{1.3, 0.4, 0}));
 }
 
-TEST(Manoeuvre, IsAsOfTheMomentOfTheChange) {
+TEST(Manoeuvre, IsAsOfTheTimeOfTheChange) {
   OwnMotion motion;
   motion.x = {1, 0, 0}, motion.v = {2, 0, 0}, motion.a = {1, 0, 0};
   const OwnMotion from = motion_from(motion, 4);
@@ -80,15 +80,15 @@ TEST(MotionSet, HoldsEachOfItsMotions) {
       there += n[axis] * (one.x[j] - base.x[j] + one.v[j] * s + 0.5 * one.a[j] * s * s);
       speed += n[axis] * one.v[j];
     }
-    const double most =
-        set.place.most(n) + set.velocity.most(n) * tau + 0.5 * set.acceleration.most(n) * tau * tau;
-    EXPECT_LE(there, most + 1e-13 * (1 + std::abs(most))) << name_of(manoeuvre);
+    const double bound =
+        set.place.support(n) + set.velocity.support(n) * tau + 0.5 * set.acceleration.support(n) * tau * tau;
+    EXPECT_LE(there, bound + 1e-13 * (1 + std::abs(bound))) << name_of(manoeuvre);
     if (manoeuvre != Manoeuvre::delay) {
-      EXPECT_LE(speed, set.velocity.most(n));
+      EXPECT_LE(speed, set.velocity.support(n));
     }
-    EXPECT_GE(set.velocity.most(n), -set.velocity.most(-n));
+    EXPECT_GE(set.velocity.support(n), -set.velocity.support(-n));
   }
 }
 
 }  // namespace
-}  // namespace foresee::motion
+}  // namespace foresee

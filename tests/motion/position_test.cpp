@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -32,14 +32,14 @@ TEST(Position, CarriesTheElapsedTimeExactly) {
   EXPECT_NEAR(state_at(fast, 1e9).x[0], -1, 1e-6);
 }
 
-TEST(Position, StaysAtRestThroughAnyTime) {
+TEST(Position, AtRestIsTheSameAtAnyTime) {
   const Motion<1> rock{.t = -1.7e308, .x = Vec<1>(5.0), .v = Vec<1>(0.0), .a = Vec<1>(0.0), .until = inf};
   EXPECT_EQ(state_at(rock, 1.7e308).x[0], 5);
 }
 
 TEST(Position, IsInfiniteOnlyWhereNoDoubleHoldsIt) {
-  const auto at = [](double t, double x, double v, double a, double moment) {
-    return state_at(Motion<1>{.t = t, .x = Vec<1>(x), .v = Vec<1>(v), .a = Vec<1>(a), .until = inf}, moment);
+  const auto at = [](double t, double x, double v, double a, double time) {
+    return state_at(Motion<1>{.t = t, .x = Vec<1>(x), .v = Vec<1>(v), .a = Vec<1>(a), .until = inf}, time);
   };
   // v·s = 1e400 and a·s²/2 = -1e400 cancel; what is left is x.
   EXPECT_EQ(at(0, 7, 0x1p700, -0x1p-99, 0x1p800).x[0], 7);
@@ -55,4 +55,4 @@ TEST(Position, IsInfiniteOnlyWhereNoDoubleHoldsIt) {
 }
 
 }  // namespace
-}  // namespace foresee::motion
+}  // namespace foresee

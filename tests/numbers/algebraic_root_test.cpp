@@ -7,7 +7,7 @@
 #include "numbers/factors.h"
 #include "numbers/wide_numbers.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -122,7 +122,7 @@ TEST(AlgebraicRoot, SignsOfOtherPolynomialsAreThoseOfTheValues) {
   }
 }
 
-/// Two polynomials have the root 1 in common, but the question is about one that lies 2^-40 beside it.
+/// Two polynomials have the root 1 in common, but the sign is computed at a root 2^-40 beside it.
 TEST(AlgebraicRoot, SignsBesideACommonRootAreNotZero) {
   const Dyadic one(1.0);
   for (const Polynomial& factor : {polynomial({1}), polynomial({1, 1}), polynomial({1, 0, 1})})
@@ -200,11 +200,12 @@ TEST(AlgebraicRoot, RecognizesNumbersOfFewDigits) {
   EXPECT_FALSE(recognized(multiplied(polynomial({-1, 3}), polynomial({1, 0, 1})), Wide(1) / 3));
 }
 
-/// A leading coefficient of which 128 bits know only that it is about 0.
+/// 128 bits of the leading coefficient show only that it is about 0.
 TEST(LazyPolynomial, DegreeIsThatOfTheExactPolynomial) {
   const ExactSource source(polynomial({-3, 2}));
   const Midrad128 about_zero = Midrad128::hull(Midrad128(), Midrad128(2.0)) - Midrad128(1.0);
-  LazyPolynomial::Coefficients rough{Midrad128(-3.0), Midrad128(2.0), about_zero, about_zero, about_zero};
+  LazyPolynomial::RoughCoefficients rough{Midrad128(-3.0), Midrad128(2.0), about_zero, about_zero,
+                                          about_zero};
   LazyPolynomial lazy(rough, source, 0);
   EXPECT_EQ(lazy.degree(), 1);
   EXPECT_EQ(lazy.lead(), 1);
@@ -227,4 +228,4 @@ TEST(LazyPolynomial, SignsAtNumbersAreExact) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,13 +1,13 @@
-// Doubles that know how wrong they may be: the exact number is within the bound, and the bound is not much
-// more than the roundings.
+// Doubles with an error bound: the exact number is within the bound, and the bound is not much larger than
+// the roundings.
 #include "numbers/bounded.h"
 
 #include <gtest/gtest.h>
 
-#include "numbers/powers.h"
+#include "numbers/coefficients.h"
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -117,4 +117,4 @@ TEST(Bounded, BoundContainsWhatUnderflowLoses) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

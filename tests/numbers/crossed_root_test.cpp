@@ -1,12 +1,11 @@
-// The Newton step with an error radius: what it names is the instant rounded once, and what it cannot name is
-// NaN.
+// The Newton step with an error radius: a known instant is the exact one rounded once, all others are NaN.
 #include "numbers/crossed_root.h"
 
 #include <gtest/gtest.h>
 
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -50,7 +49,7 @@ TEST(CrossedRoot, KnownInstantsAreTheExactOnesRoundedOnce) {
   for (int i = 0; i < all; ++i) {
     const Parabola p = falling(inputs, inputs.between(15, 60));
     const double base = std::abs(inputs.number(-4, 4)), now = inputs.number(-4, 12);
-    const Instant in = root_of<Way::in>(p.known, now, base, 0x1p-15);
+    const Instant in = root_of<CrossingDirection::entering>(p.known, now, base, 0x1p-15);
     if (in.dt == in.dt) {
       EXPECT_TRUE(is_nearest(p, rational(base), in.dt));
     }
@@ -68,7 +67,8 @@ TEST(CrossedRoot, LeavingIsEnteringOfTheNegative) {
   for (int i = 0; i < cases(1000); ++i) {
     const Crossed p = falling(inputs, 40).known;
     const Crossed negative{-p.value, p.value_error, -p.slope, p.slope_error, p.bend};
-    const Instant in = root_of<Way::in>(p, 7, 3, 0x1p-15), out = root_of<Way::out>(negative, 7, 3, 0x1p-15);
+    const Instant in = root_of<CrossingDirection::entering>(p, 7, 3, 0x1p-15),
+                  out = root_of<CrossingDirection::leaving>(negative, 7, 3, 0x1p-15);
     EXPECT_EQ(in.known(), out.known());
     if (!in.known()) continue;
     EXPECT_EQ(in.dt, out.dt);
@@ -80,7 +80,8 @@ TEST(CrossedRoot, LeavingIsEnteringOfTheNegative) {
 TEST(CrossedRoot, IsUnknownWhereTheSlopeMayVanish) {
   const DoubleDouble value{0x1p-50, 0};
   const auto entered = [&](double slope, double slope_error, double bend, double width) {
-    return root_of<Way::in>({value, 0x1p-988, slope, slope_error, bend}, 0, 1, width).known();
+    return root_of<CrossingDirection::entering>({value, 0x1p-988, slope, slope_error, bend}, 0, 1, width)
+        .known();
   };
   EXPECT_TRUE(entered(-1, 0x1p-40, 0x1p-10, 0x1p-40));
   EXPECT_FALSE(entered(-1, 0x1p-40, 1, 1)) << "turns within the width";
@@ -94,7 +95,7 @@ TEST(CrossedRoot, IsUnknownWhereTheSlopeMayVanish) {
 TEST(CrossedRoot, IsUnknownWhereTheErrorReachesATie) {
   const double ulp = 0x1p-52;
   const auto entered = [&](double step, double error) {
-    return root_of<Way::in>({{step, 0}, error, -1, 0x1p-900, 0}, 0, 1, ulp);
+    return root_of<CrossingDirection::entering>({{step, 0}, error, -1, 0x1p-900, 0}, 0, 1, ulp);
   };
   EXPECT_EQ(entered(0.25 * ulp, 0x1p-80).dt, 1);
   EXPECT_EQ(entered(0.75 * ulp, 0x1p-80).dt, 1 + ulp);
@@ -127,4 +128,4 @@ TEST(RoundedInstant, EveryNumberWithinTheRadiusRoundsToIt) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -49,7 +49,7 @@ TEST(DoubleDouble, HighPartIsTheRoundedResult) {
   }
 }
 
-/// Down to products of 2^-968, whose last bit is the least double.
+/// Down to products of 2^-968, whose last bit is the smallest double.
 TEST(DoubleDouble, ProductOfTwoDoublesIsExactUnlessItUnderflows) {
   Inputs inputs(3);
   for (int i = 0; i < cases(4000); ++i) {
@@ -113,4 +113,4 @@ TEST(DoubleDouble, IsSymmetricUnderNegationAndExchange) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -5,13 +5,13 @@
 
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
 
 constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = 5e-324;
+constexpr double smallest = 5e-324;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Dyadic, HoldsEveryDoubleExactly) {
@@ -22,7 +22,7 @@ TEST(Dyadic, HoldsEveryDoubleExactly) {
     EXPECT_EQ(rounded(Dyadic(x)), x);
   }
   EXPECT_EQ(Dyadic(-0.0).sign(), 0);
-  EXPECT_EQ(Dyadic(-least).sign(), -1);
+  EXPECT_EQ(Dyadic(-smallest).sign(), -1);
 }
 
 TEST(Dyadic, SumsAndProductsAreExact) {
@@ -75,7 +75,7 @@ TEST(Dyadic, MagnitudeIsTheFloorOfTheBinaryLogarithm) {
     EXPECT_LT(size, power_of_two(a.magnitude() + 1));
   }
   EXPECT_EQ(Dyadic(-8.0).magnitude(), 3);
-  EXPECT_EQ(Dyadic(least).magnitude(), -1074);
+  EXPECT_EQ(Dyadic(smallest).magnitude(), -1074);
 }
 
 TEST(Dyadic, RoundsToTheNearestDouble) {
@@ -106,16 +106,16 @@ TEST(Dyadic, RoundsTiesToEvenAndNothingElse) {
 TEST(Dyadic, RoundsToInfinityFromHalfAnUlpBeyondTheLargest) {
   const Dyadic half_ulp = Dyadic::power_of_two(970), limit = Dyadic(largest) + half_ulp;
   EXPECT_EQ(rounded(limit), infinity);
-  EXPECT_EQ(rounded(limit - Dyadic(least)), largest);
+  EXPECT_EQ(rounded(limit - Dyadic(smallest)), largest);
   EXPECT_EQ(rounded(-limit), -infinity);
   EXPECT_EQ(rounded(Dyadic::power_of_two(100000)), infinity);
 }
 
-TEST(Dyadic, RoundsToZeroUpToHalfTheLeastDouble) {
+TEST(Dyadic, RoundsToZeroUpToHalfTheSmallestDouble) {
   const Dyadic half = Dyadic::power_of_two(-1075);
   EXPECT_EQ(rounded(half), 0);
-  EXPECT_EQ(rounded(half + half.scaled(-200)), least);
-  EXPECT_EQ(rounded(half + half + half), 2 * least);
+  EXPECT_EQ(rounded(half + half.scaled(-200)), smallest);
+  EXPECT_EQ(rounded(half + half + half), 2 * smallest);
   EXPECT_EQ(rounded(Dyadic::power_of_two(-1076)), 0);
   EXPECT_EQ(rounded(-Dyadic::power_of_two(-100000)), 0);
   EXPECT_FALSE(std::signbit(rounded(-half)));
@@ -123,12 +123,12 @@ TEST(Dyadic, RoundsToZeroUpToHalfTheLeastDouble) {
 
 /// Also beyond the 1024 bits that live inside an Integer.
 TEST(Integer, LengthAndZerosAreThoseOfTheBinaryDigits) {
-  EXPECT_EQ(length_of(Integer(0)), 0);
+  EXPECT_EQ(bit_length(Integer(0)), 0);
   for (int exponent = 0; exponent < 2500; exponent += 13) {
     const Integer power = Integer(1) << exponent;
-    EXPECT_EQ(length_of(power), exponent + 1);
-    EXPECT_EQ(length_of(-power), exponent + 1);
-    EXPECT_EQ(length_of(power - 1), exponent);
+    EXPECT_EQ(bit_length(power), exponent + 1);
+    EXPECT_EQ(bit_length(-power), exponent + 1);
+    EXPECT_EQ(bit_length(power - 1), exponent);
     EXPECT_EQ(zeros_of(power), exponent);
     EXPECT_EQ(zeros_of(-3 * power), exponent);
   }
@@ -146,10 +146,10 @@ TEST(Integer, WithoutLastCutsTowardsZero) {
 }
 
 /// Whose lowest word is 1: >> of Boost 1.74 makes it positive.
-TEST(Integer, CutNegativeNumbersStayNegative) {
+TEST(Integer, CutNegativeNumbersRemainNegative) {
   const Integer number = -((Integer(5) << 128) + 1);
   EXPECT_EQ(without_last(number, 3), -(Integer(5) << 125));
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

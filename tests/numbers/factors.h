@@ -7,18 +7,18 @@
 #include "numbers/algebraic_root.h"
 #include "numbers/polynomial.h"
 
-namespace foresee::numbers::judge {
+namespace foresee::judge {
 
 /// By coefficients of powers 0, 1, 2, ...
 inline Polynomial polynomial(std::initializer_list<double> coefficients) {
-  std::array<Dyadic, Polynomial::most + 1> c;
+  std::array<Dyadic, Polynomial::max_degree + 1> c;
   std::size_t k = 0;
   for (const double coefficient : coefficients) c.at(k++) = Dyadic(coefficient);
   return Polynomial(c);
 }
 
 inline Polynomial multiplied(const Polynomial& p, const Polynomial& q) {
-  std::array<Dyadic, Polynomial::most + 1> c;
+  std::array<Dyadic, Polynomial::max_degree + 1> c;
   for (int i = 0; i <= p.degree; ++i)
     for (int j = 0; j <= q.degree; ++j) c.at(i + j) = c.at(i + j) + p.c[i] * q.c[j];
   return Polynomial(c);
@@ -38,7 +38,7 @@ class ExactSource : public PolynomialSource {
  public:
   /// Off by up to 2^-`digits` of each coefficient; 0: not at all.
   explicit ExactSource(Polynomial p, int digits = 0) : polynomial_(std::move(p)) {
-    LazyPolynomial::Coefficients rough;
+    LazyPolynomial::RoughCoefficients rough;
     for (int k = 0; k <= polynomial_.degree; ++k) {
       const Midrad128 c(polynomial_.c[k]);
       if (digits > 0 && c.sign() != 0) {
@@ -60,4 +60,4 @@ class ExactSource : public PolynomialSource {
   std::unique_ptr<LazyPolynomial> lazy_;
 };
 
-}  // namespace foresee::numbers::judge
+}  // namespace foresee::judge

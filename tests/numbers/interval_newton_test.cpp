@@ -1,5 +1,4 @@
-// Closing in on the one root between two numbers: it is never lost, and the bracket ends as narrow as the
-// numbers are long.
+// The interval Newton method: the root is never lost, and the bracket ends as narrow as the length allows.
 #include "numbers/interval_newton.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +6,7 @@
 #include "numbers/factors.h"
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -26,13 +25,13 @@ struct Narrowed {
 Narrowed narrowed(const Bracketed& b, int bits) {
   const int sign_low = sign_at(b.p, b.low);
   if (bits == 128) {
-    Powers<Midrad128> c;
+    Coefficients<Midrad128> c;
     for (std::size_t k = 0; k < c.size(); ++k) c[k] = Midrad128(b.p.c[k]);
     const Midrad128 low(b.low), high(b.high);
     const IntervalNewton<Midrad128> n(c, b.p.degree, low, high, sign_low, bits);
     return {n.low.dyadic(), n.high.dyadic()};
   }
-  Powers<Midrad> c;
+  Coefficients<Midrad> c;
   for (std::size_t k = 0; k < c.size(); ++k) c[k] = Midrad(b.p.c[k], bits);
   const IntervalNewton<Midrad> n(c, b.p.degree, b.low, b.high, sign_low, bits);
   return {n.low, n.high};
@@ -113,7 +112,7 @@ TEST(IntervalNewton, FindsARootBesideAnother) {
 /// Known only to some digits: the bracket keeps every root that the enclosed polynomials have.
 TEST(IntervalNewton, RoughCoefficientsKeepAllRoots) {
   const Midrad128 rough = Midrad128::hull(Midrad128(2.0), Midrad128(2 + 0x1p-30));
-  const Powers<Midrad128> c{-rough, Midrad128(), Midrad128(1.0), Midrad128(), Midrad128()};
+  const Coefficients<Midrad128> c{-rough, Midrad128(), Midrad128(1.0), Midrad128(), Midrad128()};
   const IntervalNewton<Midrad128> n(c, 2, Midrad128(), Midrad128(2.0), -1, 128);
   EXPECT_LE(n.low.dyadic() * n.low.dyadic(), Dyadic(2.0));
   EXPECT_GE(n.high.dyadic() * n.high.dyadic(), Dyadic(2 + 0x1p-30));
@@ -123,7 +122,7 @@ TEST(IntervalNewton, RoughCoefficientsKeepAllRoots) {
 TEST(Around, IsTheSamePolynomialSeenFromElsewhere) {
   Inputs inputs(3);
   for (int i = 0; i < cases(300); ++i) {
-    Powers<Dyadic> p;
+    Coefficients<Dyadic> p;
     for (Dyadic& c : p) c = inputs.dyadic(-20, 20);
     const int degree = inputs.between(0, 4);
     const Dyadic x = inputs.dyadic(-20, 20), distance = inputs.dyadic(-20, 20);
@@ -131,8 +130,8 @@ TEST(Around, IsTheSamePolynomialSeenFromElsewhere) {
                  there = value_at(p, degree, x + distance);
     EXPECT_TRUE(here == there);
   }
-  EXPECT_EQ(value_at(Powers<Dyadic>{}, -1, Dyadic(5.0)).sign(), 0);
+  EXPECT_EQ(value_at(Coefficients<Dyadic>{}, -1, Dyadic(5.0)).sign(), 0);
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,4 +1,5 @@
-// Balls of 128 bits: they hold the exact number, what fits stays exact, and midpoints round as they should.
+// Ball arithmetic of 128 bits: balls contain the exact number, short numbers remain exact, midpoints are
+// rounded correctly.
 #include "numbers/midrad_128.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -70,7 +71,7 @@ TEST(Midrad128, CutsLongNumbersWithinAUnit) {
     EXPECT_TRUE(holds(ball, rational(number)));
     EXPECT_LE(width_of(ball), abs(rational(number)) * power_of_two(-126));
     cut += !ball.exact();
-    if (number.sign() == 0 || length_of(number.reduced().mantissa()) <= 128) {
+    if (number.sign() == 0 || bit_length(number.reduced().mantissa()) <= 128) {
       EXPECT_TRUE(ball.exact());
     }
   }
@@ -125,7 +126,7 @@ TEST(Midrad128, RootHoldsTheRootsOfBothEnds) {
   }
 }
 
-TEST(Midrad128, WhatFitsStaysExact) {
+TEST(Midrad128, NumbersThatFitRemainExact) {
   Inputs inputs(6);
   for (int i = 0; i < cases(1000); ++i) {
     const Midrad128 a(inputs.number(-500, 500)), b(inputs.number(-500, 500));
@@ -155,14 +156,14 @@ TEST(Midrad128, QuotientsAndRootsAreNarrow) {
 TEST(Midrad128, HullHoldsBothAndIsHardlyWider) {
   Inputs inputs(8);
   for (int i = 0; i < cases(1000); ++i) {
-    Dyadic least = Dyadic(std::abs(inputs.number(-90, 90))),
-           most = least + Dyadic(std::abs(inputs.number(-90, 90)));
-    if (inputs.one_in(10)) least = Dyadic();
-    const Midrad128 hull = Midrad128::hull(Midrad128(least), Midrad128(most));
-    EXPECT_TRUE(holds(hull, rational(least)));
-    EXPECT_TRUE(holds(hull, rational(most)));
+    Dyadic lowest = Dyadic(std::abs(inputs.number(-90, 90))),
+           highest = lowest + Dyadic(std::abs(inputs.number(-90, 90)));
+    if (inputs.one_in(10)) lowest = Dyadic();
+    const Midrad128 hull = Midrad128::hull(Midrad128(lowest), Midrad128(highest));
+    EXPECT_TRUE(holds(hull, rational(lowest)));
+    EXPECT_TRUE(holds(hull, rational(highest)));
     EXPECT_LE(width_of(hull),
-              rational(most - least) * (1 + power_of_two(-40)) + rational(most) * power_of_two(-120));
+              rational(highest - lowest) * (1 + power_of_two(-40)) + rational(highest) * power_of_two(-120));
     EXPECT_TRUE(same(Midrad128::hull(Midrad128(1.5), Midrad128(1.5)), Midrad128(1.5)));
   }
 }
@@ -221,4 +222,4 @@ TEST(Midrad128, SameIsOfNumbersAndIdenticalOfBalls) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// Numbers of any length: what they enclose, and how narrowly.
+// Ball arithmetic of any length: balls contain the exact number and are narrow.
 #include "numbers/midrad.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,9 @@
 #include <cmath>
 #include <random>
 
-namespace foresee::numbers {
+#include "numbers/polynomial.h"
+
+namespace foresee {
 namespace {
 
 class Numbers {
@@ -65,14 +67,14 @@ TEST(Midrad, IsAsNarrowAsItIsLong) {
 }
 
 /// Of wide intervals: Newton's method has to see a slope's sign early.
-TEST(Midrad128, ProductsOfWideIntervalsStayNarrow) {
-  const auto lies_within = [](const Midrad128& w, double least, double most) {
-    return Dyadic(least) <= w.low().dyadic() && w.high().dyadic() <= Dyadic(most);
+TEST(Midrad128, ProductsOfWideIntervalsAreNarrow) {
+  const auto is_within = [](const Midrad128& w, double lowest, double highest) {
+    return Dyadic(lowest) <= w.low().dyadic() && w.high().dyadic() <= Dyadic(highest);
   };
   const Midrad128 around_zero = Midrad128::hull(Midrad128(), Midrad128(20.0)) - Midrad128(10.0);
   const Midrad128 far = Midrad128::hull(Midrad128(2.0), Midrad128(4.0));
-  EXPECT_TRUE(lies_within(around_zero * around_zero, -101, 101));
-  EXPECT_TRUE(lies_within(far * far, 1, 17));
+  EXPECT_TRUE(is_within(around_zero * around_zero, -101, 101));
+  EXPECT_TRUE(is_within(far * far, 1, 17));
   Numbers numbers;
   for (int i = 0; i < 2000; ++i) {
     const auto size = [&] { return Midrad128(numbers.number() * numbers.number()); };
@@ -88,4 +90,4 @@ TEST(Midrad128, ProductsOfWideIntervalsStayNarrow) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

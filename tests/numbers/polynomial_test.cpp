@@ -6,7 +6,7 @@
 #include "numbers/factors.h"
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -60,11 +60,11 @@ std::vector<Polynomial> all_factors() {
 }
 
 /// A constant times factors drawn from what is left, up to a degree.
-Polynomial drawn_product(Inputs& inputs, std::vector<Polynomial>& left, int most) {
+Polynomial drawn_product(Inputs& inputs, std::vector<Polynomial>& left, int max_degree) {
   Polynomial product = polynomial({inputs.number(-3, 3)});
   for (int tries = 0; tries < 4; ++tries) {
     const int place = inputs.below(static_cast<int>(left.size()));
-    if (product.degree + left[place].degree > most) continue;
+    if (product.degree + left[place].degree > max_degree) continue;
     product = multiplied(product, left[place]);
     left.erase(left.begin() + place);
   }
@@ -77,8 +77,10 @@ TEST(CommonDivisor, IsTheProductOfTheCommonFactors) {
   for (int i = 0; i < cases(1000); ++i) {
     std::vector<Polynomial> left = all_factors();
     const Polynomial common = drawn_product(inputs, left, inputs.between(0, 3)),
-                     a = multiplied(common, drawn_product(inputs, left, Polynomial::most - common.degree)),
-                     b = multiplied(common, drawn_product(inputs, left, Polynomial::most - common.degree));
+                     a = multiplied(common,
+                                    drawn_product(inputs, left, Polynomial::max_degree - common.degree)),
+                     b = multiplied(common,
+                                    drawn_product(inputs, left, Polynomial::max_degree - common.degree));
     EXPECT_TRUE(is_multiple(common_divisor(a, b), common));
     EXPECT_TRUE(is_multiple(common_divisor(b, a), common));
     // Quick, and here no chance makes it miss the proof.
@@ -98,7 +100,7 @@ TEST(Polynomial, CommonRootsAreFound) {
   EXPECT_EQ(common_divisor(p, apart).degree, 0);
 }
 
-TEST(CommonDivisor, OfPowersHasTheLesserMultiplicity) {
+TEST(CommonDivisor, OfRepeatedFactorsHasTheLesserMultiplicity) {
   const Polynomial once = polynomial({-5, 1}), twice = multiplied(once, once),
                    thrice = multiplied(twice, once);
   EXPECT_TRUE(is_multiple(common_divisor(thrice, twice), twice));
@@ -116,7 +118,7 @@ TEST(CommonDivisor, OfZeroIsTheOther) {
 }
 
 /// Roots 2^-900 apart are different roots.
-TEST(SurelyCoprime, TellsRootsApartThatAreAlmostOne) {
+TEST(SurelyCoprime, SeparatesRootsThatAreAlmostEqual) {
   const Dyadic two(2.0), almost = two + Dyadic::power_of_two(-900);
   EXPECT_TRUE(surely_coprime(with_root(two), with_root(almost)));
   EXPECT_EQ(common_divisor(with_root(two), with_root(almost)).degree, 0);
@@ -132,4 +134,4 @@ TEST(SurelyCoprime, ProvesNothingWhereLeadingCoefficientsVanish) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

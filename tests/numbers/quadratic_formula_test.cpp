@@ -6,7 +6,7 @@
 #include "numbers/factors.h"
 #include "numbers/wide_numbers.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -65,4 +65,4 @@ TEST(QuadraticFormula, NamesTheRootsInOrder) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

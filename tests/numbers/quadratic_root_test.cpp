@@ -6,14 +6,14 @@
 #include "numbers/factors.h"
 #include "numbers/wide_numbers.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
 
-Polynomial small_polynomial(Inputs& inputs, int degree, int most) {
+Polynomial small_polynomial(Inputs& inputs, int degree, int bound) {
   Polynomial p;
-  for (int k = 0; k <= degree; ++k) p.c[static_cast<std::size_t>(k)] = Dyadic(inputs.between(-most, most));
+  for (int k = 0; k <= degree; ++k) p.c[static_cast<std::size_t>(k)] = Dyadic(inputs.between(-bound, bound));
   return Polynomial(p.c);
 }
 
@@ -33,11 +33,11 @@ void expect_signs(const Polynomial& q, const Polynomial& p) {
 /// Coefficients so small that the two often have a root in common.
 TEST(SignAtRoot, IsTheSignOfTheValue) {
   Inputs inputs(1);
-  for (const int most : {2, 5, 100000})
+  for (const int bound : {2, 5, 100000})
     for (int i = 0; i < cases(1000); ++i) {
-      const Polynomial p = small_polynomial(inputs, inputs.between(1, 2), most);
+      const Polynomial p = small_polynomial(inputs, inputs.between(1, 2), bound);
       if (p.degree < 1) continue;
-      expect_signs(small_polynomial(inputs, inputs.between(0, 4), most), p);
+      expect_signs(small_polynomial(inputs, inputs.between(0, 4), bound), p);
     }
 }
 
@@ -60,7 +60,7 @@ TEST(SignAtRoot, OfAMultipleIsZero) {
 }
 
 /// One root of p is a root of q, the other is not.
-TEST(SignAtRoot, TellsTheTwoRootsApart) {
+TEST(SignAtRoot, SeparatesTheTwoRoots) {
   const Polynomial p = multiplied(polynomial({-1, 1}), polynomial({-2, 1})), q = polynomial({-2, 1});
   for (const Polynomial& same : {p, negated(p)}) {
     EXPECT_EQ(sign_at_root(q, same, -1), -1);
@@ -99,4 +99,4 @@ TEST(SignAtRoot, ScalingByPositiveNumbersChangesNothing) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

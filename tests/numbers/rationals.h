@@ -20,7 +20,7 @@
 #include "numbers/midrad_128.h"
 #include "scenes.h"
 
-namespace foresee::numbers::judge {
+namespace foresee::judge {
 
 using Whole = boost::multiprecision::cpp_int;
 using Rational = boost::multiprecision::cpp_rational;
@@ -121,4 +121,4 @@ class Inputs {
   testing::Random random_;
 };
 
-}  // namespace foresee::numbers::judge
+}  // namespace foresee::judge

@@ -5,7 +5,7 @@
 
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -54,10 +54,10 @@ TEST(Residue, MultiplesOfThePrimeAreZero) {
       EXPECT_FALSE(Residue(Dyadic(Integer(factor * p + 1), exponent)).is_zero());
       EXPECT_FALSE(Residue(Dyadic(Integer(factor * p - 1), exponent)).is_zero());
     }
-  const Residue most(Dyadic(Integer(p - 1), 0)), one(Dyadic(1.0));
-  EXPECT_TRUE(congruent(most * most, one));
-  EXPECT_TRUE(congruent(Residue() - one, most));
+  const Residue largest(Dyadic(Integer(p - 1), 0)), one(Dyadic(1.0));
+  EXPECT_TRUE(congruent(largest * largest, one));
+  EXPECT_TRUE(congruent(Residue() - one, largest));
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "numbers/wide_numbers.h"
-
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -43,4 +41,4 @@ TEST(SineCosine, HoldThemAtTheEnds) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

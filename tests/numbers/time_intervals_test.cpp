@@ -1,4 +1,4 @@
-// When a polynomial is at most 0, beside its exact sign at many times: those of its roots, and those between.
+// The intervals on which a polynomial is at most 0, against its exact sign at its roots and between them.
 #include "numbers/time_intervals.h"
 
 #include <gtest/gtest.h>
@@ -9,19 +9,19 @@
 #include "numbers/factors.h"
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
 
-/// The times asked about, by two numbers.
+/// A queried interval of two numbers.
 struct Span {
   Dyadic low, high;
   AlgebraicRoot begin{low}, end{high};
 
   Span(const Dyadic& low, const Dyadic& high) : low(low), high(high) {}
   Span(const Span&) = delete;
-  Asked asked() { return {begin, end}; }
+  QueriedInterval queried() { return {begin, end}; }
 };
 
 bool contains(const TimeInterval& interval, const Dyadic& x) {
@@ -99,7 +99,7 @@ TEST(TimeIntervals, InsideIsWhereThePolynomialIsAtMostZero) {
     const bool exact_roots = inputs.one_in(2);
     ExactSource p(exact_roots ? with_lattice_roots(inputs) : with_any_roots(inputs), drawn_digits(inputs));
     Span span = drawn_span(inputs);
-    const TimeIntervals intervals = inside(p.lazy(), span.asked());
+    const TimeIntervals intervals = sublevel_intervals(p.lazy(), span.queried());
     expect_ordered(intervals, span);
     expect_inside(intervals, p.polynomial(), span);
     if (!exact_roots) continue;
@@ -121,20 +121,21 @@ TEST(TimeIntervals, TouchingIsInside) {
         multiplied(multiplied(with_root(Dyadic(3.0)), with_root(Dyadic(3.0))), factor);
     Span span(Dyadic(1.0), Dyadic(5.0));
     ExactSource above(touching), below(negated(touching));
-    const TimeIntervals once = inside(above.lazy(), span.asked()), all = inside(below.lazy(), span.asked());
+    const TimeIntervals once = sublevel_intervals(above.lazy(), span.queried()),
+                        all = sublevel_intervals(below.lazy(), span.queried());
     ASSERT_EQ(once.size(), 1u);
     EXPECT_EQ(once[0].first, once[0].last);
     EXPECT_EQ(compare(*once[0].first, Dyadic(3.0)), 0);
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].first, &span.begin);
     EXPECT_EQ(all[0].last, &span.end);
-    EXPECT_TRUE(outside(all, span.asked()).empty());
-    EXPECT_EQ(outside(once, span.asked()).size(), 2u);
+    EXPECT_TRUE(complement(all, span.queried()).empty());
+    EXPECT_EQ(complement(once, span.queried()).size(), 2u);
   }
 }
 
-/// A dip of 2^-300 below 0 is an interval, one that ends 2^-300 above is none.
-TEST(TimeIntervals, TouchingIsToldFromAlmostTouching) {
+/// A minimum of 2^-300 below 0 gives an interval, one of 2^-300 above 0 does not.
+TEST(TimeIntervals, TouchingDiffersFromAlmostTouching) {
   const Dyadic little = Dyadic::power_of_two(-300);
   for (const int factor_degree : {0, 1, 2})
     for (const int side : {-1, 0, 1}) {
@@ -143,7 +144,7 @@ TEST(TimeIntervals, TouchingIsToldFromAlmostTouching) {
       const Polynomial factors[] = {polynomial({1}), polynomial({1, 1}), polynomial({17, -4, 1})};
       ExactSource p(multiplied(dip, factors[factor_degree]), 50);
       Span span(Dyadic(), Dyadic(5.0));
-      const TimeIntervals intervals = inside(p.lazy(), span.asked());
+      const TimeIntervals intervals = sublevel_intervals(p.lazy(), span.queried());
       ASSERT_EQ(intervals.size(), side > 0 ? 0u : 1u) << factor_degree << ' ' << side;
       if (side > 0) continue;
       EXPECT_EQ(compare(*intervals[0].first, *intervals[0].last), side < 0 ? -1 : 0);
@@ -155,7 +156,7 @@ TEST(TimeIntervals, ConstantsAreInsideAlwaysOrNever) {
   Span span(Dyadic(1.0), Dyadic(2.0));
   for (const double c : {-1.0, 0.0, 5e-324}) {
     ExactSource p(polynomial({c}));
-    EXPECT_EQ(inside(p.lazy(), span.asked()).size(), c > 0 ? 0u : 1u);
+    EXPECT_EQ(sublevel_intervals(p.lazy(), span.queried()).size(), c > 0 ? 0u : 1u);
   }
 }
 
@@ -164,7 +165,7 @@ TEST(TimeIntervals, ZerosAreThoseStrictlyWithinInOrder) {
   for (int i = 0; i < cases(500); ++i) {
     ExactSource p(with_lattice_roots(inputs), drawn_digits(inputs));
     Span span = drawn_span(inputs);
-    const Roots zeros = zeros_within(p.lazy(), span.asked());
+    const Roots zeros = zeros_within(p.lazy(), span.queried());
     int next = 0;
     for (const Dyadic& x : samples(span, fine)) {
       if (x == span.low || x == span.high || p.polynomial().degree < 1 || sign_at(p.polynomial(), x) != 0)
@@ -182,7 +183,8 @@ TEST(TimeIntervals, OutsideIsTheRestWithSharedEnds) {
   for (int i = 0; i < cases(500); ++i) {
     ExactSource p(with_lattice_roots(inputs), drawn_digits(inputs));
     Span span = drawn_span(inputs);
-    const TimeIntervals in = inside(p.lazy(), span.asked()), out = outside(in, span.asked());
+    const TimeIntervals in = sublevel_intervals(p.lazy(), span.queried()),
+                        out = complement(in, span.queried());
     for (const Dyadic& x : samples(span, fine)) {
       const int sign = sign_at(p.polynomial(), x);
       EXPECT_TRUE(contains(in, x) || contains(out, x));
@@ -203,7 +205,8 @@ TEST(TimeIntervals, CommonIsWhatIsInBoth) {
     ExactSource p(with_lattice_roots(inputs), drawn_digits(inputs)),
         q(with_lattice_roots(inputs), drawn_digits(inputs));
     Span span = drawn_span(inputs);
-    const TimeIntervals a = inside(p.lazy(), span.asked()), b = inside(q.lazy(), span.asked());
+    const TimeIntervals a = sublevel_intervals(p.lazy(), span.queried()),
+                        b = sublevel_intervals(q.lazy(), span.queried());
     const TimeIntervals both = common(a, b), exchanged = common(b, a);
     expect_ordered(both, span);
     EXPECT_EQ(both.size(), exchanged.size());
@@ -226,13 +229,13 @@ TEST(TimeIntervals, RootsNextToTheEndsAreFound) {
       const Polynomial p = multiplied(with_root(root), factor);
       ExactSource rises(p, 50), falls(negated(p), 50);
       Span until(Dyadic(), end), from(end, Dyadic(4.0));
-      EXPECT_EQ(inside(rises.lazy(), until.asked()).size(), 1u);
-      EXPECT_EQ(inside(rises.lazy(), from.asked()).size(), side < 0 ? 1u : 0u);
+      EXPECT_EQ(sublevel_intervals(rises.lazy(), until.queried()).size(), 1u);
+      EXPECT_EQ(sublevel_intervals(rises.lazy(), from.queried()).size(), side < 0 ? 1u : 0u);
       ExactSource again(negated(p), 50);
-      EXPECT_EQ(inside(falls.lazy(), from.asked()).size(), 1u);
-      EXPECT_EQ(inside(again.lazy(), until.asked()).size(), side < 0 ? 0u : 1u);
+      EXPECT_EQ(sublevel_intervals(falls.lazy(), from.queried()).size(), 1u);
+      EXPECT_EQ(sublevel_intervals(again.lazy(), until.queried()).size(), side < 0 ? 0u : 1u);
     }
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// Turned vectors and quotients rounded once, and the promise of the quick sine and cosine.
+// Rotated vectors and quotients are rounded once; the quick sine and cosine keep their error bound.
 #include "numbers/turned_vector.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "scenes.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -55,7 +55,7 @@ TEST(RoundedQuotient, TakesTiesToEven) {
   EXPECT_EQ(rounded_root(Dyadic(2.0)), std::sqrt(2.0));
 }
 
-TEST(QuickSineCosine, StaysWithinItsError) {
+TEST(QuickSineCosine, IsWithinItsErrorBound) {
   Random random(4);
   for (int i = 0; i < 2000; ++i) {
     const double degrees = random.in(-720, 720), quarters = std::rint(degrees / 90);
@@ -72,4 +72,4 @@ TEST(QuickSineCosine, StaysWithinItsError) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

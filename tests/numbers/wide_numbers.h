@@ -7,7 +7,7 @@
 #include "numbers/polynomial.h"
 #include "numbers/rationals.h"
 
-namespace foresee::numbers::judge {
+namespace foresee::judge {
 
 using Wide = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<1500, boost::multiprecision::digit_base_2>,
@@ -37,4 +37,4 @@ inline Wide root_of(const Polynomial& p, int which) {
   return (-b + (a > 0 ? which : -which) * d) / (2 * a);
 }
 
-}  // namespace foresee::numbers::judge
+}  // namespace foresee::judge

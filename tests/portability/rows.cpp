@@ -1,16 +1,15 @@
 // Every row of many seeded joins as bit patterns, for tests/portability.sh: two builds agree if their outputs
 // do.
 //
-// Scenes of every layout and kind go through the join by two methods, and some of each layout's objects are
-// asked how they can avoid all others; the hard families of the report on accuracy, of outlines and of meshes
-// go through contact pair by pair. The inputs' bits are printed too, so that a difference there is not blamed
-// on the library; those of outlines that are turned are already its work.
+// Scenes of every layout and kind go through the join by two methods. Some objects of each layout go through
+// the avoidance of all others. The hard families of the report on accuracy, of outlines and of meshes go
+// through contact one pair at a time. The bits of the inputs are printed too, so that a difference there is
+// not attributed to the library; those of turned outlines are already computed by it.
 #include <bit>
 #include <cinttypes>
 #include <cstdio>
 
 #include "accuracy/families.h"
-#include "all_rooms.h"
 #include "contact/mesh/mesh_scenes.h"
 #include "contact/outline/outline_scenes.h"
 #include "query/avoid/avoid_cases.h"
@@ -88,23 +87,21 @@ void print_pairs(std::span<const Family> families, const Pairings& pairings, std
 }
 
 void print_outlines() {
-  using enum contact::testing_by_hand::OutlinePairing;
-  const auto first_contact = [](const auto& scene) {
-    return contact::testing_by_hand::outline_contact(scene);
-  };
-  print_pairs(contact::testing_by_hand::outline_families(),
-              std::array{outlines, outline_and_point, outline_and_box}, 8, first_contact);
+  using enum testing_by_hand::OutlinePairing;
+  const auto first_contact = [](const auto& scene) { return testing_by_hand::outline_contact(scene); };
+  print_pairs(testing_by_hand::outline_families(), std::array{outlines, outline_and_point, outline_and_box},
+              8, first_contact);
 }
 
 void print_meshes() {
-  using enum contact::testing_by_hand::MeshPairing;
-  const auto first_contact = [](const auto& scene) { return contact::testing_by_hand::mesh_contact(scene); };
-  print_pairs(contact::testing_by_hand::mesh_families(),
+  using enum testing_by_hand::MeshPairing;
+  const auto first_contact = [](const auto& scene) { return testing_by_hand::mesh_contact(scene); };
+  print_pairs(testing_by_hand::mesh_families(),
               std::array{meshes, mesh_and_point, mesh_and_box, mesh_and_ball}, 1, first_contact);
 }
 
-/// What the first objects of a scene can do.
-void print_advice(const SceneSpec& spec) {
+/// Avoidance by the first objects of a scene.
+void print_manoeuvres(const SceneSpec& spec) {
   const RandomScene scene = random_scene(spec);
   for (std::size_t i = 0; i < 2; ++i) {
     const AvoidQuestion question = avoid_question(scene, i, as_scene(scene));
@@ -123,12 +120,14 @@ void print_advice(const SceneSpec& spec) {
 }  // namespace foresee::testing
 
 int main() {
+  using namespace foresee;
   using namespace foresee::testing;
   std::uint64_t seed = 1;
   for (const Layout& layout : all_layouts())
     for (SceneKind kind : all_scene_kinds)
       print_scene({.layout = layout, .kind = kind, .count = 14, .seed = seed++});
-  for (const Layout& layout : all_layouts()) print_advice({.layout = layout, .count = 14, .seed = seed++});
+  for (const Layout& layout : all_layouts())
+    print_manoeuvres({.layout = layout, .count = 14, .seed = seed++});
   for (const std::string& name : foresee::bench::family_names()) print_family(name, 100);
   print_outlines();
   print_meshes();

@@ -1,4 +1,4 @@
-// Numbers from the whole range of doubles: no index loses what a look at every object finds.
+// Numbers from the whole range of doubles: every index finds all that a scan of all objects finds.
 #include "extreme_numbers.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include "query/search_cases.h"
 #include "query/window/window.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::as_scene;
@@ -101,9 +101,9 @@ TEST(ExtremeNumbers, AWindowFindsTheSameObjectsInATree) {
     question.objects = as_tree(scene);
     const auto by_tree = rows_of(question);
     found += all.size();
-    EXPECT_EQ(by_tree.size(), all.size()) << "question " << seed;
+    EXPECT_EQ(by_tree.size(), all.size()) << "query " << seed;
     for (const auto& [id, times] : all) {
-      ASSERT_TRUE(by_tree.contains(id)) << "question " << seed;
+      ASSERT_TRUE(by_tree.contains(id)) << "query " << seed;
       EXPECT_EQ(by_tree.at(id).t, times.t);
       EXPECT_EQ(by_tree.at(id).dt_end, times.dt_end);
     }
@@ -121,7 +121,7 @@ TEST(ExtremeNumbers, TheNearestAreTheFirstOfAll) {
       question.point[axis] = numbers.length();
       question.velocity[axis] = numbers.one_in(2) ? 0 : numbers.speed();
     }
-    const auto all = nearest(question, never);  // there are fewer: no bound leaves one out
+    const auto all = nearest(question, never);  // fewer than k: no bound excludes an object
     for (const bool by_tree : {false, true})
       for (const std::size_t k : {1, 2}) {
         question.objects = by_tree ? as_tree(scene) : as_scene(scene);
@@ -130,10 +130,10 @@ TEST(ExtremeNumbers, TheNearestAreTheFirstOfAll) {
         ASSERT_EQ(some.size(), std::min(k, all.size()));
         for (std::size_t i = 0; i < some.size(); ++i)
           EXPECT_TRUE(some[i].id == all[i].id && some[i].distance == all[i].distance)
-              << "question " << seed << ", k = " << k << (by_tree ? ", tree" : ", scene");
+              << "query " << seed << ", k = " << k << (by_tree ? ", tree" : ", scene");
       }
   }
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

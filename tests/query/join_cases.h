@@ -13,11 +13,11 @@
 
 namespace foresee::testing {
 
-/// What most scenes made by hand hold.
+/// The layout of most scenes made by hand.
 inline constexpr Layout discs{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
 
-/// By dt that is above 0: pairs that touch already are left out.
-inline constexpr AskedTimes after_now{std::numeric_limits<double>::denorm_min()};
+/// Times with dt > 0: pairs that touch at `now` are left out.
+inline constexpr QueriedTimes after_now{std::numeric_limits<double>::denorm_min()};
 
 inline std::shared_ptr<const Scene> scene_of(const RandomScene& random, const std::string& name = "ships") {
   auto scene = std::make_shared<Scene>();
@@ -32,7 +32,7 @@ inline std::shared_ptr<const Scene> scene_of(const Layout& layout, std::vector<s
   return scene;
 }
 
-/// What the scene is made to be asked.
+/// The query for which the scene was made.
 inline JoinQuestion question_about(const RandomScene& scene) {
   return {.a = scene_of(scene), .now = scene.now, .h = scene.h, .within = scene.within};
 }

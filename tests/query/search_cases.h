@@ -1,13 +1,13 @@
-// Seeded scenes as something to search: as a scene, and as a tree over pages in memory.
+// Search targets from seeded scenes: each as a scene, and as a tree over pages in memory.
 #pragma once
 
 #include "query/join_cases.h"
-#include "query/searched.h"
+#include "query/search_target.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee::testing {
 
-/// A snapshot of nothing but itself: the pages do not change while a test asks.
+/// Needs no snapshot: the pages do not change while a test queries them.
 inline std::shared_ptr<NodeSource> tree_of(const RandomScene& scene) {
   struct Held {
     explicit Held(const RandomScene& scene) : model(scene.layout, 5, 8) { model.load(scene); }
@@ -17,11 +17,11 @@ inline std::shared_ptr<NodeSource> tree_of(const RandomScene& scene) {
   return {held, &held->model.pages};
 }
 
-inline Searched as_scene(const RandomScene& scene) {
+inline SearchTarget as_scene(const RandomScene& scene) {
   return {"ships", scene_of(scene), nullptr};
 }
 
-inline Searched as_tree(const RandomScene& scene) {
+inline SearchTarget as_tree(const RandomScene& scene) {
   return {"ships", nullptr, tree_of(scene)};
 }
 

@@ -1,5 +1,5 @@
-// The judge is exact: at every moment of its life the object lies in its beam, in rational numbers. All sets
-// of vector instructions give the same bits.
+// Beams contain the object at every time of its life, checked in rational numbers. All sets of vector
+// instructions give the same bits.
 #include "shape/beam.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include "every_simd.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -21,7 +21,7 @@ struct Course1 {
   double t, x, v, a, half, until;
 };
 
-/// The beams of all, by every set of vector instructions.
+/// The beams of all objects, by every set of vector instructions.
 template <int D>
 std::unique_ptr<BeamLanes<D>> beams_of(const Bodies& bodies, const Horizon& horizon) {
   const auto lanes_in_use = [&] {
@@ -55,7 +55,7 @@ Beam<1> beam_of(const Course1& o, const Horizon& horizon) {
 }
 
 /// Whether the object lies in the beam at the fraction `f` of the horizon. The fractions of its life are
-/// rounded: what that moves is for those who use them to add, 2^-40 of the travel.
+/// rounded, so that their users must add 2^-40 of the travel.
 bool holds(const Beam<1>& beam, const Course1& o, const Horizon& horizon, const Rational& f) {
   if (!std::isfinite(beam.box.lower[0]) || !std::isfinite(beam.box.upper[0])) return true;
   const Rational s = Rational(horizon.now) + f * Rational(horizon.h) - Rational(o.t);
@@ -69,24 +69,24 @@ bool holds(const Beam<1>& beam, const Course1& o, const Horizon& horizon, const 
 
 void expect_inside(const Course1& o, const Horizon& horizon) {
   const Rational now(horizon.now), h(horizon.h);
-  const Rational begins = std::max(Rational(o.t) - now, Rational(0));
+  const Rational starts = std::max(Rational(o.t) - now, Rational(0));
   const Rational ends = o.until == inf ? h : std::min(Rational(o.until) - now, h);
   const Beam<1> beam = beam_of(o, horizon);
-  if (begins > ends) return;
+  if (starts > ends) return;
   ASSERT_FALSE(beam.box.is_empty());
   for (int k = 0; k <= 8; ++k) {
-    const Rational f = h == 0 ? Rational(0) : (begins + (ends - begins) * k / 8) / h;
+    const Rational f = h == 0 ? Rational(0) : (starts + (ends - starts) * k / 8) / h;
     ASSERT_TRUE(holds(beam, o, horizon, f))
         << k << ": t " << o.t << " x " << o.x << " v " << o.v << " a " << o.a << " half " << o.half
         << " until " << o.until << " now " << horizon.now << " h " << horizon.h;
   }
 }
 
-TEST(Beam, HoldsTheObjectAtEveryMoment) {
+TEST(Beam, HoldsTheObjectAtEveryTime) {
   std::mt19937_64 random(7);
-  auto number = [&](double least, double most) {  // of any size, either sign, sometimes 0
+  auto number = [&](double lowest, double highest) {  // of any size, either sign, sometimes 0
     if (random() % 8 == 0) return 0.0;
-    std::uniform_real_distribution<double> exponent(least, most), part(-2, 2);
+    std::uniform_real_distribution<double> exponent(lowest, highest), part(-2, 2);
     return std::ldexp(part(random), static_cast<int>(exponent(random)));
   };
   for (int i = 0; i < 3000; ++i) {
@@ -109,7 +109,7 @@ TEST(Beam, HoldsAtUnixTimesAndFarPlaces) {
   }
 }
 
-TEST(Beam, IsNoThickerThanABowAsksFor) {
+TEST(Beam, IsNoThickerThanTheSagittaRequires) {
   const Beam<1> straight = beam_of({0, 5, 2, 0, 1, inf}, {0, 10});
   EXPECT_NEAR(straight.box.lower[0], 4, 1e-12);
   EXPECT_NEAR(straight.box.upper[0], 26, 1e-12);
@@ -120,7 +120,7 @@ TEST(Beam, IsNoThickerThanABowAsksFor) {
   EXPECT_EQ(bent.travel[0], 0);
 }
 
-/// What is not declared rests, from time 0, for ever; each shape has its extents.
+/// Without columns an object is at rest, from time 0, unbounded; each shape has its extents.
 template <int D>
 void expect_as_declared_in_full(const Layout& layout, double now) {
   const Layout full{
@@ -174,8 +174,8 @@ TEST(Beam, KnowsWhenTheObjectExists) {
   EXPECT_EQ(part.end, 0.75);
   EXPECT_EQ(part.travel[0], 8) << "of the whole horizon";
   EXPECT_TRUE(beam_of({9, 0, 1, 0, 0, inf}, {0, 8}).box.is_empty());
-  EXPECT_EQ(beam_of({2, 0, 1, 0, 0, 2}, {0, 8}).travel[0], 0) << "a moment stands still";
+  EXPECT_EQ(beam_of({2, 0, 1, 0, 0, 2}, {0, 8}).travel[0], 0) << "a life of one time has no travel";
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// The judge is exact: positions are rationals, so that a bound one unit in the last place too small fails.
+// Swept boxes, checked in rational numbers, so that a bound one unit in the last place too small fails.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -6,9 +6,9 @@
 
 #include "sanitized.h"
 #include "shape/swept_boxes.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -30,7 +30,7 @@ Box<1> sweep(const Object& object, const Horizon& horizon, double margin = 0) {
   return swept_box<1>(bodies_of(object), 0, horizon, Vec<1>::Constant(margin));
 }
 
-/// Exact place at the time s after the object's own t, compared with the box.
+/// Whether the box contains the exact position at time s after the object's t.
 bool holds(const Box<1>& box, const Object& object, const Rational& s, double margin) {
   const Rational place = Rational(object.x) + Rational(object.v) * s + Rational(object.a) * s * s / 2;
   const Rational size = Rational(object.half) + Rational(margin);
@@ -39,16 +39,16 @@ bool holds(const Box<1>& box, const Object& object, const Rational& s, double ma
   return low && high;
 }
 
-/// Both ends of the object's life, the turning point, and a few moments between.
+/// Both ends of the object's life, the turning point, and a few times between.
 void expect_outward(const Object& object, const Horizon& horizon, double margin = 0) {
   const Box<1> box = sweep(object, horizon, margin);
   const Rational t(object.t), now(horizon.now);
   Rational begin = std::max(now, t) - t, end = now + Rational(horizon.h) - t;
   if (object.until != infinity) end = std::min(end, Rational(object.until) - t);
   if (begin > end) return;
-  std::vector<Rational> moments{begin, end, (begin + end) / 2, (begin * 7 + end) / 8};
-  if (object.a != 0) moments.push_back(-Rational(object.v) / Rational(object.a));
-  for (const Rational& s : moments)
+  std::vector<Rational> instants{begin, end, (begin + end) / 2, (begin * 7 + end) / 8};
+  if (object.a != 0) instants.push_back(-Rational(object.v) / Rational(object.a));
+  for (const Rational& s : instants)
     if (begin <= s && s <= end) {
       ASSERT_TRUE(holds(box, object, s, margin))
           << "t " << object.t << " x " << object.x << " v " << object.v << " a " << object.a << " half "
@@ -71,7 +71,7 @@ TEST(SweptBox, IsTightAtRest) {
 }
 
 TEST(SweptBox, CoversOnlyTheObjectsLife) {
-  const Box<1> late = sweep({5, 0, 1, 0, 0, infinity}, {0, 10});  // begins to exist at 5
+  const Box<1> late = sweep({5, 0, 1, 0, 0, infinity}, {0, 10});  // exists from 5 on
   EXPECT_NEAR(late.upper[0], 5, 1e-12);
   EXPECT_NEAR(late.lower[0], 0, 1e-12);
   const Box<1> early = sweep({0, 0, 1, 0, 0, 3}, {1, 10});  // ends at 3
@@ -82,8 +82,8 @@ TEST(SweptBox, CoversOnlyTheObjectsLife) {
 TEST(SweptBox, IsEmptyForWhatDoesNotExist) {
   EXPECT_TRUE(sweep({10.5, 0, 1, 0, 0, infinity}, {0, 10}).is_empty());
   EXPECT_TRUE(sweep({-20, 0, 1, 0, 0, -1}, {0, 10}).is_empty());
-  EXPECT_FALSE(sweep({10, 0, 1, 0, 0, infinity}, {0, 10}).is_empty());  // exists at the last moment
-  EXPECT_FALSE(sweep({-20, 0, 1, 0, 0, 0}, {0, 10}).is_empty());        // exists at the first moment
+  EXPECT_FALSE(sweep({10, 0, 1, 0, 0, infinity}, {0, 10}).is_empty());  // exists at the last time
+  EXPECT_FALSE(sweep({-20, 0, 1, 0, 0, 0}, {0, 10}).is_empty());        // exists at the first time
   const Box<1> wide{Vec<1>::Constant(-1e308), Vec<1>::Constant(1e308)};
   EXPECT_FALSE(wide.meets(Box<1>::empty()));
 }
@@ -173,4 +173,4 @@ TEST(SweptBoxes, AnswerInRowOrderAndCanBeInterrupted) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,9 +1,10 @@
-// Decoded scenes are kept from question to question, as many as have room together.
+// Scenes that a connection caches: a decoded scene is reused by later queries while the cache has space for
+// it.
 #include "sqlite/connection.h"
 
 #include "storage/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 class Scenes : public ::testing::Test {
@@ -17,7 +18,7 @@ class Scenes : public ::testing::Test {
       stores.push_back(store);
     }
   }
-  std::shared_ptr<const Scene> ask(Connection& connection, std::size_t table) {
+  std::shared_ptr<const Scene> load(Connection& connection, std::size_t table) {
     return connection.load_scene({stores[table], "main", "", 0});
   }
 
@@ -26,22 +27,22 @@ class Scenes : public ::testing::Test {
   std::vector<std::shared_ptr<Store>> stores;
 };
 
-TEST_F(Scenes, ThatWereUsedLongAgoMakeRoom) {
+TEST_F(Scenes, UsedLongAgoAreEvicted) {
   Connection connection(db, 2 * scene_size);
-  const std::weak_ptr<const Scene> a = ask(connection, 0), b = ask(connection, 1);
-  EXPECT_EQ(ask(connection, 0), a.lock());
-  ask(connection, 2);
+  const std::weak_ptr<const Scene> a = load(connection, 0), b = load(connection, 1);
+  EXPECT_EQ(load(connection, 0), a.lock());
+  load(connection, 2);
   EXPECT_FALSE(a.expired());
   EXPECT_TRUE(b.expired());
-  EXPECT_EQ(ask(connection, 1)->size(), 100u);
+  EXPECT_EQ(load(connection, 1)->size(), 100u);
   EXPECT_TRUE(a.expired());
 }
 
-TEST_F(Scenes, OfATableByItselfIsKeptWhateverItsSize) {
+TEST_F(Scenes, OfASingleTableAreKeptWhateverTheirSize) {
   Connection connection(db, 0);
-  const std::weak_ptr<const Scene> a = ask(connection, 0);
-  EXPECT_EQ(ask(connection, 0), a.lock());
+  const std::weak_ptr<const Scene> a = load(connection, 0);
+  EXPECT_EQ(load(connection, 0), a.lock());
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,12 +1,12 @@
-// A database to test with: foresee linked statically, in memory or in a file that goes away with the test.
+// A database for tests: foresee linked statically, in memory or in a file that is removed after the test.
 //
 //   Database db;
 //   db.exec("CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y)");
 //   EXPECT_EQ(db.rows("SELECT id, x FROM ships"), "1|0.5\n2|NULL");
 //   EXPECT_EQ(db.error_of("SELECT nonsense"), "no such column: nonsense");
 //
-// rows() prints a line a row, '|' between columns, doubles in their shortest form that reads back exactly
-// (and with a dot or exponent, so that 1.0 and 1 differ), NULL for NULL, x'0aff' for blobs.
+// rows() prints one line per row, with '|' between columns. Doubles have their shortest form that reads back
+// exactly, with a dot or an exponent, so that 1.0 and 1 differ. NULL is NULL, and a blob is x'0aff'.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,12 +17,11 @@
 #include <filesystem>
 #include <string>
 
-#include "all_rooms.h"
 #include "sqlite/foresee.h"
 
 namespace foresee::testing {
 
-/// A path in a fresh folder of its own, removed with everything beside it (journal, WAL) at the end.
+/// A path in a new folder of its own, which the destructor removes with all other files in it (journal, WAL).
 class TemporaryFile {
  public:
   TemporaryFile() {
@@ -77,7 +76,7 @@ class Database {
     EXPECT_EQ(sqlite3_foresee_init(db_, &message, nullptr), SQLITE_OK) << message;
     sqlite3_free(message);
   }
-  /// Nothing of foresee may keep the connection from closing.
+  /// No statement or table of foresee may keep the connection open.
   ~Database() { EXPECT_EQ(sqlite3_close(db_), SQLITE_OK) << sqlite3_errmsg(db_); }
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -102,7 +101,7 @@ class Database {
     return rc == SQLITE_OK ? rc : sqlite3_extended_errcode(db_);
   }
 
-  /// All rows of one statement, a line each; "error: …" if it fails.
+  /// All rows of one statement, one per line; "error: …" if it fails.
   std::string rows(const std::string& sql) {
     sqlite3_stmt* statement = nullptr;
     if (sqlite3_prepare_v2(db_, sql.c_str(), -1, &statement, nullptr) != SQLITE_OK)
@@ -112,7 +111,7 @@ class Database {
     return text;
   }
 
-  /// The same of a statement that is prepared and bound.
+  /// The rows of a statement that is already prepared and bound.
   std::string rows_of(sqlite3_stmt* statement) {
     std::string text;
     int rc;

@@ -1,4 +1,4 @@
-// The harness itself: what it prints is what the other tests compare.
+// The test database itself: how it prints rows, since all other tests compare printed rows.
 #include "database.h"
 
 #include "every_simd.h"

@@ -1,5 +1,5 @@
-// Numbers from the whole range of doubles, through SQL: every question gives by every method what a look at
-// all objects gives.
+// Numbers from the whole range of doubles, through SQL: every method gives for every query the rows that a
+// scan of all objects gives.
 #include "extreme_numbers.h"
 
 #include "sqlite/scene_table.h"
@@ -13,21 +13,21 @@ std::string literal(double number) {
   return text;
 }
 
-/// A table of a scene, and what is asked about it.
-class Asked {
+/// A table of a random scene, and its queries by every method.
+class RandomQueries {
  public:
-  explicit Asked(std::uint64_t seed)
+  explicit RandomQueries(std::uint64_t seed)
       : scene_(extreme_scene(seed)), numbers_(seed), h_(literal(scene_.h)), now_(literal(scene_.now)) {
     db_.exec("PRAGMA page_size = 512");
     build_table(db_, "objects", scene_);
   }
 
   void expect_same_pairs() {
-    const std::string asked = "SELECT * FROM predictive_join(" + h_ + ", 'objects', " +
-                              literal(scene_.within) + ", NULL, " + now_ + ", METHOD)";
+    const std::string queried = "SELECT * FROM predictive_join(" + h_ + ", 'objects', " +
+                                literal(scene_.within) + ", NULL, " + now_ + ", METHOD)";
     for (const char* method : {"auto", "grid", "tree", "gpcd"}) {
-      expect_same(asked + " ORDER BY a, b", method);
-      expect_same(asked + " WHERE a = 2 OR b = 2 ORDER BY a, b", method);
+      expect_same(queried + " ORDER BY a, b", method);
+      expect_same(queried + " WHERE a = 2 OR b = 2 ORDER BY a, b", method);
     }
   }
   void expect_same_window() {
@@ -82,14 +82,14 @@ class Asked {
   std::string h_, now_;
 };
 
-TEST(ExtremeNumbers, EveryQuestionGivesWhatALookAtAllObjectsGives) {
+TEST(ExtremeNumbers, EveryQueryGivesTheRowsOfAScan) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("scene " + std::to_string(seed));
-    Asked asked(seed);
-    asked.expect_same_pairs();
-    asked.expect_same_window();
-    asked.expect_same_nearest();
-    asked.expect_a_place_for_each_that_exists();
+    RandomQueries queried(seed);
+    queried.expect_same_pairs();
+    queried.expect_same_window();
+    queried.expect_same_nearest();
+    queried.expect_a_place_for_each_that_exists();
   }
 }
 

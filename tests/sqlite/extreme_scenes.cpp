@@ -25,14 +25,14 @@ class Builder {
     scene_.setup += ");\n";
     return last_;
   }
-  /// A row that must come, with times measured from now.
+  /// An expected row, with times measured from now.
   void expect(int a, int b, double dt, double dt_end) {
     const double first = std::min(a, b), second = std::max(a, b);
     scene_.expected.push_back({first, second, now_ + dt, now_ + dt_end, dt, dt_end});
   }
-  void ask_at(double now) { now_ = now; }
+  void set_now(double now) { now_ = now; }
 
-  ExtremeScene ask(double h) {
+  ExtremeScene scene(double h) {
     ExtremeScene scene = scene_;
     scene.setup += "COMMIT;";
     scene.query = "SELECT a, b, t, t_end, dt, dt_end FROM predictive_join(" + text(h) +
@@ -47,8 +47,8 @@ class Builder {
   double now_ = 0;
 };
 
-/// 2^20 newtons on 2^-100 kilograms: 1.3e36 m/s^2. The discs touch once half a metre is crossed, and part
-/// after one and a half.
+/// 2^20 newtons on 2^-100 kilograms: 1.3e36 m/s^2. The discs touch after half a metre, and separate after one
+/// and a half.
 ExtremeScene light_mass_and_huge_force() {
   Builder b("light mass, huge force", "x, y, vx, vy, fx, fy, m, r");
   for (int pair = 0; pair < 50; ++pair) {
@@ -57,11 +57,10 @@ ExtremeScene light_mass_and_huge_force() {
     const auto still = b.add({1, y, 0, 0, 0, 0, 1, 0.25});
     b.expect(light, still, 0x1p-60, std::sqrt(3.0) * 0x1p-60);
   }
-  return b.ask(1);
+  return b.scene(1);
 }
 
-/// Discs that creep at a micrometre a second, and three that cross them all at a thousand kilometres a
-/// second.
+/// Discs at a micrometre per second, and three that overtake them all at a thousand kilometres per second.
 ExtremeScene speeds_twelve_orders_apart() {
   Builder b("speeds twelve orders apart", "x, y, vx, vy, r");
   constexpr double slow = 0x1p-20, fast = 0x1p20;
@@ -71,33 +70,32 @@ ExtremeScene speeds_twelve_orders_apart() {
     const double start = -k * fast;
     const auto racer = b.add({start, 0, fast, 0, 0.5});
     for (int i = 0; i < 200; ++i) {
-      const double way = 10.0 * i - start;
-      b.expect(creeping[static_cast<std::size_t>(i)], racer, (way - 1) / (fast - slow),
-               (way + 1) / (fast - slow));
+      const double distance = 10.0 * i - start;
+      b.expect(creeping[static_cast<std::size_t>(i)], racer, (distance - 1) / (fast - slow),
+               (distance + 1) / (fast - slow));
     }
   }
   // Head on, and touching when both have crept 2^-20.
   const auto left = b.add({0, 100, slow, 0, 0.5}), right = b.add({1 + 2 * slow, 100, -slow, 0, 0.5});
   b.expect(left, right, 1, 4);
-  return b.ask(4);
+  return b.scene(4);
 }
 
-/// Pairs of points that meet after 0.5e-12, 0.5e-11, … 0.5e12 seconds, asked about with horizons 1e-12 to
-/// 1e12.
+/// Pairs of points that meet after 0.5e-12, 0.5e-11, … 0.5e12 seconds, joined with horizons 1e-12 to 1e12.
 void horizons(std::vector<ExtremeScene>& scenes) {
   for (int power = -12; power <= 12; power += 3) {
     Builder b("horizon 1e" + std::to_string(power), "x, y, vx, vy");
     for (int k = -12; k <= 12; ++k) {
-      const double way = 0.5 * std::stod("1e" + std::to_string(k));
-      const auto still = b.add({way, 1000.0 * k, 0, 0}), comes = b.add({0, 1000.0 * k, 1, 0});
-      if (k <= power) b.expect(still, comes, way, way);
+      const double distance = 0.5 * std::stod("1e" + std::to_string(k));
+      const auto still = b.add({distance, 1000.0 * k, 0, 0}), comes = b.add({0, 1000.0 * k, 1, 0});
+      if (k <= power) b.expect(still, comes, distance, distance);
     }
-    scenes.push_back(b.ask(std::stod("1e" + std::to_string(power))));
+    scenes.push_back(b.scene(std::stod("1e" + std::to_string(power))));
   }
 }
 
-/// A second apart and two millimetres wide, where doubles are an eighth of a metre apart. Of each three pairs
-/// one misses by an eighth.
+/// One second apart and two millimetres wide, where doubles are an eighth of a metre apart. One of three
+/// pairs misses by an eighth.
 ExtremeScene coordinates_of_1e15() {
   Builder b("coordinates of 1e15, extents of 1e-3", "x, y, vx, vy, hx, hy");
   constexpr double far = 1e15, half = 1e-3, width = 2 * half;
@@ -110,22 +108,22 @@ ExtremeScene coordinates_of_1e15() {
     const auto d = b.add({x, 0, 1, 0.125, half, half}), to_d = b.add({x + 1, 0.125, 0, 0, half, half});
     b.expect(d, to_d, 1 - width, 1 + width);
   }
-  return b.ask(2);
+  return b.scene(2);
 }
 
 /// Half a microsecond of contact at 1.7e9 seconds: dt keeps what the absolute time cannot.
 ExtremeScene unix_times() {
   Builder b("Unix times, microsecond encounters", "t, x, y, vx, vy, r");
   constexpr double now = 1.7e9, speed = 4096, radius = 0x1p-10;
-  b.ask_at(now);
+  b.set_now(now);
   for (int i = 0; i < 100; ++i) {
-    const double y = i, way = 1 + i;
-    // The second number of each pair was seen half a second earlier.
+    const double y = i, distance = 1 + i;
+    // The second object of each pair was reported half a second earlier.
     const auto east = b.add({now, 0, y, speed, 0, radius});
-    const auto west = b.add({now - 0.5, way + speed / 2, y, -speed, 0, radius});
-    b.expect(east, west, (way - 2 * radius) / (2 * speed), (way + 2 * radius) / (2 * speed));
+    const auto west = b.add({now - 0.5, distance + speed / 2, y, -speed, 0, radius});
+    b.expect(east, west, (distance - 2 * radius) / (2 * speed), (distance + 2 * radius) / (2 * speed));
   }
-  return b.ask(1);
+  return b.scene(1);
 }
 
 /// Two columns of forty ships pass each other side by side. Their sides touch exactly, or are moved by one
@@ -142,12 +140,12 @@ ExtremeScene grazing_fleets(bool boxes, double apart) {
   }
   for (std::size_t i = 0; i < 40 && apart <= 1; ++i)
     for (std::size_t j = 0; j < 40; ++j) {
-      const double way = 8 + 4.0 * static_cast<double>(i + j);
+      const double distance = 8 + 4.0 * static_cast<double>(i + j);
       // Discs an ulp closer: half the chord is sqrt(1 - apart^2), and 1 - apart^2 = 2^-52 - 2^-106 here.
       const double chord = boxes ? 1 : apart == 1 ? 0 : std::sqrt(0x1p-52 - 0x1p-106);
-      b.expect(east[i], west[j], (way - chord) / 2, (way + chord) / 2);
+      b.expect(east[i], west[j], (distance - chord) / 2, (distance + chord) / 2);
     }
-  return b.ask(1000);
+  return b.scene(1000);
 }
 
 /// Accelerated aircraft, all of which reach the origin after eight seconds.
@@ -169,11 +167,11 @@ ExtremeScene one_point_at_one_instant(int count) {
   Builder b = aircraft(" aircraft meet in one point", count, 0);
   for (int i = 1; i <= count; ++i)
     for (int j = i + 1; j <= count; ++j) b.expect(i, j, 8, 8);
-  return b.ask(20);
+  return b.scene(20);
 }
 
 ExtremeScene balls_at_one_instant(int count) {
-  ExtremeScene scene = aircraft(" balls meet in one point", count, 0.5).ask(20);
+  ExtremeScene scene = aircraft(" balls meet in one point", count, 0.5).scene(20);
   scene.query =
       "SELECT count(*), min(t_cpa), max(t_cpa), max(d_cpa), max(t) < 8, min(t_end) > 8, max(dt_end - dt) <= "
       "2 "

@@ -1,4 +1,4 @@
-// Stiff and extreme scenes as SQL, each with the answer that it must give.
+// Stiff and extreme scenes as SQL, each with its exact expected rows.
 //
 // The numbers are chosen so that every exact time is one rounding away from doubles: a quotient, a sum or a
 // square root that IEEE arithmetic itself rounds correctly. The tests compare the answers; the bench measures
@@ -7,8 +7,6 @@
 
 #include <string>
 #include <vector>
-
-#include "all_rooms.h"
 
 namespace foresee::testing {
 
@@ -19,7 +17,7 @@ struct ExtremeScene {
   std::vector<std::vector<double>> expected;
 };
 
-/// `aircraft`: how many meet in one point, at most 300.
+/// `aircraft`: the number that meet in one point, at most 300.
 std::vector<ExtremeScene> extreme_scenes(int aircraft = 300);
 
 }  // namespace foresee::testing

@@ -1,4 +1,4 @@
-// Stiff and extreme scenes through SQL: every row and every bit of every time.
+// Stiff and extreme scenes through SQL: every row and every bit of every time is compared.
 #include "sqlite/extreme_scenes.h"
 
 #include <boost/multiprecision/cpp_int.hpp>

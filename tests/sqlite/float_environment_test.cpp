@@ -1,4 +1,4 @@
-// A host that rounds its own way, or flushes small numbers to zero, gets the same answers.
+// Floating-point environment of the host: another rounding mode or flush-to-zero changes no row.
 #include <bit>
 #include <cfenv>
 #include <functional>
@@ -13,7 +13,7 @@
 namespace foresee::testing {
 namespace {
 
-/// The bits of all rows; the host's settings hold while the statement is prepared and stepped.
+/// The bits of all rows, with the host's settings while the statement is prepared and stepped.
 std::vector<std::uint64_t> bits_of(Database& db, const std::string& sql, const std::function<void()>& host) {
   std::vector<std::uint64_t> bits;
   std::fenv_t before;
@@ -30,7 +30,7 @@ std::vector<std::uint64_t> bits_of(Database& db, const std::string& sql, const s
 }
 
 std::vector<std::uint64_t> answers(const std::function<void()>& host) {
-  Database db;  // a new one each time: nothing may come from a scene decoded before
+  Database db;  // a new one each time, without a cached scene
   build_table(
       db, "drones",
       random_scene(

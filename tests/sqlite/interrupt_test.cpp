@@ -1,8 +1,8 @@
-// An interrupt and a progress handler stop a long computation, on every version of SQLite.
+// Interrupts and progress handlers: both stop a long computation, on every version of SQLite.
 #include <chrono>
 
 #include "database.h"
-#include "storage/rows/statement_interrupt.h"
+#include "storage/rows/statement.h"
 
 namespace foresee::testing {
 namespace {
@@ -36,7 +36,7 @@ TEST_F(StatementInterruptTest, LetsAComputationRun) {
   EXPECT_EQ(db.rows("SELECT busy(900)"), "ran");
 }
 
-TEST_F(StatementInterruptTest, NoticesAnInterruptAndRecovers) {
+TEST_F(StatementInterruptTest, SeesAnInterruptAndRecovers) {
   EXPECT_EQ(db.rows("SELECT busy(100000000)"), "error: interrupted");
   EXPECT_EQ(db.rows("SELECT busy(900)"), "ran");
 }
@@ -53,7 +53,7 @@ TEST_F(StatementInterruptTest, DrivesTheProgressHandler) {
       },
       nullptr, nullptr);
   static int calls;
-  // SQLite calls the handler once per so many of its own instructions: a check per millisecond runs a thousand.
+  // SQLite calls the handler once per N of its own instructions: a check per millisecond runs a thousand.
   for (const int instructions : {1, 1000}) {
     calls = 0;
     sqlite3_progress_handler(
@@ -65,7 +65,7 @@ TEST_F(StatementInterruptTest, DrivesTheProgressHandler) {
   }
 }
 
-TEST_F(StatementInterruptTest, CostsLittleACheck) {
+TEST_F(StatementInterruptTest, CostsLittlePerCheck) {
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < 1000000; ++i) interrupt.check();
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
@@ -77,19 +77,19 @@ TEST(CommitInterrupt, LeavesAllOfATransactionOrNothing) {
       "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy); INSERT INTO ships VALUES(1, 2, 3, "
       "4, 5)");
   static int left;
-  for (int asked = 1;; asked += asked) {
+  for (int queried = 1;; queried += queried) {
     db.exec(
         "BEGIN; WITH RECURSIVE i(n) AS (VALUES (2) UNION ALL SELECT n + 1 FROM i WHERE n < 1000)"
         "INSERT INTO ships SELECT n, n, n % 7, 1, n % 5 FROM i");
-    left = asked;
+    left = queried;
     sqlite3_progress_handler(
         db.handle(), 1, [](void*) { return --left == 0 ? 1 : 0; }, nullptr);
     const int rc = db.code_of("COMMIT");
     sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
     if (rc == SQLITE_OK) break;
-    EXPECT_EQ(rc, SQLITE_INTERRUPT) << asked;
+    EXPECT_EQ(rc, SQLITE_INTERRUPT) << queried;
     if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");
-    EXPECT_EQ(db.rows("SELECT count(*), sum(x) FROM ships"), "1|2.0") << asked;
+    EXPECT_EQ(db.rows("SELECT count(*), sum(x) FROM ships"), "1|2.0") << queried;
   }
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "1000");
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");

@@ -1,5 +1,5 @@
-// Limits of a connection that is set up for hostile SQL: everything works within those that SQLite's page on
-// security advises, and beyond smaller ones is a clear error that changes nothing.
+// Limits of a connection for hostile SQL: everything works within the limits that SQLite's page on security
+// recommends. Smaller limits give a clear error that changes nothing.
 #include "database.h"
 
 namespace foresee::testing {
@@ -11,7 +11,7 @@ constexpr const char* fill =
     "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 200)"
     "INSERT INTO ships SELECT i, 0, i, i % 7, 1, 0, 0.5, 'a' || i, 'de' FROM n";
 
-TEST(Limits, EverythingWorksWithinThoseThatSQLiteAdvisesForHostileSql) {
+TEST(Limits, EverythingWorksWithinThoseThatSQLiteRecommendsForHostileSql) {
   Database db;
   constexpr std::pair<int, int> advised[] = {
       {SQLITE_LIMIT_LENGTH, 1'000'000},
@@ -47,11 +47,10 @@ TEST(Limits, AuxiliaryColumnsThatTakeMoreVariablesThanAllowedAreAClearError) {
   db.exec(table);
   db.exec(fill);
   sqlite3_limit(db.handle(), SQLITE_LIMIT_VARIABLE_NUMBER, 2);
-  EXPECT_EQ(
-      db.error_of("INSERT INTO ships(id, t, x, y) VALUES(1000, 0, 0, 0)"),
-      "ships: to write its auxiliary columns takes 3 SQL variables, and this connection allows 2; raise "
-      "SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
-  EXPECT_NE(db.error_of("UPDATE ships SET name = 'x' WHERE id = 1").find("takes 5 SQL variables"),
+  EXPECT_EQ(db.error_of("INSERT INTO ships(id, t, x, y) VALUES(1000, 0, 0, 0)"),
+            "ships: its auxiliary columns need 3 SQL variables, but this connection allows 2; raise "
+            "SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
+  EXPECT_NE(db.error_of("UPDATE ships SET name = 'x' WHERE id = 1").find("need 5 SQL variables"),
             std::string::npos);
   db.exec("UPDATE ships SET x = 1000 WHERE id = 1");  // which leaves them alone
   EXPECT_EQ(db.rows("SELECT count(*), max(x) FROM ships"), "200|1000.0");

@@ -1,4 +1,5 @@
-// Positions stream in: what an UPDATE writes and when, what others see of it, and 100,000 changes on end.
+// Streams of position updates: what an UPDATE writes and when, what other connections see, and 100,000
+// consecutive changes.
 #include <map>
 #include <memory>
 #include <random>
@@ -19,7 +20,7 @@ class Statement {
   ~Statement() { sqlite3_finalize(statement_); }
   Statement(const Statement&) = delete;
 
-  /// Runs it with these numbers as ?1, ?2, …
+  /// Runs the statement with these numbers as ?1, ?2, …
   template <class... Numbers>
   void run(std::int64_t id, Numbers... numbers) {
     int place = 1;
@@ -33,7 +34,7 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
 };
 
-/// Counts what is written to the rows of each shadow table.
+/// Counts the writes to each row of the shadow tables.
 class Writes {
  public:
   explicit Writes(Database& db) : db_(db) {
@@ -47,10 +48,10 @@ class Writes {
   ~Writes() { sqlite3_update_hook(db_.handle(), nullptr, nullptr); }
 
   int rows(const std::string& table) { return static_cast<int>(counts_[table].size()); }
-  int most(const std::string& table) {
-    int most = 0;
-    for (const auto& [row, count] : counts_[table]) most = std::max(most, count);
-    return most;
+  int max_writes(const std::string& table) {
+    int max_writes = 0;
+    for (const auto& [row, count] : counts_[table]) max_writes = std::max(max_writes, count);
+    return max_writes;
   }
   void forget() { counts_.clear(); }
 
@@ -80,7 +81,7 @@ TEST(LiveUpdates, APreparedUpdateInATransactionWritesNothingUntilCommit) {
   EXPECT_EQ(db.rows("SELECT t FROM ships WHERE id = 4"), "3.0");
   db.exec("COMMIT");
   EXPECT_GT(writes.rows("ships_node"), 50);
-  EXPECT_EQ(writes.most("ships_node"), 1) << "each node is written once";
+  EXPECT_EQ(writes.max_writes("ships_node"), 1) << "each node is written once";
   EXPECT_EQ(writes.rows("ships_aux"), 0);
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
@@ -88,7 +89,7 @@ TEST(LiveUpdates, APreparedUpdateInATransactionWritesNothingUntilCommit) {
 TEST(LiveUpdates, AnUpdateThatLeavesItsBoundsValidTouchesOneLeaf) {
   Database db;
   create(db, 5000);
-  // A neighbour is newer and goes on as this one does, so nothing above the leaf needs to move.
+  // A newer neighbour moves with the same velocity, so no node above the leaf changes.
   db.exec("UPDATE ships SET t = 1, x = x + 1, y = y - 1");
   Statement update(db, "UPDATE ships SET r = r - 0.1 WHERE id = ?1");
   Writes writes(db);
@@ -97,8 +98,8 @@ TEST(LiveUpdates, AnUpdateThatLeavesItsBoundsValidTouchesOneLeaf) {
   EXPECT_EQ(writes.rows("ships_map"), 0);
 }
 
-// Leaves drift apart as objects move on, and are put in order a few at a time.
-TEST(LiveUpdates, ACommitOfOneReportStaysSmallHoweverLongTheFeed) {
+// Leaves spread as objects move, and the tree reorganizes a few at a time.
+TEST(LiveUpdates, ACommitOfOneReportIsSmallHoweverLongTheFeed) {
   Database db;
   create(db, 3000);
   Statement report(db, "UPDATE ships SET t = ?2, x = x + ?3, y = y + ?4, vx = ?5, vy = ?6 WHERE id = ?1");
@@ -107,19 +108,19 @@ TEST(LiveUpdates, ACommitOfOneReportStaysSmallHoweverLongTheFeed) {
   std::uniform_int_distribution<int> id(1, 3000);
   std::uniform_real_distribution<double> velocity(-3, 3);
   const int reports = sanitized ? 2000 : 9000;
-  int most = 0;
+  int max_writes = 0;
   for (int i = 0; i < reports; ++i) {
     writes.forget();
     report.run(id(random), i * 0.01, velocity(random), velocity(random), velocity(random), velocity(random));
-    most = std::max(most, writes.rows("ships_node") + writes.rows("ships_map"));
+    max_writes = std::max(max_writes, writes.rows("ships_node") + writes.rows("ships_map"));
   }
-  EXPECT_LE(most, 200);
+  EXPECT_LE(max_writes, 200);
   EXPECT_LE(std::stoi(db.rows("SELECT count(*) FROM ships_node")), 1.3 * (3000 / 63 + 2))
       << "leaves stay full";
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
-TEST(LiveUpdates, ManyInsertsAreLoadedTogetherHoweverManyStatementsBringThem) {
+TEST(LiveUpdates, ManyInsertsAreLoadedTogetherHoweverManyStatementsMakeThem) {
   Database db;
   create(db, 100);
   Writes writes(db);
@@ -128,8 +129,8 @@ TEST(LiveUpdates, ManyInsertsAreLoadedTogetherHoweverManyStatementsBringThem) {
   for (int id = 1001; id <= 8100; ++id) insert.run(id, id % 97, id % 89);
   EXPECT_EQ(writes.rows("ships_node") + writes.rows("ships_map"), 0);
   db.exec("COMMIT");
-  EXPECT_EQ(writes.most("ships_node"), 1);
-  EXPECT_EQ(writes.most("ships_map"), 1);
+  EXPECT_EQ(writes.max_writes("ships_node"), 1);
+  EXPECT_EQ(writes.max_writes("ships_map"), 1);
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships_node"), std::to_string((7200 + 62) / 63 + 3 + 1))
       << "leaves of nine tenths";
 }
@@ -142,7 +143,7 @@ TEST(LiveUpdates, ASavepointThatIsReleasedCostsNoWrite) {
   for (int i = 0; i < 100; ++i) db.exec("SAVEPOINT s; UPDATE ships SET x = x + 1 WHERE id = 5; RELEASE s");
   EXPECT_EQ(writes.rows("ships_node"), 0);
   db.exec("SAVEPOINT s; DELETE FROM ships WHERE id < 500; ROLLBACK TO s; RELEASE s; COMMIT");
-  EXPECT_EQ(writes.most("ships_node"), 1);
+  EXPECT_EQ(writes.max_writes("ships_node"), 1);
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "1000");
   EXPECT_EQ(db.rows("SELECT x FROM ships WHERE id = 5"), "695.0");
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
@@ -160,7 +161,7 @@ TEST(LiveUpdates, OtherConnectionsSeeACommitAtTheirNextStatementAndNeverHalfOfIt
   reader.exec("BEGIN");
   EXPECT_EQ(reader.rows(sum), "500|0.0|0.0");
   writer.exec("COMMIT");
-  EXPECT_EQ(reader.rows(sum), "500|0.0|0.0") << "the reader's snapshot stands, and blocks nobody";
+  EXPECT_EQ(reader.rows(sum), "500|0.0|0.0") << "the reader's snapshot is unchanged, and blocks no writer";
   reader.exec("COMMIT");
   EXPECT_EQ(reader.rows(sum), "400|400.0|1.0");
   reader.exec("UPDATE ships SET t = 2 WHERE id = 3");

@@ -1,10 +1,10 @@
-// Questions about tables with meshes: every method, thread count and door gives the same rows to the last
-// bit, and meshes that are boxes, balls or prisms are these.
+// Queries of tables with meshes: every method, thread count and interface gives the same rows to the last
+// bit. A mesh of a box, a ball or a prism gives the rows of that shape.
 #include <sstream>
 
 #include "sanitized.h"
 #include "sqlite/database.h"
-#include "sqlite/drawn.h"
+#include "sqlite/random_numbers.h"
 
 namespace foresee::testing {
 namespace {
@@ -24,7 +24,7 @@ std::string mesh_text(const std::string& word, const std::vector<Place>& corners
   return text + ')';
 }
 
-/// What lies over a triangle, between two heights.
+/// The mesh of a prism over a triangle, between two heights.
 std::string prism(const std::array<Place, 3>& flat, double hz) {
   std::vector<Place> corners;
   for (const double z : {-hz, hz})
@@ -53,7 +53,7 @@ std::string box(double hx, double hy, double hz) {
                     {1, 7, 5}});
 }
 
-/// A tetrahedron, solid or not, or some triangles that cross; often beside the object's position.
+/// A tetrahedron, solid or not, or some triangles that cross, often away from the object's position.
 std::string debris(Engine& random, double size) {
   std::vector<Place> corners;
   const double aside = drawn(random, 0, 1) * drawn(random, -2.0, 2.0) * size;
@@ -66,12 +66,12 @@ std::string debris(Engine& random, double size) {
   return mesh_text(words[kind], corners, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 2, 3}});
 }
 
-/// t, x, y, z, vx, vy, vz, on quarters so that many touch exactly.
+/// t, x, y, z, vx, vy, vz, in multiples of a quarter so that many objects touch exactly.
 std::string motion(Engine& random, double land) {
   std::ostringstream row;
   row << drawn(random, -2, 2);
-  for (const double most : {land, land, land / 4})
-    row << ", " << std::round(drawn(random, 0.0, most) * 4) / 4;
+  for (const double limit : {land, land, land / 4})
+    row << ", " << std::round(drawn(random, 0.0, limit) * 4) / 4;
   for (int axis = 0; axis < 3; ++axis) row << ", " << drawn(random, -4, 4);
   return row.str();
 }
@@ -141,20 +141,20 @@ TEST(MeshQuestions, TheSameTableAsOtherGivesBothOrders) {
             field.db.rows("SELECT a, b, t, t_end FROM predictive_join(20, 's', 1, NULL, 3) ORDER BY a, b"));
 }
 
-TEST(MeshQuestions, WindowsAskTheTreeAsTheyAskAll) {
+TEST(MeshQuestions, WindowsByTheTreeGiveTheRowsOfAScan) {
   for (int seed = 0; seed < mesh_scenes; ++seed) {
     Field field(static_cast<std::uint64_t>(seed));
     for (const char* where :
          {" AND x0 = 10 AND x1 = 40 AND y1 = 50 AND z0 = 2", " AND x0 = 30", " AND z1 = 5 AND wvz = 1",
           " AND x0 = 0 AND x1 = 30 AND y0 = 0 AND y1 = 30 AND z0 = 0 AND z1 = 9 AND wvx = 3"}) {
-      const auto ask = [&](const char* method) {
+      const auto rows_by = [&](const char* method) {
         return field.db.rows(
             "SELECT * FROM predictive_window WHERE h = 20 AND tbl = 's' AND now = 3 AND method = '" +
             std::string(method) + "'" + where + " ORDER BY id");
       };
-      EXPECT_EQ(ask("tree"), ask("scan")) << "seed " << seed << where;
-      EXPECT_EQ(ask("scan").find("error"), std::string::npos) << ask("scan");
-      EXPECT_FALSE(ask("tree").empty());
+      EXPECT_EQ(rows_by("tree"), rows_by("scan")) << "seed " << seed << where;
+      EXPECT_EQ(rows_by("scan").find("error"), std::string::npos) << rows_by("scan");
+      EXPECT_FALSE(rows_by("tree").empty());
     }
   }
 }
@@ -195,13 +195,13 @@ TEST(MeshQuestions, ABoxIsTheMeshOfItsFaces) {
     EXPECT_EQ(join("points", "meshes"), join("points", "boxes")) << seed;
     for (const char* window :
          {"8, 'T', 10, 30, 10, 30, 2, 6, 1", "8, 'T', NULL, 20, NULL, NULL, 5, NULL, 1, 2, 0, -1"}) {
-      const auto ask = [&](const std::string& table) {
+      const auto rows_by = [&](const std::string& table) {
         std::string arguments = window;
         arguments.replace(arguments.find('T'), 1, table);
         return db.rows("SELECT * FROM predictive_window(" + arguments + ") ORDER BY id");
       };
-      EXPECT_EQ(ask("meshes"), ask("boxes")) << seed << ' ' << window;
-      EXPECT_GT(ask("meshes").size(), 20u);
+      EXPECT_EQ(rows_by("meshes"), rows_by("boxes")) << seed << ' ' << window;
+      EXPECT_GT(rows_by("meshes").size(), 20u);
     }
   }
 }
@@ -266,7 +266,7 @@ TEST(MeshQuestions, APrismIsTheMeshOfItsFaces) {
   }
 }
 
-// Of the surface that it is, a terrain touches nothing below; a solid does what is inside.
+// A terrain is a surface and touches no object below it; a solid touches the objects inside.
 TEST(MeshQuestions, ASurfaceIsHollowAndASolidIsNot) {
   Database db;
   make(db, "s", "shape"), make(db, "p", "r");
@@ -278,7 +278,7 @@ TEST(MeshQuestions, ASurfaceIsHollowAndASolidIsNot) {
             "1|1|0.0|5.0\n1|2|0.0|10.0\n2|1|5.0|5.0");
 }
 
-TEST(MeshQuestions, QuestionsSeeWhatHasChanged) {
+TEST(MeshQuestions, QueriesSeeChanges) {
   Database db;
   db.exec("CREATE VIRTUAL TABLE s USING moving_objects(id, t, x, y, z, vx, vy, vz, shape, heading)");
   // A rod of ten along y, and a point ten beside it.

@@ -1,15 +1,15 @@
-// Questions about tables with outlines: every method, thread count and door gives the same rows to the last
-// bit, and outlines that are boxes, discs or windows are these.
+// Queries of tables with outlines: every method, thread count and interface gives the same rows to the last
+// bit. An outline of a box, a disc or a window gives the rows of that shape.
 #include <sstream>
 
 #include "sanitized.h"
 #include "sqlite/database.h"
-#include "sqlite/drawn.h"
+#include "sqlite/random_numbers.h"
 
 namespace foresee::testing {
 namespace {
 
-/// A star around a place that need not be the object's: concave, and often beside its position.
+/// A concave star, often away from the object's position.
 std::string star(Engine& random, double size) {
   const int corners = drawn(random, 3, 9);
   const double x = drawn(random, 0, 1) * drawn(random, -3.0, 3.0) * size, y = drawn(random, -1.0, 1.0) * size;
@@ -91,7 +91,7 @@ TEST(OutlineQuestions, TheSameTableAsOtherGivesBothOrders) {
             scene.db.rows("SELECT a, b, t, t_end FROM predictive_join(20, 's', 1, NULL, 3) ORDER BY a, b"));
 }
 
-TEST(OutlineQuestions, WindowsAndZonesAskTheTreeAsTheyAskAll) {
+TEST(OutlineQuestions, WindowsAndZonesByTheTreeGiveTheRowsOfAScan) {
   for (int seed = 0; seed < scenes; ++seed) {
     Scene scene(static_cast<std::uint64_t>(seed));
     const std::string zone = star(scene.random, 40);
@@ -99,19 +99,19 @@ TEST(OutlineQuestions, WindowsAndZonesAskTheTreeAsTheyAskAll) {
          {std::string(" AND x0 = 10 AND x1 = 60 AND y1 = 50"), std::string(" AND x0 = 30"),
           std::string(" AND y1 = 20"), " AND zone = '" + zone + "'",
           " AND zone = '" + zone + "' AND wvx = 2" + scene.z(" AND z0 = 4")}) {
-      const auto ask = [&](const char* method) {
+      const auto rows_by = [&](const char* method) {
         return scene.db.rows(
             "SELECT * FROM predictive_window WHERE h = 20 AND tbl = 's' AND now = 3 AND "
             "method = '" +
             std::string(method) + "'" + where + " ORDER BY id");
       };
-      EXPECT_EQ(ask("tree"), ask("scan")) << "seed " << seed << where;
-      EXPECT_TRUE(where.find("zone") != std::string::npos || !ask("tree").empty());
+      EXPECT_EQ(rows_by("tree"), rows_by("scan")) << "seed " << seed << where;
+      EXPECT_TRUE(where.find("zone") != std::string::npos || !rows_by("tree").empty());
     }
   }
 }
 
-// Where no double holds how far an object comes, a window that is open to a side is still open.
+// A window without a bound on one side has no limit there, even where an object's reach overflows a double.
 TEST(OutlineQuestions, AWindowWithoutAFaceIsOpenHoweverFarItIs) {
   Database db;
   for (const char* kind : {"shape", "hx, hy"}) {
@@ -127,8 +127,8 @@ TEST(OutlineQuestions, AWindowWithoutAFaceIsOpenHoweverFarItIs) {
   }
 }
 
-// An outline may lie far from the position that it belongs to.
-TEST(OutlineQuestions, NearestAndPositionSpeakOfPositions) {
+// An outline may be far from the position of its object.
+TEST(OutlineQuestions, NearestAndPositionUsePositions) {
   Database db;
   db.exec(
       "CREATE VIRTUAL TABLE s USING moving_objects(id, x, y, shape);"
@@ -146,7 +146,7 @@ TEST(OutlineQuestions, NearestAndPositionSpeakOfPositions) {
   EXPECT_EQ(db.rows("SELECT x, y FROM predictive_position(0, 's') WHERE id = 7"), "7.0|0.0");
 }
 
-// A window and the zone of its corners, asked about everything that has a corner or none.
+// A window and the zone of its corners give the same rows for every shape, with and without corners.
 TEST(OutlineQuestions, AZoneOfFourCornersIsAWindow) {
   for (int seed = 0; seed < scenes; ++seed) {
     Scene scene(static_cast<std::uint64_t>(seed));
@@ -215,7 +215,7 @@ TEST(OutlineQuestions, PrismsOfEndlessHeightAreFlat) {
   EXPECT_EQ(join("tall"), join("flat"));
 }
 
-// A box that covers everything vouches for whole outlines without a look at them.
+// A box that covers a whole outline certifies the contact without a test of the outline.
 TEST(OutlineQuestions, AreCountedWhereAGiantHoldsThem) {
   Database db;
   db.exec(

@@ -1,5 +1,6 @@
-// 1,135 real ships of the Lower Mississippi against pairs and times found by exhaustive search. The files are
-// no part of the repository: ../shared/data, or the folder that FORESEE_SHARED_DATA names; skipped without.
+// 1,135 real ships of the Lower Mississippi: rows of joins against pairs and times of an exhaustive search.
+// The files are not in the repository: the test reads ../shared/data, or the folder in FORESEE_SHARED_DATA.
+// Without them it is skipped.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -35,7 +36,7 @@ struct RealShips : ::testing::Test {
     ASSERT_EQ(ships.size(), 1135u);
   }
 
-  /// A table of the ships with what `extents` adds to each row.
+  /// Creates the table of ships, with the columns and values that `extents` adds to each row.
   void build(const std::string& columns, const std::string& extents) {
     std::string sql =
         "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy" + columns + "); BEGIN;";
@@ -47,8 +48,8 @@ struct RealShips : ::testing::Test {
     db.exec(sql + "COMMIT");
   }
 
-  /// The rows of `call` must be those of the file: i, j, begin and end after 600, and d_cpa where it is
-  /// given.
+  /// The rows of `call` must be those of the file: i, j, start and end after 600, and d_cpa if the file has
+  /// it.
   void expect_rows(const std::string& call, const std::vector<Row>& expected) {
     db.exec("CREATE TEMP TABLE found AS SELECT a, b, dt, dt_end, dt_cpa, d_cpa FROM " + call);
     EXPECT_EQ(db.rows("SELECT count(*) FROM found"), std::to_string(expected.size()));
@@ -95,9 +96,9 @@ TEST_F(RealShips, MeetAsBoxesAsExhaustiveSearchFound) {
     expect_rows("predictive_join(600, 'ships', 0, NULL, 600, '" + method + "')", expected);
 }
 
-/// Every ship that would come within 200 m of another is advised; each advice that is taken keeps it clear of
-/// all but those that it was near at first.
-TEST_F(RealShips, KeepClearOnceAdvised) {
+/// predictive_avoid for every ship that would come within 200 m of another: each manoeuvre keeps the ship
+/// clear of all others except those that are near at the start.
+TEST_F(RealShips, KeepClearAfterAManoeuvre) {
   build("", "");
   db.exec(
       "CREATE TEMP TABLE meets AS SELECT a AS id FROM predictive_join(600, 'ships', 200) WHERE dt > 0 "
@@ -119,7 +120,7 @@ TEST_F(RealShips, KeepClearOnceAdvised) {
     EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(600, 'ships', 200) WHERE a = " + id +
                       " OR b = " + id + " EXCEPT SELECT a, b FROM near"),
               "")
-        << "advice " << row;
+        << "manoeuvre " << row;
     db.exec("ROLLBACK TO advised; RELEASE advised");
   }
   sqlite3_finalize(all);

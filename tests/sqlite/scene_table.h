@@ -1,4 +1,4 @@
-// A seeded scene as a moving_objects table.
+// Builds a moving_objects table from a seeded scene.
 #pragma once
 
 #include <string>
@@ -49,7 +49,7 @@ inline void build_table(Database& db, const std::string& table, const RandomScen
       const double value =
           scene.records[i * static_cast<std::size_t>(size) + static_cast<std::size_t>(column)];
       if (std::isinf(value))
-        sqlite3_bind_null(insert, column + 2);  // until: for ever
+        sqlite3_bind_null(insert, column + 2);  // until: unbounded
       else
         sqlite3_bind_double(insert, column + 2, value);
     }

@@ -1,4 +1,4 @@
-// Connections that share a cache: who reads uncommitted rows sees what is committed once it is.
+// Connections with a shared cache: a reader of uncommitted rows sees the committed rows after the commit.
 #include "database.h"
 
 namespace foresee::testing {
@@ -17,7 +17,7 @@ TEST(SharedCache, AReaderOfUncommittedRowsIsNotStaleAfterTheCommit) {
   };
   EXPECT_EQ(counts(), "1 0 1");
   writer.exec("BEGIN; INSERT INTO ships VALUES(2, 0)");
-  counts();  // what waits in the writer's memory is nowhere to be read
+  counts();  // no reader sees the pending changes in the writer's memory
   writer.exec("INSERT INTO ships VALUES(3, 0); COMMIT");
   EXPECT_EQ(counts(), "3 3 3");
   writer.exec("BEGIN; DELETE FROM ships WHERE id = 1");
@@ -26,7 +26,7 @@ TEST(SharedCache, AReaderOfUncommittedRowsIsNotStaleAfterTheCommit) {
   EXPECT_EQ(counts(), "3 3 3");
 }
 
-TEST(SharedCache, LookUpsOfUncommittedRowsLeaveNothingBehindThatARollbackTookBack) {
+TEST(SharedCache, LookUpsOfUncommittedRowsLeaveNothingBehindAfterARollback) {
   TemporaryFile file;
   const std::string shared = "file:" + file.path() + "?cache=shared";
   Database writer(shared), reader(shared);
@@ -38,18 +38,18 @@ TEST(SharedCache, LookUpsOfUncommittedRowsLeaveNothingBehindThatARollbackTookBac
   const std::string sum = "SELECT sum(x) FROM list l CROSS JOIN ships s ON s.id = l.id";
   EXPECT_EQ(reader.rows(sum), "500500.0");
   for (const char* end : {"ROLLBACK", "COMMIT"}) {
-    sqlite3_stmt* under_way = nullptr;
+    sqlite3_stmt* running = nullptr;
     sqlite3_prepare_v2(reader.handle(), "SELECT x FROM list l CROSS JOIN ships s ON s.id = l.id", -1,
-                       &under_way, nullptr);
-    EXPECT_EQ(sqlite3_step(under_way), SQLITE_ROW);
-    // 'rebuild' and an id to be assigned write before the end.
+                       &running, nullptr);
+    EXPECT_EQ(sqlite3_step(running), SQLITE_ROW);
+    // 'rebuild' and an INSERT without an id write before the end of the transaction.
     writer.exec(
         "BEGIN; UPDATE ships SET x = 0; INSERT INTO ships(ships) VALUES('rebuild');"
         "INSERT INTO ships(x) VALUES(0); UPDATE ships SET x = 1 WHERE id < 500");
     reader.rows(sum);
-    while (sqlite3_step(under_way) == SQLITE_ROW) continue;
+    while (sqlite3_step(running) == SQLITE_ROW) continue;
     writer.exec(end);
-    sqlite3_finalize(under_way);
+    sqlite3_finalize(running);
     EXPECT_EQ(reader.rows(sum), std::string(end) == "COMMIT" ? "499.0" : "500500.0");
   }
 }

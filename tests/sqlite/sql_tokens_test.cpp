@@ -1,10 +1,11 @@
+// The SQL tokenizer: words, quoted names, numbers, comments and unterminated tokens.
 #include "sqlite/sql_tokens.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using Kind = SqlToken::Kind;
@@ -57,4 +58,4 @@ TEST(SqlTokens, AreTheSameNameInAnyCaseOfAscii) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

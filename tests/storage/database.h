@@ -11,7 +11,7 @@
 #include "storage/rows/statement.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 inline Declaration ships() {
   return {.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true}};  // t x y vx vy r
@@ -23,7 +23,7 @@ inline Declaration named_ships() {
   return declaration;
 }
 
-/// SQL values that belong to nobody's row.
+/// SQL values without a row.
 class SqlValues {
  public:
   SqlValues(sqlite3* db, std::initializer_list<const char*> texts) {
@@ -70,7 +70,7 @@ class Database {
   sqlite3* db_ = nullptr;
 };
 
-/// Makes a table as SQLite does, in a transaction of its own.
+/// Creates a table as SQLite does, in a transaction of its own.
 inline std::shared_ptr<Store> make_store(Database& db, const Declaration& declaration = ships(),
                                          const std::string& table = "ships",
                                          const std::string& schema = "main") {
@@ -108,12 +108,12 @@ inline void roll_back_to(Database& db, Store& store, int level) {
   store.rollback_to(level);
 }
 
-/// A record of ships() that says which object it belongs to.
+/// A record of ships() with coordinates that identify the object.
 inline std::vector<double> ship(double mark) {
   return {100, mark, -mark, 1, 0.5, 2};
 }
 
-/// All that the stored map says: each id and its leaf.
+/// The stored map: each id and its leaf.
 inline std::vector<IdHashMap::Entry> stored_map(Database& db, const Declaration& declaration = ships(),
                                                 const std::string& table = "ships") {
   std::vector<IdHashMap::Entry> all;
@@ -123,7 +123,7 @@ inline std::vector<IdHashMap::Entry> stored_map(Database& db, const Declaration&
   return all;
 }
 
-/// Gives each object a row of its own in the map, as version 0.1 did.
+/// Stores each object in a row of its own in the map, as version 0.1 did.
 inline void write_map_as_version_0_1(Database& db) {
   const std::vector<IdHashMap::Entry> all = stored_map(db);
   db.run("DELETE FROM ships_map");
@@ -136,7 +136,7 @@ inline std::vector<std::string> faults(Store& store) {
   return store.integrity_check(never);
 }
 
-/// Every id and its first coordinate, as read_all() sees them.
+/// Every id and its first coordinate, as read_all() returns them.
 inline std::vector<std::pair<std::int64_t, double>> contents(Store& store) {
   NeverInterrupt never;
   std::vector<std::int64_t> ids;
@@ -166,4 +166,4 @@ void expect_store_error(int code, const std::string& words, Call call) {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

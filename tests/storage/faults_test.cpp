@@ -1,10 +1,10 @@
-// A write that fails changes nothing; what waits in memory survives a failed flush.
-#include "stop_at.h"
+// Failed writes: a change that fails changes nothing, and unwritten changes survive a failed flush.
+#include "stopping_interrupt.h"
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class Faults : public ::testing::Test {
@@ -14,7 +14,7 @@ class Faults : public ::testing::Test {
     for (int id = 1; id <= 100; ++id) store->insert(id, ship(id), values);
     commit(db, *store);
   }
-  /// From now on that kind of write to that shadow table fails.
+  /// Makes writes of this kind to this shadow table fail.
   void forbid(const std::string& event, const std::string& suffix) {
     db.run("CREATE TRIGGER forbid BEFORE " + event + " ON ships_" + suffix +
            " BEGIN SELECT raise(ABORT, 'forbidden'); END");
@@ -35,7 +35,7 @@ class Faults : public ::testing::Test {
   std::shared_ptr<Store> store;
 };
 
-TEST_F(Faults, InsertUpdateAndEraseFailWholeWhenAuxiliariesCannotBeWritten) {
+TEST_F(Faults, InsertUpdateAndEraseAreAtomicWhenAuxiliariesCannotBeWritten) {
   for (const char* event : {"INSERT", "UPDATE", "DELETE"}) {
     const auto before = contents(*store);
     const std::string names = auxiliaries();
@@ -55,7 +55,7 @@ TEST_F(Faults, InsertUpdateAndEraseFailWholeWhenAuxiliariesCannotBeWritten) {
   }
 }
 
-TEST_F(Faults, AFailedFlushKeepsWhatWaits) {
+TEST_F(Faults, AFailedFlushKeepsUnwrittenChanges) {
   for (const char* suffix : {"node", "map"}) {
     begin(db, *store);
     for (int id = 101; id <= 300; ++id) store->insert(id, ship(id), values);
@@ -85,9 +85,9 @@ TEST_F(Faults, AStampThatCannotBeWrittenStopsTheChange) {
   commit(db, *store);
 }
 
-TEST_F(Faults, AFirstChangeThatFailsIsNotTakenForTheCommit) {
+TEST_F(Faults, AVersionAfterAFailedFirstChangeIsNotThatOfTheCommit) {
   store = nullptr;
-  store = Store::open(db, "main", "ships", named_ships());  // one that has changed nothing
+  store = Store::open(db, "main", "ships", named_ships());  // a store without changes
   forbid("INSERT", "aux");
   begin(db, *store);
   expect_forbidden([&] { store->insert(101, ship(1), values); });
@@ -101,8 +101,8 @@ TEST_F(Faults, AFirstChangeThatFailsIsNotTakenForTheCommit) {
   EXPECT_NE(store->read_version(), before_any_change);
 }
 
-TEST_F(Faults, AnAuthorizerThatSaysNoIsAnErrorNotACrash) {
-  // No statement of the new store is compiled yet, so each meets the authorizer.
+TEST_F(Faults, AnAuthorizerThatDeniesIsAnErrorNotACrash) {
+  // The new store has no compiled statement yet, so each one calls the authorizer.
   store = nullptr;
   store = Store::open(db, "main", "ships", named_ships());
   sqlite3_set_authorizer(
@@ -141,7 +141,7 @@ TEST_F(Faults, AFullDatabaseLosesTheTransactionAndNothingElse) {
   }
 }
 
-/// Much of it in few objects.
+/// Large records, so that a few objects take much memory.
 Declaration boxes() {
   return {
       .layout = {.axes = 3, .law = Law::accelerated, .shape = Shape::box, .has_t = true, .has_until = true}};
@@ -162,7 +162,7 @@ std::shared_ptr<Store> store_with(Database& db, MemoryLimits limits) {
   return store;
 }
 
-TEST(Memory, MoreThanMayWaitIsWrittenEarlyAndStillRollsBack) {
+TEST(Memory, ChangesBeyondTheBudgetAreWrittenEarlyAndStillRollBack) {
   Database db;
   auto store = store_with(db, {.pending = 1 << 20, .memory = 1 << 20, .waiting = 1 << 20});
   begin(db, *store);
@@ -209,7 +209,7 @@ TEST(Memory, ALoadThatFailsAfterItsFirstRowsAreWrittenCanOnlyBeRolledBack) {
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
 }
 
-TEST_F(Faults, LoadStopsWhenAsked) {
+TEST_F(Faults, LoadStopsAtAnInterrupt) {
   testing::StopAt stop(0);
   begin(db, *store);
   for (int id = 101; id <= 5000; ++id) store->insert(id, ship(id), values);
@@ -221,4 +221,4 @@ TEST_F(Faults, LoadStopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// Does a command look for an interrupt all the while? The longest time between two looks is a small part of
-// all its time, on any machine: processor time of its own thread.
+// Long commands poll for an interrupt all the time: the longest time between two polls is a small part of the
+// whole, on any machine. Times are processor time of the thread.
 #include <ctime>
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class LongestPause final : public Interrupt {
@@ -14,7 +14,7 @@ class LongestPause final : public Interrupt {
     longest_ = std::max(longest_, now - last_);
     last_ = milliseconds();
   }
-  /// As a part of the time up to now, the end of what was run.
+  /// As a part of the time up to now, at the end of the command.
   double share() {
     check();
     return longest_ / (milliseconds() - first_);
@@ -31,7 +31,7 @@ class LongestPause final : public Interrupt {
   double last_ = first_, longest_ = 0;
 };
 
-TEST(LongCommands, LookForAnInterruptWhileTheySort) {
+TEST(LongCommands, PollForAnInterruptWhileTheySort) {
   Database db;
   auto store = make_store(db);
   begin(db, *store);
@@ -39,16 +39,16 @@ TEST(LongCommands, LookForAnInterruptWhileTheySort) {
   for (std::int64_t i = 1; i <= objects; ++i)
     store->insert(i * scattered % prime, ship(static_cast<double>(i)), {});
   commit(db, *store);
-  constexpr double most = 0.125;  // of what sorts without a look 0.15 to 0.2, else less than 0.07
+  constexpr double max_pause = 0.125;  // a sort without polls has 0.15 to 0.2, with polls less than 0.07
   LongestPause checked;
   EXPECT_EQ(store->integrity_check(checked), std::vector<std::string>{});
-  EXPECT_LT(checked.share(), most);
+  EXPECT_LT(checked.share(), max_pause);
   begin(db, *store);
   LongestPause packed;
   store->rebuild(packed);
-  EXPECT_LT(packed.share(), most);
+  EXPECT_LT(packed.share(), max_pause);
   commit(db, *store);
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

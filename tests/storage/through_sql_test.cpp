@@ -1,10 +1,10 @@
-// The store under SQLite's own hands: what the callbacks of a real virtual table do to it.
+// Store behind a real virtual table: what SQLite's callbacks do to it.
 #include <filesystem>
 
 #include "sqlite/foresee.h"
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class ThroughSql : public ::testing::Test {
@@ -41,7 +41,7 @@ const char* const many =
     "WITH RECURSIVE n(i) AS (SELECT 1000 UNION ALL SELECT i + 1 FROM n LIMIT 20000) "
     "INSERT INTO ships SELECT i, i, i, 'many' FROM n";
 
-TEST_F(ThroughSql, AStatementThatFailsInTheMiddleTakesBackItsOwnRowsOnly) {
+TEST_F(ThroughSql, AStatementThatFailsAfterSomeRowsUndoesItsOwnRowsOnly) {
   db.run("BEGIN; INSERT INTO ships VALUES(3, 0, 0, 'three')");
   EXPECT_NE(error_of("INSERT INTO ships SELECT column1, column2, 0, 'x' FROM "
                      "(VALUES(4, 0), (5, 0), (6, 1e999), (7, 0))"),
@@ -64,7 +64,7 @@ TEST_F(ThroughSql, OrIgnoreAndOrFailKeepTheRowsBefore) {
   expect_sound();
 }
 
-TEST_F(ThroughSql, AnAlterElsewhereKeepsWhatWaits) {
+TEST_F(ThroughSql, AnAlterElsewhereKeepsUnwrittenChanges) {
   db.run("CREATE TABLE other(a)");
   db.run("BEGIN; INSERT INTO ships VALUES(3, 0, 0, 'three')");
   db.run("ALTER TABLE other ADD COLUMN b");
@@ -173,7 +173,7 @@ TEST_F(ThroughSql, DropAndCreateInOneTransactionStartAfresh) {
   expect_sound();
 }
 
-TEST_F(ThroughSql, CreateFailsWholeWhereAShadowTableExists) {
+TEST_F(ThroughSql, CreateIsAtomicWhereAShadowTableExists) {
   for (const char* around : {"", "BEGIN; "}) {
     db.run("CREATE TABLE IF NOT EXISTS boats_meta(mine)");
     EXPECT_NE(error_of(around + std::string("CREATE VIRTUAL TABLE boats USING moving_objects(id, x)"))
@@ -230,4 +230,4 @@ TEST_F(ThroughSql, AReaderInWalModeKeepsItsSnapshotWhileAnotherWrites) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

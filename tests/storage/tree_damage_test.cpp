@@ -1,5 +1,5 @@
-// Nodes that are sound one by one, checksum and all, and contradict one another: integrity-check names each,
-// and 'rebuild' mends whatever the leaves do not suffer from.
+// Nodes that are sound alone, with correct checksums, and contradict one another: integrity-check names each
+// fault, and 'rebuild' repairs all that does not damage a leaf.
 #include <algorithm>
 #include <numeric>
 
@@ -7,7 +7,7 @@
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class TreeDamage : public ::testing::Test {
@@ -42,8 +42,8 @@ class TreeDamage : public ::testing::Test {
     change_node(changed);
     write(number, changed);
   }
-  /// integrity-check says so; rebuild makes it good, and nothing is lost.
-  void expect_found_and_mended(const std::string& words) {
+  /// integrity-check reports it; rebuild repairs it, and nothing is lost.
+  void expect_found_and_repaired(const std::string& words) {
     db.run("UPDATE ships_meta SET value = random() WHERE key = 'stamp'");
     const std::vector<std::string> found = faults(*store);
     EXPECT_TRUE(std::ranges::any_of(
@@ -64,7 +64,7 @@ class TreeDamage : public ::testing::Test {
   std::int64_t root = 0;
 };
 
-TEST_F(TreeDamage, BoundsThatDoNotContainWhatIsBeneath) {
+TEST_F(TreeDamage, BoundsThatDoNotContainWhatIsBelow) {
   constexpr std::size_t first_bound = 3;
   for (const std::size_t bound : {0, 2, 4, 6}) {  // lower x, upper x, lower vx, upper vx
     change(root, [&](Node& n) {
@@ -73,59 +73,59 @@ TEST_F(TreeDamage, BoundsThatDoNotContainWhatIsBeneath) {
       if (bound % 4 == 0) n.values[other] = std::max(n.values[other], n.values[first_bound + bound]);
       if (bound % 4 != 0) n.values[other] = std::min(n.values[other], n.values[first_bound + bound]);
     });
-    expect_found_and_mended("which an entry above does not contain");
+    expect_found_and_repaired("which an entry above does not contain");
     root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
   }
 }
 
-TEST_F(TreeDamage, TimesThatDoNotContainWhatIsBeneath) {
+TEST_F(TreeDamage, TimesThatDoNotContainWhatIsBelow) {
   change(root, [](Node& n) { n.values[0] = 100.5, n.values[1] = 101; });
-  expect_found_and_mended("has another greatest t than its entry");
+  expect_found_and_repaired("has another greatest t than its entry");
   root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
   change(root, [](Node& n) { n.values[2] = 1000; });
-  expect_found_and_mended("which an entry above does not contain");
+  expect_found_and_repaired("which an entry above does not contain");
 }
 
 TEST_F(TreeDamage, AParentThatIsNotTheParent) {
   change(1, [](Node& n) { n.parent = 2; });
-  expect_found_and_mended("node 1: names a parent that is not its own");
+  expect_found_and_repaired("node 1: names a parent that is not its own");
 }
 
 TEST_F(TreeDamage, AChildReachedTwice) {
   change(root, [](Node& n) { n.keys[1] = n.keys[0]; });
-  expect_found_and_mended("a child is named twice");
+  expect_found_and_repaired("a child is named twice");
   root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
   const NodeNumber shared = node(node(root).keys[0]).keys[0];
   change(node(root).keys[1], [&](Node& n) { n.keys[0] = shared; });
-  expect_found_and_mended("is reached twice");
+  expect_found_and_repaired("is reached twice");
 }
 
 TEST_F(TreeDamage, AChildThatIsMissing) {
   change(root, [](Node& n) { n.keys[1] = 4444; });
-  expect_found_and_mended("node 4444 is missing");
+  expect_found_and_repaired("node 4444 is missing");
 }
 
 TEST_F(TreeDamage, AChildOfTheWrongLevel) {
   change(root, [&](Node& n) { n.level += 1; });
-  expect_found_and_mended("has level");
+  expect_found_and_repaired("has level");
 }
 
-TEST_F(TreeDamage, ANodeThatNoWayLeadsTo) {
+TEST_F(TreeDamage, AnUnreachableNode) {
   change(node(root).keys[0], [](Node& n) {
     n.keys.pop_back();
     n.values.resize(n.values.size() - static_cast<std::size_t>(entry_size(2)));
   });
-  expect_found_and_mended("nodes that are not part of the tree");
+  expect_found_and_repaired("nodes that are not part of the tree");
 }
 
 TEST_F(TreeDamage, ARootThatIsNotTheRoot) {
   for (const char* other : {"0", "1", "777777"}) {
     db.run(std::string("UPDATE ships_meta SET value = ") + other + " WHERE key = 'root'");
-    expect_found_and_mended("");
+    expect_found_and_repaired("");
   }
   for (const char* other : {"-1", "'text'", "NULL"}) {
     db.run(std::string("UPDATE ships_meta SET value = ") + other + " WHERE key = 'root'");
-    expect_found_and_mended("the root is no node");
+    expect_found_and_repaired("the root is not a node");
   }
 }
 
@@ -136,10 +136,10 @@ TEST_F(TreeDamage, NoRootDemandsAnEmptyMap) {
   expect_store_error(SQLITE_CORRUPT_VTAB, "ships: there is no root, but the map has objects",
                      [&] { store->take_snapshot(); });
   expect_store_error(SQLITE_CORRUPT_VTAB, "ships: there is no root", [&] { store->read_newest_t(); });
-  expect_found_and_mended("there is no root");
+  expect_found_and_repaired("there is no root");
 }
 
-TEST_F(TreeDamage, ALeafThatIsNoneIsNotSharedWith) {
+TEST_F(TreeDamage, NoObjectsMoveIntoALeafThatIsAnInnerNode) {
   const NodeNumber first = node(root).keys[0], other = node(root).keys[1];
   change(first, [&](Node& n) {
     n.keys = {n.keys[0], other};
@@ -158,7 +158,7 @@ TEST_F(TreeDamage, ReadersAndWritersGetAnErrorAndChangeNothing) {
   db.run("UPDATE ships_meta SET value = random() WHERE key = 'stamp'");
   const auto before = contents(*store);
   begin(db, *store);
-  // Few go into the tree one by one, many together.
+  // A few objects are inserted one at a time, many together.
   for (int last : {1, 3000}) {
     for (int id = 1; id <= last; id += 50) store->update(id, id, ship(-9e9), {});
     store->insert(9000 + last, ship(1), {});
@@ -171,4 +171,4 @@ TEST_F(TreeDamage, ReadersAndWritersGetAnErrorAndChangeNothing) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

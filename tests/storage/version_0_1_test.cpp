@@ -1,4 +1,4 @@
-// A file that version 0.1 has written is read, and written at once; made anew, its nodes have the same bytes.
+// A file of version 0.1 can be read and written at once; created again, its nodes have the same bytes.
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -6,7 +6,7 @@
 #include "sqlite/foresee.h"
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 const std::string files = FORESEE_SOURCE_DIR "/tests/storage/files/";
@@ -47,7 +47,7 @@ class VersionZeroOne : public ::testing::Test {
     EXPECT_EQ(sqlite3_finalize(select), SQLITE_OK);
     return text;
   }
-  /// What the shadow tables hold, but for the map, for the stamp, which is random, and for what version 0.1
+  /// The shadow tables without the map, without the stamp, which is random, and without keys that version 0.1
   /// lacks.
   static std::string stored_apart_from_map(Database& db, const std::string& table) {
     std::string text =
@@ -79,8 +79,8 @@ TEST_F(VersionZeroOne, IsReadWithoutChangingAByte) {
   EXPECT_TRUE(content(path) == content(files + "version_0_1.db"));
 }
 
-// Where a write touches the map it leaves blocks, and says so to versions that know none.
-TEST_F(VersionZeroOne, IsWrittenWithItsNodesAndMovesItsMap) {
+// A write converts the rows of the map to blocks, and adds a feature that version 0.1 does not know.
+TEST_F(VersionZeroOne, IsWrittenWithItsNodesAndMigratesItsMap) {
   const std::string crates = stored(db, "crates"), drones = stored(db, "drones");
   const std::string meta =
                         "SELECT * FROM ships_meta WHERE key NOT IN ('stamp', 'root', 'objects', 'features')",
@@ -95,14 +95,15 @@ TEST_F(VersionZeroOne, IsWrittenWithItsNodesAndMovesItsMap) {
   EXPECT_EQ(rows(db, "SELECT count(*), sum(id), sum(vx) FROM ships WHERE vx = 2"), "75|7742|150.0|\n");
   EXPECT_TRUE(stored(db, "crates") == crates);
   EXPECT_TRUE(stored(db, "drones") == drones);
-  db.run("INSERT INTO ships VALUES(501, 102, 1.5, 2.5, 0, 0, 1)");  // now the number of objects is another
+  db.run("INSERT INTO ships VALUES(501, 102, 1.5, 2.5, 0, 0, 1)");  // changes the number of objects
   EXPECT_EQ(rows(db, "SELECT value FROM ships_meta WHERE key = 'objects'"),
             rows(db, "SELECT count(*) FROM ships"));
   expect_sound();
 }
 
-// Of ships, which were changed after their load, the rows: how nodes share them is not the format's.
-TEST_F(VersionZeroOne, MadeAnewHasTheSameBytes) {
+// Only the rows of ships are compared, which were changed after their load: the format does not define how
+// nodes share them.
+TEST_F(VersionZeroOne, CreatedAgainHasTheSameBytes) {
   Database fresh;
   sqlite3_foresee_init(fresh, nullptr, nullptr);
   const std::string sql = content(files + "version_0_1.sql");
@@ -119,4 +120,4 @@ TEST_F(VersionZeroOne, MadeAnewHasTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

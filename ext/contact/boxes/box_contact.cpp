@@ -1,11 +1,198 @@
-#include "contact/boxes/box_contact.h"
+// Contact of two tables of boxes: pairs are decided sixteen at a time in vector lanes (box_lanes.h). A pair
+// that its lane leaves undecided, which is rare, is decided alone like a pair of any other shapes
+// (set_contact.h).
+#include <algorithm>
 
-#include "contact/typed_contact.h"
+#include "contact/boxes/box_lanes.h"
+#include "contact/contact_factories.h"
+#include "contact/set/shape_pairs.h"
+#include "contact/set_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
+namespace {
+
+template <int D, int Degree>
+class BoxContact final : public SetContact<D, Degree> {
+ public:
+  explicit BoxContact(const Setup& setup) : SetContact<D, Degree>(setup, box_box_set(setup)) {
+    std::fill_n(lanes_.end, lanes_width, setup.horizon.h);
+    take_places(rows_.a, setup.a.at);
+    take_places(rows_.b, setup.b.at);
+    rows_.within = setup.within, rows_.now = setup.horizon.now;
+  }
+
+  void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
+    const FloatEnvironment environment;
+    in_lanes(pairs, false, [&](std::span<const Pair> some, Settled settled) {
+      if (settled == Settled::all_touch_now) {
+        hits.insert(hits.end(), some.begin(), some.end());
+        return;
+      }
+      for (int l = 0; l < static_cast<int>(some.size()); ++l) {
+        if (lanes_.misses[l] > 0) continue;
+        const Pair& pair = some[static_cast<std::size_t>(l)];
+        if (lanes_.touches_now[l] > 0 || lanes_.meets[l] > 0 || this->touches(row_a(pair), row_b(pair)))
+          hits.push_back(pair);
+      }
+    });
+  }
+
+  void first_contacts(std::span<const Pair> pairs, TimesWanted wanted, std::vector<Pair>& hits,
+                      std::vector<ContactTimes>& times) override {
+    const FloatEnvironment environment;
+    const double now = setup_.horizon.now;
+    in_lanes(pairs, wanted == TimesWanted::both, [&](std::span<const Pair> some, Settled settled) {
+      if (settled == Settled::all_touch_now) {
+        hits.insert(hits.end(), some.begin(), some.end());
+        times.insert(times.end(), some.size(), {now, now, 0, 0});
+        return;
+      }
+      find_meetings_of(some, settled);
+      if (wanted == TimesWanted::both && settled == Settled::by_rows) find_ends();
+      ContactTimes found;
+      for (int l = 0; l < static_cast<int>(some.size()); ++l) {
+        if (lanes_.misses[l] > 0) continue;
+        const Pair& pair = some[static_cast<std::size_t>(l)];
+        if (!quick_contact(pair, l, settled, wanted, found) &&
+            !this->first_contact(row_a(pair), row_b(pair), this->any_time, wanted, found))
+          continue;
+        hits.push_back(pair);
+        times.push_back(found);
+      }
+    });
+  }
+
+ private:
+  /// What lanes_ holds: pairs whose rows are in rows_, other pairs, or nothing because all pairs touch now.
+  enum class Settled : std::uint8_t { by_rows, by_motion, all_touch_now };
+
+  /// Settles the pairs, up to lanes_width at a time, and calls `visit` with each group.
+  template <class Visit>
+  void in_lanes(std::span<const Pair> pairs, bool ends_wanted, Visit&& visit) {
+    for (std::size_t begin = 0; begin < pairs.size(); begin += lanes_width) {
+      const auto some = pairs.subspan(begin, std::min<std::size_t>(lanes_width, pairs.size() - begin));
+      for (std::size_t l = 0; l < some.size(); ++l) this->fetch_ahead(pairs, begin + l);
+      visit(some, settle(some, ends_wanted));
+    }
+  }
+
+  Settled settle(std::span<const Pair> some, bool ends_wanted) {
+    if (own_ends_ || !all_fresh(some)) {
+      for (std::size_t l = 0; l < some.size(); ++l)
+        put_aged(row_a(some[l]), row_b(some[l]), static_cast<int>(l));
+      kernel_.settle(lanes_);
+      return Settled::by_motion;
+    }
+    // Lanes without a pair repeat the last one.
+    for (std::size_t l = 0; l < lanes_width; ++l) {
+      const Pair& pair = some[std::min(l, some.size() - 1)];
+      rows_.a.rows[l] = row_a(pair), rows_.b.rows[l] = row_b(pair);
+    }
+    return kernel_.settle_rows(rows_, ends_wanted, lanes_) ? Settled::all_touch_now : Settled::by_rows;
+  }
+
+  /// Whether the reference time of all motions is `now`.
+  bool all_fresh(std::span<const Pair> some) const {
+    const double now = setup_.horizon.now;
+    const int t_a = setup_.a.at.t, t_b = setup_.b.at.t;
+    if (t_a == Offsets::absent && t_b == Offsets::absent) return now == 0;
+    return std::all_of(some.begin(), some.end(), [&](const Pair& pair) {
+      return value_or(row_a(pair), t_a, 0) == now && value_or(row_b(pair), t_b, 0) == now;
+    });
+  }
+
+  static void take_places(typename RowLanes<D>::Side& side, const Offsets& at) {
+    side.at_x = at.x, side.at_v = at.v, side.at_a = at.a, side.at_half = place_of_half<D>(at);
+  }
+
+  /// Fills lane l with a pair of other reference times, or whose lifetime may end within the horizon.
+  [[gnu::noinline]] void put_aged(const double* a, const double* b, int l) {
+    const PairLifetime lifetime = pair_lifetime_of(setup_, a, b);
+    const CertainMotion<D> relative = certain_motion_of<D, Degree>(setup_, a, b);
+    double half[D];
+    for (int j = 0; j < D; ++j) half[j] = half_extent<double, D>(setup_, a, b, j);
+    put_motion(lanes_, l, relative, half,
+               lifetime.end_exact ? lifetime.dt_end : lifetime.dt_end * (1 + 2 * unit_roundoff));
+    // A lane requires that both objects exist from now on, and times below 2^40. Other pairs are left
+    // undecided.
+    const bool from_now = !lifetime.none && lifetime.start_exact && lifetime.dt_start == 0;
+    if (!from_now || relative.underflow > usual_underflow) lanes_.x[0][l] = std::nan("");
+  }
+
+  /// The contact times from lane l; false if the lane does not decide them.
+  bool quick_contact(const Pair& pair, int l, Settled settled, TimesWanted wanted, ContactTimes& found) {
+    const bool touches_now = lanes_.touches_now[l] > 0;
+    if (!touches_now && !(lanes_.meets_first[l] > 0)) return false;
+    const Instant begin =
+        touches_now ? Instant{0, setup_.horizon.now} : Instant{meetings_.dt[l], meetings_.t[l]};
+    Instant end = begin;
+    if (wanted == TimesWanted::both && begin.known()) {
+      end = settled == Settled::by_rows ? quick_end(l) : unknown_instant();
+      if (!end.known())
+        end = this->end_of_contact(row_a(pair), row_b(pair), touches_now ? 0 : lanes_.after[l]);
+    }
+    found = {begin.t, end.t, begin.dt, end.dt};
+    return begin.known() && end.known();
+  }
+
+  Instant quick_end(int l) const {
+    const Horizon& horizon = setup_.horizon;
+    if (ends_.lasts[l] > 0) return {horizon.h, horizon.now + horizon.h};
+    return ends_.leaves[l] > 0 ? Instant{endings_.dt[l], endings_.t[l]} : unknown_instant();
+  }
+
+  void find_ends() {
+    for (int l = 0; l < lanes_width; ++l) ends_.from[l] = lanes_.touches_now[l] > 0 ? 0 : lanes_.after[l];
+    kernel_.settle_ends(lanes_, ends_);
+    if (std::none_of(ends_.leaves, ends_.leaves + lanes_width, [](double certain) { return certain > 0; }))
+      return;
+    kernel_.take_ends(rows_, ends_, endings_);
+    kernel_.find_ends(endings_, setup_.horizon.now);
+  }
+
+  /// Finds the start times of all pairs whose lanes found a first contact.
+  void find_meetings_of(std::span<const Pair> pairs, Settled settled) {
+    bool any = false;
+    for (int l = 0; l < static_cast<int>(pairs.size()); ++l) {
+      if (!(lanes_.meets_first[l] > 0)) continue;
+      any = true;
+      if (settled == Settled::by_rows) break;
+      put_meeting(row_a(pairs[static_cast<std::size_t>(l)]), row_b(pairs[static_cast<std::size_t>(l)]), l);
+    }
+    if (!any) return;
+    if (settled == Settled::by_rows) kernel_.take_meetings(rows_, lanes_, meetings_);
+    kernel_.find_meetings(meetings_, setup_.horizon.now);
+  }
+
+  [[gnu::flatten]] void put_meeting(const double* a, const double* b, int l) {
+    const int j = static_cast<int>(lanes_.axis[l]);
+    const auto relative = relative_axis_motion_of<DoubleDouble>(setup_, a, b, j);
+    const auto half = half_extent<DoubleDouble, D>(setup_, a, b, j);
+    MeetingLanes& m = meetings_;
+    m.x[l] = relative.x.high, m.v[l] = relative.v.high, m.a[l] = relative.a.high, m.half[l] = half.high;
+    m.x_low[l] = relative.x.low, m.v_low[l] = relative.v.low, m.a_low[l] = relative.a.low,
+    m.half_low[l] = half.low;
+    m.ex[l] = lanes_.ex[j][l], m.ev[l] = lanes_.ev[j][l];
+    m.side[l] = lanes_.side[l], m.time[l] = lanes_.time[l], m.room[l] = lanes_.room[l];
+  }
+
+  const double* row_a(const Pair& pair) const { return setup_.a.row(pair.a); }
+  const double* row_b(const Pair& pair) const { return setup_.b.row(pair.b); }
+
+  using SetContact<D, Degree>::setup_;
+  const BoxKernel<D, Degree>& kernel_ = box_kernel<D, Degree>();
+  /// Lifetimes may end within the horizon, or the horizon is too long for the lanes.
+  const bool own_ends_ = setup_.a.layout.has_until || setup_.b.layout.has_until || setup_.horizon.h > 0x1p39;
+  RowLanes<D> rows_;
+  BoxLanes<D, Degree> lanes_;
+  EndLanes ends_;
+  MeetingLanes meetings_, endings_;
+};
+
+}  // namespace
 
 std::unique_ptr<Contact> make_box_contact(const Setup& setup, int degree) {
   return make_typed<BoxContact>(setup.a.layout.axes, degree, setup);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

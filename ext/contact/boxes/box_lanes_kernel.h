@@ -1,12 +1,12 @@
-// The loops of BoxKernel that settle pairs, for box_lanes.kernel.cpp. Everything here is local to the file
-// that includes it.
+// The loops of BoxKernel that settle pairs of boxes, for box_lanes.kernel.cpp. Everything here is local to
+// the file that includes it.
 //
 // Error bounds
 // ------------
-// With M = |x| + H + s (|v| + s |a|), everything computed here from the motion at a moment up to s, or from
-// moments up to s, has at most 20 roundings of terms whose magnitudes M counts; with what the motion itself
-// is off by, ex + s ev, the total stays within ex + s ev + 32u M, u = 2^-53. Underflow takes less than 2^-900
-// as times are below 2^40.
+// Let M = |x| + H + s (|v| + s |a|) and u = 2^-53. Each value computed here from the motion at times up to s
+// has at most 20 roundings, of terms whose magnitudes M counts. The error of the motion itself adds ex + s
+// ev. The total error is at most ex + s ev + 32u M. Underflow adds less than 2^-900, because times are below
+// 2^40.
 #pragma once
 
 #include "base/lane_math.h"
@@ -14,13 +14,15 @@
 #include "contact/boxes/box_lanes.h"
 #include "numbers/crossed_root.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
-constexpr double huge = 0x1p1000, never = __builtin_inf(), underflow = 0x1p-900;
-constexpr double near = 0x1p-34;  // how far from the guess signs are looked at, relatively
+using foresee::greater, foresee::lesser;  // next to the overloads of base/doubles.h, which would hide them
 
-/// When does c + w t + k t^2, above 0 now, come to 0? About then; for ever if it does not.
+constexpr double huge = 0x1p1000, never = __builtin_inf(), underflow = 0x1p-900;
+constexpr double near = 0x1p-34;  // relative distance from the approximate root at which signs are certified
+
+/// An approximation of the first root of c + w t + k t^2, where c > 0; `never` if it has no root.
 template <int Degree>
 double first_root(double c, double w, double k) {
   if constexpr (Degree < 2) {
@@ -34,7 +36,7 @@ double first_root(double c, double w, double k) {
   }
 }
 
-/// x + v s + a s^2; of degree 1 without the last.
+/// x + v s + a s^2; without the last term for degree 1.
 template <int Degree>
 double place_at(double x, double v, double a, double s) {
   if constexpr (Degree < 2)
@@ -43,13 +45,14 @@ double place_at(double x, double v, double a, double s) {
     return x + s * (v + s * a);
 }
 
-/// What c + w s + k s^2 is at its lowest point; -inf if it bends downwards. Where that is above 0, w^2 / 4k
-/// is below c: its roundings are among those of magnitudes. Nothing overflows but towards -inf.
+/// The minimum of c + w s + k s^2; -inf if k <= 0. If the minimum is above 0, then w^2 / 4k is below c, and
+/// its roundings are counted in M. An overflow gives -inf.
 inline double bottom(double c, double w, double k) {
   return k > 0 ? c - w * (0.25 * (w / k)) : -never;
 }
 
-/// What it does not fall below from 0 to `length`, where it is `last`. A line is lowest at an end.
+/// A lower bound of c + w s + k s^2 on [0, length], where `last` is the value at `length`. A line is lowest
+/// at an end.
 template <int Degree>
 double floor_of(double c, double w, double k, double length, double last) {
   if constexpr (Degree < 2)
@@ -58,7 +61,7 @@ double floor_of(double c, double w, double k, double length, double last) {
     return lesser(lesser(c, greater(c + 0.5 * length * w, bottom(c, w, k))), last);
 }
 
-/// Bound on the error of a place, from what the motion itself is off by and the magnitudes behind it.
+/// Bound on the error of a position, from the error of the motion and the magnitudes M.
 inline double error_bound(double of_motion, double size) {
   return of_motion + 0x1p-48 * size + underflow;
 }
@@ -68,8 +71,8 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
   for (int l = 0; l < lanes.width; ++l) {
     const double end = lanes.end[l];
     const auto magnitude = [&lanes, l](int j, double s) {
-      return place_at<Degree>(size_of(lanes.x[j][l]) + lanes.half[j][l], size_of(lanes.v[j][l]),
-                              size_of(lanes.a[j][l]), s);
+      return place_at<Degree>(absolute(lanes.x[j][l]) + lanes.half[j][l], absolute(lanes.v[j][l]),
+                              absolute(lanes.a[j][l]), s);
     };
     const auto error = [&lanes, l](int j, double s, double size) {
       return error_bound(lanes.ex[j][l] + s * lanes.ev[j][l], size);
@@ -78,28 +81,28 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       return place_at<Degree>(lanes.x[j][l], lanes.v[j][l], lanes.a[j][l], s);
     };
 
-    // The guess: the latest axis to be entered, and its quadratic.
-    double moment = 0, axis = 0, from_side = 1, gap = 0, slope = 0, bend = 0, size = 0, lost = 0,
+    // The approximation: the axis that is entered last, and its quadratic.
+    double time = 0, axis = 0, from_side = 1, gap = 0, slope = 0, bend = 0, size = 0, lost = 0,
            lost_slope = 0;
     double inside_now = never, all = 0;
 #pragma GCC unroll 3
     for (int j = 0; j < D; ++j) {
       const double x = lanes.x[j][l], side = x < 0 ? -1 : 1;
-      const double c = size_of(x) - lanes.half[j][l], w = side * lanes.v[j][l], k = side * lanes.a[j][l];
+      const double c = absolute(x) - lanes.half[j][l], w = side * lanes.v[j][l], k = side * lanes.a[j][l];
       const double entry = c > 0 ? first_root<Degree>(c, w, k) : 0;
-      const bool later = entry > moment;
-      moment = later ? entry : moment;
+      const bool later = entry > time;
+      time = later ? entry : time;
       axis = later ? j : axis;
       from_side = later ? side : from_side;
       gap = later ? c : gap, slope = later ? w : slope, bend = later ? k : bend;
-      size = later ? size_of(x) + lanes.half[j][l] : size;
+      size = later ? absolute(x) + lanes.half[j][l] : size;
       lost = later ? lanes.ex[j][l] : lost, lost_slope = later ? lanes.ev[j][l] : lost_slope;
-      inside_now = lesser(inside_now, -c - error(j, 0, size_of(x) + lanes.half[j][l]));
+      inside_now = lesser(inside_now, -c - error(j, 0, absolute(x) + lanes.half[j][l]));
       all += magnitude(j, end) + lanes.ex[j][l] + end * lanes.ev[j][l];
     }
 
-    const double before = lesser(moment * (1 - near), end), after = lesser(moment * (1 + near), end);
-    const double reach = place_at<Degree>(size, size_of(slope), size_of(bend), before);
+    const double before = lesser(time * (1 - near), end), after = lesser(time * (1 + near), end);
+    const double reach = place_at<Degree>(size, absolute(slope), absolute(bend), before);
     const double lost_before = error_bound(lost + before * lost_slope, reach);
     const double at_before = place_at<Degree>(gap, slope, bend, before);
     const double apart_before = floor_of<Degree>(gap, slope, bend, before, at_before) - lost_before;
@@ -112,7 +115,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       const double error_after = error(j, after, size_after);
       // Between `before` and `after` an axis moves by less than 2^-32 of its magnitudes.
       const double moves = axis == j ? 0 : 0x1p-31 * size_after + error_after;
-      inside_after = lesser(inside_after, half - size_of(place(j, after)) - error_after - moves);
+      inside_after = lesser(inside_after, half - absolute(place(j, after)) - error_after - moves);
       const double here = place(j, before), side = here < 0 ? -1 : 1;
       const double first = side * here - half, last = side * place(j, end) - half;
       const double speed = side * (Degree < 2 ? v : v + 2 * before * a);
@@ -121,25 +124,25 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       apart_after = greater(apart_after, apart);
     }
 
-    // Nothing is certain where numbers or error bounds are so large that something may overflow, or NaN:
-    // lesser() passes on a second argument that is NaN.
+    // Nothing is certain if numbers or error bounds are so large that they may overflow, or NaN: lesser()
+    // passes on a second argument that is NaN.
     const double fits = huge - all, end_inside = end * (1 - 0x1p-50);
     const double meets = lesser(end_inside < after ? -1 : inside_after, fits);
     lanes.touches_now[l] = lesser(inside_now, fits);
     lanes.misses[l] = lesser(lesser(apart_before, before < end ? apart_after : never), fits);
     lanes.meets[l] = meets;
     lanes.meets_first[l] = lesser(apart_before, meets);
-    lanes.moment[l] = moment, lanes.before[l] = before, lanes.after[l] = after;
+    lanes.time[l] = time, lanes.before[l] = before, lanes.after[l] = after;
     lanes.axis[l] = axis, lanes.side[l] = from_side, lanes.room[l] = after - before;
   }
 }
 
-/// D columns from `place` on, into the lanes of each of `out`; none if there is no place.
+/// Reads D columns from `place` on into the lanes of `out`; reads nothing if `place` is below 0.
 template <int D>
 void take_columns(const double* const* rows, int place, double (&out)[D][lanes_width]) {
   if (place < 0) return;
   for (int lane = 0; lane < lanes_width; lane += register_width)
-    for (int j = 0; j < D; ++j) some(&out[j][lane]) = column(rows + lane, place + j);
+    for (int j = 0; j < D; ++j) store(&out[j][lane], column(rows + lane, place + j));
 }
 
 template <int D>
@@ -158,16 +161,16 @@ template <int D, int Degree>
 bool settle_rows_here(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree>& lanes) {
   take_boxes<D>(rows.a);
   take_boxes<D>(rows.b);
-  Some touching = Some{} + 1;
+  Register touching = Register{} + 1;
   for (int j = 0; j < D; ++j)
     for (int l = 0; l < lanes_width; l += register_width) {
-      const Some x = some(rows.b.x[j] + l) - some(rows.a.x[j] + l);
-      const Some half = some(rows.a.half[j] + l) + some(rows.b.half[j] + l) + rows.within;
-      some(lanes.x[j] + l) = x, some(lanes.half[j] + l) = half;
-      // As settle_here() finds that they touch now. False if half extents may overflow, or for NaN.
-      const Some size = x < 0.0 ? -x : x, room = half - size - 0x1p-48 * (size + half) - underflow;
-      touching = half < huge ? touching : -1.0 + Some{};
-      touching = room > 0.0 ? touching : -1.0 + Some{};
+      const Register x = load(rows.b.x[j] + l) - load(rows.a.x[j] + l);
+      const Register half = load(rows.a.half[j] + l) + load(rows.b.half[j] + l) + rows.within;
+      store(lanes.x[j] + l, x), store(lanes.half[j] + l, half);
+      // The test of settle_here() for touches_now. False if half extents may overflow, or for NaN.
+      const Register size = x < 0.0 ? -x : x, room = half - size - 0x1p-48 * (size + half) - underflow;
+      touching = half < huge ? touching : -1.0 + Register{};
+      touching = room > 0.0 ? touching : -1.0 + Register{};
     }
   double all = 1;
   for (int l = 0; l < register_width; ++l) all = lesser(all, touching[l]);
@@ -176,23 +179,23 @@ bool settle_rows_here(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree
   take_motion<D, Degree>(rows.b);
   for (int j = 0; j < D; ++j)
     for (int l = 0; l < lanes_width; l += register_width) {
-      some(lanes.v[j] + l) = some(rows.b.v[j] + l) - some(rows.a.v[j] + l);
-      if constexpr (Degree == 2) some(lanes.a[j] + l) = 0.5 * (some(rows.b.a[j] + l) - some(rows.a.a[j] + l));
-      some(lanes.ex[j] + l) = some(lanes.ev[j] + l) = Some{};
+      store(lanes.v[j] + l, load(rows.b.v[j] + l) - load(rows.a.v[j] + l));
+      if constexpr (Degree == 2) store(lanes.a[j] + l, 0.5 * (load(rows.b.a[j] + l) - load(rows.a.a[j] + l)));
+      store(lanes.ev[j] + l, Register{}), store(lanes.ex[j] + l, Register{});
     }
   settle_here(lanes);
   return false;
 }
 
-/// Of a column for each axis, what each lane has on its own one.
+/// Selects for each lane, from a column per axis, the value on the axis of that lane.
 template <int D>
 inline void on_axis(const double (&axis)[lanes_width], const double (&columns)[D][lanes_width],
                     double (&out)[lanes_width]) {
   for (int l = 0; l < lanes_width; l += register_width) {
-    Some value = some(columns[0] + l);
+    Register value = load(columns[0] + l);
     for (int j = 1; j < D; ++j)
-      value = some(axis + l) == static_cast<double>(j) ? some(columns[j] + l) : value;
-    some(out + l) = value;
+      value = load(axis + l) == static_cast<double>(j) ? load(columns[j] + l) : value;
+    store(out + l, value);
   }
 }
 
@@ -214,7 +217,7 @@ void take_crossings(const RowLanes<D>& rows, const From& from, MeetingLanes& __r
     meetings.v[l] = speed.high, meetings.v_low[l] = speed.low;
     meetings.half[l] = size.high, meetings.half_low[l] = size.low;
     meetings.ex[l] = meetings.ev[l] = 0;
-    meetings.side[l] = from.side[l], meetings.moment[l] = from.moment[l], meetings.room[l] = from.room[l];
+    meetings.side[l] = from.side[l], meetings.time[l] = from.time[l], meetings.room[l] = from.room[l];
   }
   if constexpr (Degree == 2)
     for (int l = 0; l < lanes_width; ++l) {
@@ -223,29 +226,30 @@ void take_crossings(const RowLanes<D>& rows, const From& from, MeetingLanes& __r
     }
 }
 
-template <Way way, int Degree>
+template <CrossingDirection direction, int Degree>
 void find_crossings(MeetingLanes& lanes, double now) {
   for (int l = 0; l < lanes.width; ++l) {
-    const double tau = lanes.moment[l], side = lanes.side[l];
+    const double tau = lanes.time[l], side = lanes.side[l];
     const DoubleDouble t{tau, 0}, x{lanes.x[l], lanes.x_low[l]}, half{lanes.half[l], lanes.half_low[l]};
     DoubleDouble chord{lanes.v[l], lanes.v_low[l]};
     double half_turn = 0, bend = 0;
     if constexpr (Degree > 1) {
       chord = chord + t * DoubleDouble{lanes.a[l], lanes.a_low[l]};
-      half_turn = tau * lanes.a[l], bend = 2 * size_of(lanes.a[l]);
+      half_turn = tau * lanes.a[l], bend = 2 * absolute(lanes.a[l]);
     }
-    const double speed = size_of(lanes.v[l]) + size_of(half_turn);
+    const double speed = absolute(lanes.v[l]) + absolute(half_turn);
     const double error =
-        error_bound(lanes.ex[l] + tau * lanes.ev[l], size_of(lanes.x[l]) + lanes.half[l] + tau * speed);
+        error_bound(lanes.ex[l] + tau * lanes.ev[l], absolute(lanes.x[l]) + lanes.half[l] + tau * speed);
     const DoubleDouble place = x + t * chord;
     const DoubleDouble value = DoubleDouble{side * place.high, side * place.low} - half;
-    // DoubleDouble loses at most 2^-97 of what the bound for doubles counts in 2^-53.
+    // The error of DoubleDouble is at most 2^-97 of the magnitudes that the bound for doubles counts in
+    // 2^-53.
     const Crossed crossed{value, error * 0x1p-44 + underflow, side * (lanes.v[l] + 2 * half_turn),
                           lanes.ev[l] + 0x1p-49 * speed + underflow, bend + underflow};
-    const Instant meeting = root_of<way>(crossed, now, tau, lanes.room[l]);
+    const Instant meeting = root_of<direction>(crossed, now, tau, lanes.room[l]);
     lanes.dt[l] = meeting.dt, lanes.t[l] = meeting.t;
   }
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,9 +1,11 @@
-// The relative motion of a pair in plain double, each number with a bound on its error.
+// The relative motion of a pair in double, with a bound on the error of each coefficient.
 //
-// With u = 2^-53 and S the larger |now - t|: positions are differenced before anything is added, so that two
-// objects near each other and far from the origin lose nothing. Each coefficient is a sum of at most six
-// rounded terms, each with at most seven roundings behind it: within 12u of the sum of the terms' magnitudes,
-// plus what underflow loses (below 2^-1070 (1 + S)^2).
+// Let u = 2^-53 and let S be the larger |now - t|. Positions are subtracted before any addition, so that two
+// objects near each other and far from the origin lose no digits. Each coefficient is a sum of at most six
+// rounded terms, and a term has at most seven roundings. The error is at most 12u of the sum of the
+// magnitudes of the terms, plus the underflow, which is below 2^-1070 (1 + S)^2.
+//
+// No types of rows are included, for kernels (base/simd.h); certain_motion.h reads rows.
 //
 // Real: double, or several pairs at once (base/doubles.h).
 #pragma once
@@ -11,16 +13,16 @@
 #include <cmath>
 
 #include "base/lane_math.h"
-#include "motion/axis_motion.h"
+#include "motion/law.h"
 #include "numbers/double_double.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// Up to this age of a motion what underflow loses is usual_underflow: a constant, as multiplying subnormal
-/// numbers costs processors a hundred cycles each.
+/// Up to this age of a motion the bound on underflow is usual_underflow. It is a constant, because a product
+/// of subnormal numbers takes a hundred cycles.
 constexpr double usual_age = 0x1p40, usual_underflow = 0x1p-988;
 
-/// One axis: x + v tau + a tau^2 (a is half the relative acceleration), and bounds on the errors.
+/// Motion on one axis: x + v tau + a tau^2 (a is half the relative acceleration), and bounds on the errors.
 template <class Real>
 struct CertainAxisMotion {
   Real x, v, a;
@@ -30,17 +32,17 @@ struct CertainAxisMotion {
 template <int D, class Real = double>
 struct CertainMotion {
   CertainAxisMotion<Real> axis[D];
-  Real underflow;  ///< bound on what underflow loses in evaluating at any tau of the horizon
+  Real underflow;  ///< bound on the underflow of an evaluation at any tau of the horizon
 };
 
-/// One axis seen from a moment: p + q s + a s^2 for the time s after it.
+/// Motion on one axis, expanded at a time: p + q s + a s^2 for the time s after it.
 template <class Real = double>
 struct AxisView {
   Real p, q, a;
   Real ep, eq, ea;
 };
 
-/// Whatever the two reference times are, `s_a` and `s_b` before now.
+/// Relative motion on one axis for any two reference times, `s_a` and `s_b` before now.
 template <int Degree, class Real>
 CertainAxisMotion<Real> axis_of_any_age(const AxisMotion<Real>& a, const AxisMotion<Real>& b, const Real& s_a,
                                         const Real& s_b, const Real& underflow) {
@@ -64,7 +66,7 @@ CertainAxisMotion<Real> axis_of_any_age(const AxisMotion<Real>& a, const AxisMot
           u * abs(half) + underflow};
 }
 
-/// Requires: 0 <= tau <= h.
+/// The motion on one axis, expanded at tau. Requires: 0 <= tau <= h.
 template <int Degree, class Real>
 AxisView<Real> view_from(const CertainAxisMotion<Real>& r, const Real& tau, const Real& underflow) {
   using std::abs;
@@ -85,10 +87,10 @@ AxisView<Real> view_from(const CertainAxisMotion<Real>& r, const Real& tau, cons
           r.ea};
 }
 
-/// All axes.
+/// The same on all axes.
 template <int D, int Degree, class Real>
 void view_from(const CertainMotion<D, Real>& r, const Real& tau, AxisView<Real> (&view)[D]) {
   for (int j = 0; j < D; ++j) view[j] = view_from<Degree>(r.axis[j], tau, r.underflow);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

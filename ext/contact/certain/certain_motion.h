@@ -1,13 +1,15 @@
-// The relative motion of a pair, from its rows, in plain double with a bound on the error of each number
+// The relative motion of a pair from its two rows, in double, with a bound on the error of each coefficient
 // (certain_axis_motion.h).
 #pragma once
+
+#include <algorithm>
 
 #include "contact/certain/certain_axis_motion.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// With the same reference time.
+/// Relative motion on one axis for a common reference time, `age` before now.
 template <int Degree>
 CertainAxisMotion<double> axis_of_one_age(const AxisMotion<double>& a, const AxisMotion<double>& b,
                                           double age, double underflow) {
@@ -23,7 +25,7 @@ CertainAxisMotion<double> axis_of_one_age(const AxisMotion<double>& a, const Axi
   return r;
 }
 
-/// On all axes, from `now` on. Where numbers overflow, nothing is certain.
+/// Relative motion on all axes, from `now` on. If numbers overflow, then nothing is certain.
 template <int D, int Degree>
 CertainMotion<D> certain_motion_of(const Setup& setup, const double* row_a, const double* row_b) {
   const double now = setup.horizon.now;
@@ -40,4 +42,4 @@ CertainMotion<D> certain_motion_of(const Setup& setup, const double* row_a, cons
   return r;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

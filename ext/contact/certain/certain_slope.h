@@ -1,23 +1,24 @@
-// Does the distance of two centres fall or rise, and where does it turn? With certainty, from double
-// arithmetic.
+// The sign of the slope of the distance between two centres, and isolated minima of the distance, certified
+// in double arithmetic.
 //
 // The slope is that of half the squared distance, x . x' for the relative motion x: at most a cubic in time.
-// Its sign over a stretch follows from its Bernstein coefficients, which value and steepness at the two ends
-// give: no change of sign among them, no root; one change, exactly one root. A coefficient in doubt counts as
-// either sign. Source: Farouki, "The Bernstein polynomial basis: a centennial retrospective" (2012),
-// section 5.
+// Value and derivative at both ends of an interval give its Bernstein coefficients there. Without a change of
+// sign among them the slope has no root in the interval; with one change it has exactly one. A coefficient
+// whose sign is uncertain counts as either sign.
+//
+// Source: Farouki, "The Bernstein polynomial basis: a centennial retrospective" (2012), section 5.
 #pragma once
 
 #include "contact/certain/certain_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// The slope at a moment and how fast it grows, each with a bound on its error.
+/// The slope at a time and its derivative, each with a bound on its error.
 struct Slope {
   double value = 0, value_error = 0;
   double growth = 0, growth_error = 0;
 
-  /// -1, 1, or 0 where the error leaves it open.
+  /// -1, 1, or 0 if the error bound does not decide the sign.
   int sign() const { return value > value_error ? 1 : value < -value_error ? -1 : 0; }
 };
 
@@ -33,24 +34,24 @@ Slope slope_of(const AxisView<> (&view)[D]) {
     s.growth_error +=
         w.eq * (2 * q + w.eq) + 2 * (a * w.ep + p * w.ea + w.ea * w.ep) + 8 * u * (q * q + 2 * (a * p));
   }
-  // Raised by more than the sums above can lose themselves, and than underflow takes.
+  // Increased by more than the rounding errors of these sums and their underflow.
   constexpr double more = 1 + 0x1p-40, underflow = 0x1p-1060;
   s.value_error = more * s.value_error + underflow;
   s.growth_error = more * s.growth_error + underflow;
   return s;
 }
 
-/// A stretch of time within which the slope has exactly one root, rising.
-struct Valley {
+/// An interval in which the slope has exactly one root and changes from negative to positive: a minimum.
+struct FallingInterval {
   double begin, end;
 };
 
-/// What a stretch certainly holds.
-enum class Stretch : std::uint8_t { no_turn, valley, ridge, unclear };
+/// The roots of the slope in an interval: no root, a minimum, a maximum, or unknown.
+enum class SlopeSign : std::uint8_t { no_turn, valley, ridge, unclear };
 
-inline Stretch stretch_between(const Slope& a, const Slope& b, double length) {
+inline SlopeSign slope_sign_between(const Slope& a, const Slope& b, double length) {
   const int first = a.sign(), last = b.sign();
-  if (first == 0 || last == 0) return Stretch::unclear;
+  if (first == 0 || last == 0) return SlopeSign::unclear;
   auto inner = [length](const Slope& s, double side) {
     const double third = length / 3;
     const double rise = third * std::abs(s.growth);
@@ -60,9 +61,9 @@ inline Stretch stretch_between(const Slope& a, const Slope& b, double length) {
         .sign();
   };
   const int second = inner(a, 1), third = inner(b, -1);
-  if (first == last) return second == first && third == first ? Stretch::no_turn : Stretch::unclear;
-  if (second != first && third != last) return Stretch::unclear;
-  return first < 0 ? Stretch::valley : Stretch::ridge;
+  if (first == last) return second == first && third == first ? SlopeSign::no_turn : SlopeSign::unclear;
+  if (second != first && third != last) return SlopeSign::unclear;
+  return first < 0 ? SlopeSign::valley : SlopeSign::ridge;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

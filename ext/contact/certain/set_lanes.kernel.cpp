@@ -1,15 +1,15 @@
-// Pairs against their contact set, a register of them at once: a kernel (base/simd.h).
+// The loops of SetKernel over a register of pairs at a time: a kernel (base/simd.h).
 #include "contact/certain/set_lanes.h"
 
 #include "base/doubles.h"
 #include "contact/certain/chord.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using BoundedDoubles = BoundedOf<Doubles>;
 
-/// The rows of one side.
+/// The rows of one table.
 struct Rows {
   const double* const* row;
 
@@ -23,15 +23,15 @@ struct LengthLanes {
   double* at;
 
   BoundedDoubles operator[](int i) const {
-    return {Doubles(some(place(i))), Doubles(some(place(i) + register_width))};
+    return {Doubles(load(place(i))), Doubles(load(place(i) + register_width))};
   }
   void put(int i, const BoundedDoubles& length) const {
-    some(place(i)) = length.value.of, some(place(i) + register_width) = length.error.of;
+    store(place(i), length.value.of), store(place(i) + register_width, length.error.of);
   }
   double* place(int i) const { return at + 2 * register_width * i; }
 };
 
-/// TwoRows of contact_set.h, side by side.
+/// TwoRows of contact_set.h, for a register of pairs.
 struct LengthRows {
   const Rows &a, &b;
 
@@ -44,30 +44,30 @@ struct LengthRows {
   }
 
  private:
-  static BoundedDoubles growth_in(const Rows& rows, int place, int t, double moment) {
-    return (BoundedDoubles{Doubles(moment)} - BoundedDoubles{rows(t)}) * BoundedDoubles{rows(place)};
+  static BoundedDoubles growth_in(const Rows& rows, int place, int t, double time) {
+    return (BoundedDoubles{Doubles(time)} - BoundedDoubles{rows(t)}) * BoundedDoubles{rows(place)};
   }
 };
 
-/// When both exist, from now on: rounded outward, and inward.
+/// When both objects exist, from now on: rounded outward, and inward.
 struct Lives {
-  Period<Doubles> asked, inner;
+  Interval<Doubles> queried, inner;
 
   Lives(const LanesQuestion& q, const Rows& a, const Rows& b) {
     constexpr double u = unit_roundoff;
     const Doubles start = greater(greater(a(q.a.t), b(q.b.t)), Doubles(q.now)) - q.now;
-    const Doubles stop = lesser(a(q.a.until, for_ever), b(q.b.until, for_ever)) - q.now;
-    asked = {start * (1 - 2 * u), lesser(stop * (1 + 2 * u), Doubles(q.h))};
+    const Doubles stop = lesser(a(q.a.until, unbounded), b(q.b.until, unbounded)) - q.now;
+    queried = {start * (1 - 2 * u), lesser(stop * (1 + 2 * u), Doubles(q.h))};
     inner = {start * (1 + 2 * u), lesser(stop * (1 - 2 * u), Doubles(q.h))};
   }
 };
 
-/// A register of pairs, looked at. What is NaN proves nothing.
+/// The evaluation of a register of pairs. A NaN proves nothing.
 template <int D, int Degree>
-class Look {
+class PairRegister {
  public:
-  /// Computes lives, motions and lengths of these pairs. The question must outlive it.
-  Look(const LanesQuestion& q, const Rows& a, const Rows& b)
+  /// Computes lifetimes, motions and lengths of these pairs. `q` must outlive it.
+  PairRegister(const LanesQuestion& q, const Rows& a, const Rows& b)
       : q_(q),
         lives_(q, a, b),
         lengths_{q.space},
@@ -76,31 +76,31 @@ class Look {
     take_lengths(a, b);
   }
 
-  /// Only then can they touch.
-  Period<Doubles> period() const {
-    const Chord<D, Doubles> chord(relative_, lives_.asked.end);
-    const Period<Doubles> near = chord.between(q_.set.hull, q_.set.hull_count, lengths_, lives_.asked);
-    return {select(usual_, near.begin, lives_.asked.begin), select(usual_, near.end, lives_.asked.end)};
+  /// The pairs can touch only within it.
+  Interval<Doubles> interval() const {
+    const Chord<D, Doubles> chord(relative_, lives_.queried.end);
+    const Interval<Doubles> near = chord.between(q_.set.hull, q_.set.hull_count, lengths_, lives_.queried);
+    return {select(usual_, near.begin, lives_.queried.begin), select(usual_, near.end, lives_.queried.end)};
   }
 
-  /// At a moment they certainly touch.
-  DoublesMask touches(const Doubles& moment) const {
-    Powers<BoundedDoubles, 0> x[D];
+  /// Whether they certainly touch at `time`.
+  DoublesMask touches(const Doubles& time) const {
+    Coefficients<BoundedDoubles, 0> x[D];
     for (int j = 0; j < D; ++j) {
-      const AxisView<Doubles> view = view_from<Degree>(relative_.axis[j], moment, relative_.underflow);
+      const AxisView<Doubles> view = view_from<Degree>(relative_.axis[j], time, relative_.underflow);
       x[j][0] = {view.p, view.ep};
     }
     for (int i = 0; i < q_.set.primitive_count; ++i) {
-      const BoundedDoubles p = polynomial_of<0>(q_.set.primitives[i], x, lengths_, moment)[0];
-      some(values_ + register_width * i) = (p.value + p.error_bound(usual_underflow + 0x1p-1060)).of;
+      const BoundedDoubles p = polynomial_of<0>(q_.set.primitives[i], x, lengths_, time)[0];
+      store(values_ + register_width * i, (p.value + p.error_bound(usual_underflow + 0x1p-1060)).of);
     }
     DoublesMask in_some = Doubles(0.0) < Doubles(0.0);
     for (int i = 0; i < q_.set.piece_count; ++i) in_some = in_some | in_piece(q_.set.pieces[i]);
-    return in_some & usual_ & (lives_.inner.begin <= moment) & (moment <= lives_.inner.end);
+    return in_some & usual_ & (lives_.inner.begin <= time) & (time <= lives_.inner.end);
   }
 
  private:
-  /// The relative motion, each number with a bound on its error, and where those bounds hold.
+  /// The relative motion, each number with a bound on its error, and the lanes in which those bounds hold.
   void take_motion(const Rows& a, const Rows& b) {
     const Doubles s_a = q_.now - a(q_.a.t), s_b = q_.now - b(q_.b.t);
     usual_ = 1 + greater(abs(s_a), abs(s_b)) + q_.h <= usual_age;
@@ -128,33 +128,33 @@ class Look {
     }
   }
 
-  /// Certainly in all primitives of the piece.
+  /// Whether all primitives of the piece are certainly negative.
   DoublesMask in_piece(const ContactSet::Piece& piece) const {
     DoublesMask in_all = Doubles(0.0) <= Doubles(0.0);
     for (auto i = piece.all.begin; i < piece.all.end; ++i)
-      in_all = in_all & (Doubles(some(values_ + register_width * q_.set.members[i])) < 0.0);
+      in_all = in_all & (Doubles(load(values_ + register_width * q_.set.members[i])) < 0.0);
     return in_all;
   }
 
   const LanesQuestion& q_;
   const Lives lives_;
   CertainMotion<D, Doubles> relative_;
-  DoublesMask usual_;  ///< no time is so long that underflow would lose more than usual
+  DoublesMask usual_;  ///< no age is so large that underflow exceeds usual_underflow
   const LengthLanes lengths_;
-  double* const values_;  ///< of each primitive, at most
+  double* const values_;  ///< an upper bound of each primitive
 };
 
-/// SetKernel::look, register by register.
+/// SetKernel::classify, register by register.
 template <int D, int Degree>
-void look_here(const LanesQuestion& q, SetLanes& lanes) {
+void classify_lanes(const LanesQuestion& q, SetLanes& lanes) {
   for (int l = 0; l < lanes.width; l += register_width) {
-    const Look<D, Degree> look(q, Rows{lanes.a + l}, Rows{lanes.b + l});
-    const Period<Doubles> period = look.period();
-    some(lanes.begin + l) = period.begin.of, some(lanes.end + l) = period.end.of;
+    const PairRegister<D, Degree> pairs(q, Rows{lanes.a + l}, Rows{lanes.b + l});
+    const Interval<Doubles> interval = pairs.interval();
+    store(lanes.begin + l, interval.begin.of), store(lanes.end + l, interval.end.of);
     if (!q.touches_wanted) continue;
-    DoublesMask found = period.begin <= period.end;
-    if (any(found)) found = found & look.touches(0.5 * (period.begin + period.end));
-    some(lanes.touches + l) = select(found, Doubles(1.0), Doubles(0.0)).of;
+    DoublesMask found = interval.begin <= interval.end;
+    if (any(found)) found = found & pairs.touches(0.5 * (interval.begin + interval.end));
+    store(lanes.touches + l, select(found, Doubles(1.0), Doubles(0.0)).of);
   }
 }
 
@@ -162,7 +162,7 @@ void look_here(const LanesQuestion& q, SetLanes& lanes) {
 
 template <int D, int Degree, Simd simd>
 const SetKernel<D, Degree>& set_kernel() {
-  static constexpr SetKernel<D, Degree> kernel{look_here<D, Degree>};
+  static constexpr SetKernel<D, Degree> kernel{classify_lanes<D, Degree>};
   return kernel;
 }
 
@@ -173,4 +173,4 @@ template const SetKernel<2, 2>& set_kernel<2, 2, Simd::FORESEE_SIMD>();
 template const SetKernel<3, 1>& set_kernel<3, 1, Simd::FORESEE_SIMD>();
 template const SetKernel<3, 2>& set_kernel<3, 2, Simd::FORESEE_SIMD>();
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,19 +1,18 @@
-#include "contact/exact/exact_approach.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "contact/exact/exact_contact.h"
 #include "numbers/interval_newton.h"
 #include "numbers/time_intervals.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// The double nearest to the square root, ties to even.
 double rounded_square_root(const Dyadic& square) {
   if (square.sign() <= 0) return 0;
-  // 128 bits or one less, so that the exponent is even; what is cut off only has to be known to exist.
-  const int bits = numbers::length_of(square.mantissa());
+  // 128 bits or one less, so that the exponent is even. Of the bits cut off only their presence matters.
+  const int bits = bit_length(square.mantissa());
   int shift = 128 - bits;
   if ((square.exponent() - shift) % 2 != 0) --shift;
   const Integer head =
@@ -24,7 +23,7 @@ double rounded_square_root(const Dyadic& square) {
   return rounded(Dyadic((root << 1) + (more ? 1 : 0), (square.exponent() - shift) / 2 - 1));
 }
 
-/// A polynomial given by its exact coefficients, as a lazy one.
+/// A LazyPolynomial of given exact coefficients.
 class KnownPolynomial final : public PolynomialSource {
  public:
   explicit KnownPolynomial(const SquaredDistance& c) : exact_(c), polynomial_(rough(c), *this, 0) {}
@@ -34,8 +33,8 @@ class KnownPolynomial final : public PolynomialSource {
   LazyPolynomial& polynomial() { return polynomial_; }
 
  private:
-  static LazyPolynomial::Coefficients rough(const SquaredDistance& c) {
-    LazyPolynomial::Coefficients rough;
+  static LazyPolynomial::RoughCoefficients rough(const SquaredDistance& c) {
+    LazyPolynomial::RoughCoefficients rough;
     std::transform(c.begin(), c.end(), rough.begin(), [](const Dyadic& d) { return Midrad128(d); });
     return rough;
   }
@@ -46,30 +45,29 @@ class KnownPolynomial final : public PolynomialSource {
 
 class ExactApproach {
  public:
-  ExactApproach(const SquaredDistance& square, const ExactMoments& moments)
-      : square_(square), moments_(moments), known_(square), begin_(moments.begin), end_(moments.end) {}
+  ExactApproach(const SquaredDistance& square, const ExactLifetime& lifetime)
+      : square_(square), lifetime_(lifetime), known_(square), begin_(lifetime.begin), end_(lifetime.end) {}
 
   ClosestApproach nearest() {
-    const Moments& m = moments_.rounded;
+    const PairLifetime& m = lifetime_.rounded;
     const auto [first, second] = minima();
     AlgebraicRoot& best = second && second_is_nearer(*first, *second) ? *second : *first;
     const double distance = distance_at(best);
-    if (&best == &begin_) return {m.t_begin, m.dt_begin, distance};
+    if (&best == &begin_) return {m.t_start, m.dt_start, distance};
     if (&best == &end_) return {m.t_end, m.dt_end, distance};
-    return {rounded(best, moments_.now), rounded(best, Dyadic()), distance};
+    return {rounded(best, lifetime_.now), rounded(best, Dyadic()), distance};
   }
 
  private:
   struct Minima {
     AlgebraicRoot *first = nullptr, *second = nullptr;
-    void add(AlgebraicRoot& moment) { (first ? second : first) = &moment; }
+    void add(AlgebraicRoot& time) { (first ? second : first) = &time; }
   };
 
-  /// Where the squared distance has fallen before and rises after, in order of time: one or two, as its slope
-  /// is a cubic.
+  /// The local minima of the squared distance in order of time: one or two, because its slope is a cubic.
   Minima minima() {
     Minima minima;
-    if (slope().degree() < 0 || !(moments_.begin < moments_.end)) return {&begin_};
+    if (slope().degree() < 0 || !(lifetime_.begin < lifetime_.end)) return {&begin_};
     int side = slope_after(begin_);
     if (side > 0) minima.add(begin_);
     const Roots turns = zeros_within(slope(), {begin_, end_});
@@ -84,20 +82,20 @@ class ExactApproach {
 
   LazyPolynomial& slope() { return known_.polynomial().slope(); }
 
-  /// The slope's sign just after a moment: that of its first derivative that is not zero there.
-  int slope_after(AlgebraicRoot& moment) {
+  /// The sign of the slope just after a time: that of its first derivative that is not zero there.
+  int slope_after(AlgebraicRoot& time) {
     LazyPolynomial* polynomial = &slope();
-    int sign = polynomial->sign_at(moment);
-    for (; sign == 0; sign = polynomial->sign_at(moment)) polynomial = &polynomial->slope();
+    int sign = polynomial->sign_at(time);
+    for (; sign == 0; sign = polynomial->sign_at(time)) polynomial = &polynomial->slope();
     return sign;
   }
 
   /// The sign of the squared distance minus `limit`.
-  int sign_beyond(const Dyadic& limit, AlgebraicRoot& moment) const {
+  int sign_beyond(const Dyadic& limit, AlgebraicRoot& time) const {
     SquaredDistance difference = square_;
     difference[0] = square_[0] - limit;
     KnownPolynomial beyond(difference);
-    return beyond.polynomial().sign_at(moment);
+    return beyond.polynomial().sign_at(time);
   }
 
   bool second_is_nearer(AlgebraicRoot& first, AlgebraicRoot& second) const {
@@ -113,33 +111,33 @@ class ExactApproach {
   }
 
   /// The distance at an end or a root of the slope, rounded once.
-  double distance_at(AlgebraicRoot& moment) {
-    if (moment.known) return rounded_square_root(value_at(known_.exact(), *moment.known));
-    if (known_.polynomial().sign_at(moment) == 0) return 0;
+  double distance_at(AlgebraicRoot& time) {
+    if (time.known) return rounded_square_root(value_at(known_.exact(), *time.known));
+    if (known_.polynomial().sign_at(time) == 0) return 0;
     for (int bits = first_length;; bits *= 2) {
       const Polynomial& p = known_.exact();
-      const Midrad square = value_at(known_.polynomial().enclosure(bits), p.degree, moment.enclosure(bits));
-      const double least = rounded_square_root(square.low()), most = rounded_square_root(square.high());
-      if (least == most) return least;
-      if (std::nextafter(least, most) != most) continue;
-      // Infinity stands for 2^1024, as rounding has it.
-      const Dyadic above = std::isfinite(most) ? Dyadic(most) : Dyadic::power_of_two(1024);
-      const Dyadic tie = half_of(Dyadic(least) + above);
-      const int side = sign_beyond(tie * tie, moment);
-      return side < 0 ? least : side > 0 ? most : rounded(tie);
+      const Midrad square = value_at(known_.polynomial().enclosure(bits), p.degree, time.enclosure(bits));
+      const double lower = rounded_square_root(square.low()), upper = rounded_square_root(square.high());
+      if (lower == upper) return lower;
+      if (std::nextafter(lower, upper) != upper) continue;
+      // Rounding treats infinity as 2^1024.
+      const Dyadic above = std::isfinite(upper) ? Dyadic(upper) : Dyadic::power_of_two(1024);
+      const Dyadic tie = half_of(Dyadic(lower) + above);
+      const int side = sign_beyond(tie * tie, time);
+      return side < 0 ? lower : side > 0 ? upper : rounded(tie);
     }
   }
 
   const SquaredDistance& square_;
-  const ExactMoments& moments_;
+  const ExactLifetime& lifetime_;
   KnownPolynomial known_;
   AlgebraicRoot begin_, end_;
 };
 
 }  // namespace
 
-ClosestApproach exact_approach(const SquaredDistance& square, const ExactMoments& moments) {
-  return ExactApproach(square, moments).nearest();
+ClosestApproach exact_approach(const SquaredDistance& square, const ExactLifetime& lifetime) {
+  return ExactApproach(square, lifetime).nearest();
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

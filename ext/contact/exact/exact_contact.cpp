@@ -8,13 +8,13 @@
 #include "contact/certain/crossing.h"
 #include "numbers/time_intervals.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 class ExactPair {
  public:
-  ExactPair(PiecePolynomials& polynomials, const ExactMoments& moments)
-      : polynomials_(polynomials), moments_(moments), begin_(moments.begin), end_(moments.end) {}
+  ExactPair(PiecePolynomials& polynomials, const ExactLifetime& lifetime)
+      : polynomials_(polynomials), lifetime_(lifetime), begin_(lifetime.begin), end_(lifetime.end) {}
 
   bool touches() {
     const auto pieces = polynomials_.set().pieces();
@@ -22,13 +22,13 @@ class ExactPair {
                        [this](const ContactSet::Piece& piece) { return !held(piece).empty(); });
   }
 
-  NeededPieces needed(std::size_t most) {
+  NeededPieces needed(std::size_t limit) {
     const std::vector<Held> chain = chain_of(all_held());
     NeededPieces needed{{}, std::numeric_limits<double>::infinity()};
     std::size_t count = chain.size();
-    if (count > most) {
-      const double until = double_below(chain[most].interval.first->at);
-      if (moments_.begin < Dyadic(until)) needed.until = until, count = most;
+    if (count > limit) {
+      const double until = double_below(chain[limit].interval.first->at);
+      if (lifetime_.begin < Dyadic(until)) needed.until = until, count = limit;
     }
     for (std::size_t i = 0; i < count; ++i) needed.pieces.push_back(chain[i].piece);
     std::sort(needed.pieces.begin(), needed.pieces.end());
@@ -43,7 +43,7 @@ class ExactPair {
       intervals.insert(intervals.end(), held.begin(), held.end());
     }
     if (intervals.empty()) return {};
-    std::iter_swap(intervals.begin(), std::min_element(intervals.begin(), intervals.end(), begins_before));
+    std::iter_swap(intervals.begin(), std::min_element(intervals.begin(), intervals.end(), starts_before));
     std::size_t joined = joined_to_first(intervals);
     while (between && goes_on_after(intervals, joined, between)) {
       if (joined == intervals.size()) {
@@ -57,13 +57,13 @@ class ExactPair {
   }
 
  private:
-  /// When a piece holds, or once more.
+  /// One interval in which a piece holds.
   struct Held {
     TimeInterval interval;
     std::uint32_t piece;
   };
 
-  /// In order of their begins, and of those that begin together the longest first.
+  /// All intervals of all pieces, sorted by start; of those with the same start the longest is first.
   std::vector<Held> all_held() {
     std::vector<Held> all;
     std::uint32_t number = 0;
@@ -78,8 +78,8 @@ class ExactPair {
     return all;
   }
 
-  /// The fewest with the same moments: of those that begin while the ones before last, the one that lasts
-  /// longest is next.
+  /// The smallest subset with the same union. The next one is, of the intervals that start before the last
+  /// one ends, the one with the latest end.
   std::vector<Held> chain_of(const std::vector<Held>& all) {
     std::vector<Held> chain;
     for (std::size_t i = 0; i < all.size();) {
@@ -102,14 +102,15 @@ class ExactPair {
     return std::nextafter(at.low().rounded(), -std::numeric_limits<double>::infinity());
   }
 
-  Instant instant(AlgebraicRoot& moment) const {
-    const Moments& m = moments_.rounded;
-    if (&moment == &begin_) return {m.dt_begin, m.t_begin};
-    if (&moment == &end_) return {m.dt_end, m.t_end};
-    return {rounded(moment, Dyadic()), rounded(moment, moments_.now)};
+  Instant instant(AlgebraicRoot& time) const {
+    const PairLifetime& m = lifetime_.rounded;
+    if (&time == &begin_) return {m.dt_start, m.t_start};
+    if (&time == &end_) return {m.dt_end, m.t_end};
+    return {rounded(time, Dyadic()), rounded(time, lifetime_.now)};
   }
 
-  /// Of those that do not hang together with the first, which begin later than those end.
+  /// The earliest interval that is not joined to the first one; all such intervals start after the joined
+  /// ones end.
   static std::vector<TimeInterval>::iterator first_after(std::vector<TimeInterval>& intervals,
                                                          std::size_t joined) {
     return std::min_element(
@@ -117,18 +118,18 @@ class ExactPair {
         [](const TimeInterval& a, const TimeInterval& b) { return compare(*a.first, *b.first) < 0; });
   }
 
-  /// Do they touch from the end of the joined intervals until the next of the others begins?
+  /// Whether the pair touches from the end of the joined intervals until the start of the next one.
   bool goes_on_after(std::vector<TimeInterval>& intervals, std::size_t joined,
                      const TouchesBetween& between) {
     AlgebraicRoot* last = intervals[0].last;
     for (std::size_t i = 1; i < joined; ++i)
       if (compare(*intervals[i].last, *last) > 0) last = intervals[i].last;
     AlgebraicRoot& next = joined == intervals.size() ? end_ : *first_after(intervals, joined)->first;
-    return compare(*last, next) < 0 && between(moment_between(*last, next));
+    return compare(*last, next) < 0 && between(time_between(*last, next));
   }
 
   /// Requires: a < b.
-  static Dyadic moment_between(AlgebraicRoot& a, AlgebraicRoot& b) {
+  static Dyadic time_between(AlgebraicRoot& a, AlgebraicRoot& b) {
     for (int bits = 128;; bits *= 2) {
       const Dyadic low = a.known ? *a.known : a.enclosure(bits).high();
       const Dyadic high = b.known ? *b.known : b.enclosure(bits).low();
@@ -136,7 +137,7 @@ class ExactPair {
     }
   }
 
-  /// When do all conditions of the piece hold?
+  /// The intervals in which all conditions of the piece hold.
   TimeIntervals held(const ContactSet::Piece& piece) {
     polynomials_.step();
     const ContactSet& set = polynomials_.set();
@@ -144,64 +145,65 @@ class ExactPair {
     const auto around = set.members(piece.around), beyond = set.members(piece.beyond);
     TimeIntervals met{{&begin_, &end_}};
     for (std::size_t i = 0; i < all.size() && !met.empty(); ++i)
-      if (all[i] != piece.ball) met = common(met, inside(all[i]));
+      if (all[i] != piece.ball) met = common(met, sublevel_intervals(all[i]));
     if (piece.ball < 0) return met;
     for (std::size_t i = 0; i < beyond.size() && !met.empty(); ++i)
-      met = common(met, outside(inside(beyond[i]), {begin_, end_}));
+      met = common(met, complement(sublevel_intervals(beyond[i]), {begin_, end_}));
     if (met.empty()) return met;
     LazyPolynomial& polynomial = polynomials_.polynomial(polynomials_.number_of(piece.ball));
     TimeIntervals near = met;
     if (is_bent(polynomial))
-      for (std::size_t i = 0; i < around.size() && !near.empty(); ++i) near = common(near, inside(around[i]));
+      for (std::size_t i = 0; i < around.size() && !near.empty(); ++i)
+        near = common(near, sublevel_intervals(around[i]));
     if (near.empty()) return near;
     return common(met, inside_while(near, polynomial));
   }
 
-  /// Its roots are costly to find: worth asking first when they can be.
+  /// Whether the roots are costly, so that a filter by `around` pays.
   static bool is_bent(const LazyPolynomial& polynomial) {
     return polynomial.rough()[3].sign() != 0 || polynomial.rough()[4].sign() != 0;
   }
 
-  /// A costly polynomial, which belongs to one piece alone: looked at only around the moments that the rest
-  /// of the piece leaves.
+  /// The intervals of a costly polynomial, which belongs to one piece alone: computed only around the
+  /// intervals that the rest of the piece leaves.
   TimeIntervals inside_while(const TimeIntervals& rest, LazyPolynomial& polynomial) {
     const AlgebraicRoot &first = *rest.front().first, &last = *rest.back().last;
     AlgebraicRoot *from = &begin_, *to = &end_;
-    if (&first != &begin_) from = known_moment(first.at.low().dyadic(), begin_);
-    if (&last != &end_) to = known_moment(last.at.high().dyadic(), end_);
-    return numbers::inside(polynomial, {*from, *to});
+    if (&first != &begin_) from = known_time(first.at.low().dyadic(), begin_);
+    if (&last != &end_) to = known_time(last.at.high().dyadic(), end_);
+    return foresee::sublevel_intervals(polynomial, {*from, *to});
   }
 
-  /// The moment as an end, unless it is beyond what is asked.
-  AlgebraicRoot* known_moment(const Dyadic& moment, AlgebraicRoot& limit) {
-    if (moment < moments_.begin || moments_.end < moment) return &limit;
-    moments_made_.push_back(moment);
-    known_moments_.emplace_back(moments_made_.back());
-    return &known_moments_.back();
+  /// The time as an end of an interval; `limit` if it is outside the lifetime.
+  AlgebraicRoot* known_time(const Dyadic& time, AlgebraicRoot& limit) {
+    if (time < lifetime_.begin || lifetime_.end < time) return &limit;
+    made_times_.push_back(time);
+    known_times_.emplace_back(made_times_.back());
+    return &known_times_.back();
   }
 
-  const TimeIntervals& inside(int primitive) {
+  const TimeIntervals& sublevel_intervals(int primitive) {
     const std::size_t number = polynomials_.number_of(primitive);
     if (inside_.size() <= number) inside_.resize(number + 1);
     std::optional<TimeIntervals>& known = inside_[number];
     if (!known) {
       polynomials_.step();  // a piece may have tens of thousands of conditions
-      known = numbers::inside(polynomials_.polynomial(number), {begin_, end_});
+      known = foresee::sublevel_intervals(polynomials_.polynomial(number), {begin_, end_});
     }
     return *known;
   }
 
-  /// Two intervals that certainly overlap are one contact whichever begins before: no need to compare
-  /// exactly.
-  static bool begins_before(const TimeInterval& a, const TimeInterval& b) {
+  /// Two intervals that certainly overlap are one contact, whichever starts first: their starts need no exact
+  /// comparison.
+  static bool starts_before(const TimeInterval& a, const TimeInterval& b) {
     const int rough = (a.first->at - b.first->at).sign();
     if (rough != unknown_sign) return rough < 0;
     if ((b.last->at - a.first->at).sign() == 1 && (a.last->at - b.first->at).sign() == 1) return false;
     return compare(*a.first, *b.first) < 0;
   }
 
-  /// Brings the intervals that hang together with the first to the front, and counts them. In rough order of
-  /// their begins each is asked once, or nearly.
+  /// Moves the intervals that are connected with the first to the front, and returns their number. In
+  /// approximate order of their starts nearly all are tested once.
   std::size_t joined_to_first(std::vector<TimeInterval>& intervals) {
     std::sort(intervals.begin() + 1, intervals.end(), [](const TimeInterval& a, const TimeInterval& b) {
       return a.first->at.rounded() < b.first->at.rounded();
@@ -225,7 +227,7 @@ class ExactPair {
                        [&](AlgebraicRoot* last) { return compared(*interval.first, *last) <= 0; });
   }
 
-  /// Of the ends reached, `latest` has those that 128 bits do not tell to be earlier than another.
+  /// `latest` has the ends reached that 128 bits do not prove to be earlier than another one.
   static void reach(AlgebraicRoot* end, std::vector<AlgebraicRoot*>& latest) {
     for (const AlgebraicRoot* known : latest)
       if (known == end || (end->at - known->at).sign() == -1) return;
@@ -233,8 +235,8 @@ class ExactPair {
     latest.push_back(end);
   }
 
-  /// Begin and end of intervals that hang together. As rounding keeps order, ends that 128 bits do not tell
-  /// apart are rounded one by one and then compared.
+  /// Start and end of connected intervals. Rounding is monotone: ends that 128 bits do not tell apart are
+  /// rounded one by one and then compared.
   ContactTimes times_of(const TimeInterval* intervals, std::size_t count) const {
     AlgebraicRoot *first = intervals[0].first, *last = intervals[0].last;
     Instant begin = instant(*first), end = instant(*last);
@@ -250,40 +252,41 @@ class ExactPair {
   }
 
   PiecePolynomials& polynomials_;
-  const ExactMoments& moments_;
+  const ExactLifetime& lifetime_;
   AlgebraicRoot begin_, end_;
   std::vector<std::optional<TimeIntervals>> inside_;  ///< of each polynomial
-  std::deque<Dyadic> moments_made_;
-  std::deque<AlgebraicRoot> known_moments_;
+  std::deque<Dyadic> made_times_;
+  std::deque<AlgebraicRoot> known_times_;
 };
 
 }  // namespace
 
-ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const double* row_b) {
-  ExactMoments moments;
-  moments.rounded = moments_of(setup, row_a, row_b);
-  moments.now = Dyadic(setup.horizon.now);
-  const Moments& m = moments.rounded;
-  moments.begin = Dyadic(m.t_begin) - moments.now;
-  moments.end = m.ends_with_horizon ? Dyadic(setup.horizon.h) : Dyadic(m.t_end) - moments.now;
-  return moments;
+ExactLifetime exact_lifetime_of(const Setup& setup, const double* row_a, const double* row_b) {
+  ExactLifetime lifetime;
+  lifetime.rounded = pair_lifetime_of(setup, row_a, row_b);
+  lifetime.now = Dyadic(setup.horizon.now);
+  const PairLifetime& m = lifetime.rounded;
+  lifetime.begin = Dyadic(m.t_start) - lifetime.now;
+  lifetime.end = m.ends_with_horizon ? Dyadic(setup.horizon.h) : Dyadic(m.t_end) - lifetime.now;
+  return lifetime;
 }
 
-NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactMoments& moments, std::size_t most) {
-  return ExactPair(polynomials, moments).needed(most);
+NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactLifetime& lifetime, std::size_t limit) {
+  return ExactPair(polynomials, lifetime).needed(limit);
 }
 
-bool exact_touches(PiecePolynomials& polynomials, const ExactMoments& moments) {
-  return ExactPair(polynomials, moments).touches();
+bool exact_touches(PiecePolynomials& polynomials, const ExactLifetime& lifetime) {
+  return ExactPair(polynomials, lifetime).touches();
 }
 
-std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactMoments& moments) {
-  return ExactPair(polynomials, moments).times({});
+std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactLifetime& lifetime) {
+  return ExactPair(polynomials, lifetime).times({});
 }
 
-std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials, const ExactMoments& moments,
+std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials,
+                                                  const ExactLifetime& lifetime,
                                                   const TouchesBetween& between) {
-  return ExactPair(polynomials, moments).times(between);
+  return ExactPair(polynomials, lifetime).times(between);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,9 +1,15 @@
-// Contact decided and timed exactly: the last word where certified doubles cannot tell.
+// The exact stage: contact times and closest approach of one pair in exact arithmetic, for pairs that
+// certified doubles leave undecided.
 //
-// Every polynomial is at most 0 during some intervals of time, whose ends are algebraic roots; a piece of the
-// contact set holds where all of its polynomials' intervals meet, and the set is the union of its pieces.
-// Ends are compared exactly and only the answer's are rounded, once. Cost: microseconds where 128 bits tell,
-// some microseconds more for each tie.
+// Contact: every polynomial is at most 0 during some intervals of time, whose ends are algebraic roots. A
+// piece of the contact set holds in the intersection of the intervals of its polynomials, and the set is the
+// union of its pieces. Ends are compared exactly; only the ends of the answer are rounded, once. Cost:
+// microseconds if 128 bits decide, and some microseconds more for each tie.
+//
+// Closest approach: the squared distance is a polynomial of degree at most four. Its minimum is at an end of
+// the lifetime or where the slope changes from negative to positive; there are at most two such times. They
+// are compared by exact signs, and a tie goes to the earlier one. Time and distance are each rounded once.
+// Cost: tens of microseconds.
 #pragma once
 
 #include <functional>
@@ -12,37 +18,59 @@
 #include "contact/contact.h"
 #include "contact/exact/pair_polynomials.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// The exact ends of the moments asked about, measured from now.
-struct ExactMoments {
+/// The exact lifetime of a pair within the horizon, measured from now.
+struct ExactLifetime {
   Dyadic begin, end;
   Dyadic now;
-  Moments rounded;
+  PairLifetime rounded;
 };
-ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const double* row_b);
+ExactLifetime exact_lifetime_of(const Setup& setup, const double* row_a, const double* row_b);
 
-/// Does the pair touch at some moment asked about? Polynomials can be asked for one answer.
-bool exact_touches(PiecePolynomials& polynomials, const ExactMoments& moments);
+/// Whether the pair touches during the lifetime. The polynomials can be used for one answer only.
+bool exact_touches(PiecePolynomials& polynomials, const ExactLifetime& lifetime);
 
-/// Begin and end of the first contact, if there is one.
-std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactMoments& moments);
+/// Start and end of the first contact; no value if the pair does not touch.
+std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactLifetime& lifetime);
 
-/// Some pieces of a set that hold, until a moment, whenever any of them all does.
+/// A subset of the pieces of a set: until a time, one of them holds whenever any piece of the set does.
 struct NeededPieces {
-  std::vector<std::uint32_t> pieces;  ///< by their numbers
-  double until;  ///< measured from now; later than all that is asked about where they are enough for that
+  std::vector<std::uint32_t> pieces;  ///< piece numbers
+  double until;  ///< measured from now; infinity if the subset is enough for the whole lifetime
 };
 
-/// The fewest that are enough; no more than `most` of them, but until then, where those begin one by one.
-NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactMoments& moments, std::size_t most);
+/// The smallest subset that is enough. At most `limit` pieces: if more are needed and start one by one, then
+/// until the next one starts.
+NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactLifetime& lifetime, std::size_t limit);
 
-/// Whether two touch at a moment at which no piece holds.
-using TouchesBetween = std::function<bool(const Dyadic& moment)>;
+/// Whether two objects touch at a time at which no piece holds.
+using TouchesBetween = std::function<bool(const Dyadic& time)>;
 
-/// The same where contact may go on after pieces and between them: as `between` says, which is asked at one
-/// moment each.
-std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials, const ExactMoments& moments,
+/// exact_times() for solids, which may stay in contact between and after the intervals of the pieces.
+/// `between` is called at one time of each such gap.
+std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials,
+                                                  const ExactLifetime& lifetime,
                                                   const TouchesBetween& between);
 
-}  // namespace foresee::contact
+/// |x + v tau + a tau^2|^2 by powers of tau.
+using SquaredDistance = std::array<Dyadic, Polynomial::max_degree + 1>;
+
+template <int D>
+SquaredDistance squared_distance(const RelativeMotion<Dyadic, D>& relative) {
+  SquaredDistance sum;
+  for (int j = 0; j < D; ++j) {
+    const Dyadic &x = relative.x[j], &v = relative.v[j], &a = relative.a[j];
+    sum[0] = sum[0] + x * x;
+    sum[1] = sum[1] + (x * v).scaled(1);
+    sum[2] = sum[2] + v * v + (x * a).scaled(1);
+    sum[3] = sum[3] + (v * a).scaled(1);
+    sum[4] = sum[4] + a * a;
+  }
+  return sum;
+}
+
+/// The closest approach. Requires: lifetime.begin <= lifetime.end.
+ClosestApproach exact_approach(const SquaredDistance& square, const ExactLifetime& lifetime);
+
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::contact {
+namespace foresee {
 
 PairPolynomials::PairPolynomials(const ContactSet& set, const Setup& setup, const double* row_a,
                                  const double* row_b)
@@ -10,11 +10,11 @@ PairPolynomials::PairPolynomials(const ContactSet& set, const Setup& setup, cons
       setup_(setup),
       row_a_(row_a),
       row_b_(row_b),
-      rough_motion_(motion_powers<Midrad128>(setup, row_a, row_b)),
+      rough_motion_(motion_coefficients<Midrad128>(setup, row_a, row_b)),
       number_of_(set.primitives().size(), -1) {}
 
 Polynomial PairPolynomials::exact_polynomial(int primitive) const {
-  if (!exact_motion_) exact_motion_ = motion_powers<Dyadic>(setup_, row_a_, row_b_);
+  if (!exact_motion_) exact_motion_ = motion_coefficients<Dyadic>(setup_, row_a_, row_b_);
   return Polynomial(polynomial_of<2>(set_.primitives()[static_cast<std::size_t>(primitive)],
                                      exact_motion_->data(), PairLengths<Dyadic>{set_, row_a_, row_b_}, 0.0));
 }
@@ -39,15 +39,14 @@ std::size_t PairPolynomials::number_of(int primitive) {
 
 bool PairPolynomials::same_bound(const Primitive& a, const Primitive& b) const {
   return a.parts[0].axis == b.parts[0].axis && a.parts[0].sign == b.parts[0].sign &&
-         same_length(a.size.value, b.size.value) && same_length(a.size.rate, b.size.rate) &&
-         same_length(a.size.bend, b.size.bend);
+         same_length(a.size.value, b.size.value) && same_length(a.size.rate, b.size.rate);
 }
 
-/// Two that differ do so by the radius, and to add what is not 0 always shows in a number's bits or in its
-/// error.
+/// Lengths of bounds differ by the radius alone. Adding a number other than 0 always changes the bits of a
+/// Midrad128 or of its error.
 bool PairPolynomials::same_length(int a, int b) const {
   const PairLengths<Midrad128> lengths{set_, row_a_, row_b_};
   return a == b || identical(length_at<Midrad128>(lengths, a), length_at<Midrad128>(lengths, b));
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,22 +1,23 @@
-// The polynomials of one pair, each made when it is first asked for: those of a contact set, or others that
-// the pieces of a set name by their numbers (PiecePolynomials).
+// The polynomials of one pair, made lazily: those of the primitives of a contact set (PairPolynomials), or
+// those that the pieces of another kind of set name by number (PiecePolynomials).
 #pragma once
 
 #include <deque>
 #include <optional>
 #include <vector>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 #include "numbers/algebraic_root.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// The relative motion, from `now` on; 0 on axes that are not there.
+/// The relative motion, from `now` on; 0 on axes that do not exist.
 template <class T>
-std::array<Powers<T, 2>, 3> motion_powers(const Setup& setup, const double* row_a, const double* row_b) {
-  std::array<Powers<T, 2>, 3> x;
+std::array<Coefficients<T, 2>, 3> motion_coefficients(const Setup& setup, const double* row_a,
+                                                      const double* row_b) {
+  std::array<Coefficients<T, 2>, 3> x;
   for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
     const RelativeAxisMotion<T> one = relative_axis_motion_of<T>(setup, row_a, row_b, axis);
     x[static_cast<std::size_t>(axis)] = {one.x, one.v, one.a};
@@ -26,16 +27,17 @@ std::array<Powers<T, 2>, 3> motion_powers(const Setup& setup, const double* row_
 
 class PiecePolynomials : public PolynomialSource {
  public:
-  /// Whose pieces say which primitives there are.
+  /// The set whose pieces name the primitives.
   virtual const ContactSet& set() const = 0;
   /// The number of a primitive's polynomial.
   virtual std::size_t number_of(int primitive) = 0;
   LazyPolynomial& polynomial(std::size_t number) { return polynomials_[number]; }
 
-  /// From now on what takes microseconds, as each piece does, is some steps, which must outlive this.
-  void heed(Steps& steps) { steps_ = &steps; }
+  /// Counts the work of each piece, some microseconds, as steps, which are polled for an interrupt. `steps`
+  /// must outlive this.
+  void set_interrupt(Steps& steps) { steps_ = &steps; }
   void step() {
-    if (steps_) steps_->costly(256);  // microseconds, where others take some nanoseconds
+    if (steps_) steps_->costly(256);  // microseconds; a usual step is some nanoseconds
   }
 
  protected:
@@ -52,7 +54,7 @@ class PairPolynomials final : public PiecePolynomials {
   PairPolynomials& operator=(const PairPolynomials&) = delete;
 
   const ContactSet& set() const override { return set_; }
-  /// Bounds that turn out to be equal have one polynomial, whose ties need no algebra.
+  /// Equal bounds share one polynomial, so that their ties need no algebra.
   std::size_t number_of(int primitive) override;
 
   /// The exact polynomial of a primitive.
@@ -60,7 +62,7 @@ class PairPolynomials final : public PiecePolynomials {
 
  private:
   template <class T>
-  using Motion = std::array<Powers<T, 2>, 3>;
+  using Motion = std::array<Coefficients<T, 2>, 3>;
 
   bool same_bound(const Primitive& a, const Primitive& b) const;
   bool same_length(int a, int b) const;
@@ -69,9 +71,9 @@ class PairPolynomials final : public PiecePolynomials {
   const Setup& setup_;
   const double *row_a_, *row_b_;
   Motion<Midrad128> rough_motion_;
-  mutable std::optional<Motion<Dyadic>> exact_motion_;  ///< once it is needed
+  mutable std::optional<Motion<Dyadic>> exact_motion_;  ///< computed at its first use
   std::vector<int> number_of_;                          ///< of each primitive's polynomial; -1: not made
-  std::vector<int> bounds_;                             ///< the primitives among them that are bounds
+  std::vector<int> bounds_;                             ///< the primitives with a polynomial that are bounds
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

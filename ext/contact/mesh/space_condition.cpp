@@ -2,10 +2,10 @@
 
 #include "numbers/dyadic.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
-/// The same with all digits of both products.
+/// Component a[i] b[j] - a[j] b[i] of a cross product, with all digits of both products.
 Bounded close_minor(const Components<DoubleDouble>& a, const Components<DoubleDouble>& b, std::size_t i,
                     std::size_t j) {
   const DoubleDouble left = a[i] * b[j], right = a[j] * b[i], minor = left - right;
@@ -15,7 +15,7 @@ Bounded close_minor(const Components<DoubleDouble>& a, const Components<DoubleDo
   return {minor.high, std::abs(minor.low) + lost};
 }
 
-Components<Bounded> close_cross_product(const Run& u, const Run& v) {
+Components<Bounded> close_cross_product(const EdgeVector& u, const EdgeVector& v) {
   Components<Bounded> cross =
       cross_product(gap_between<Bounded>(*u.to, *u.from), gap_between<Bounded>(*v.to, *v.from));
   const auto is_close = [](const Bounded& c) { return c.error <= 0x1p-44 * std::abs(c.value); };
@@ -55,4 +55,4 @@ std::array<std::optional<double>, 3> steady_axes_of(const Setup& setup, const do
   return steady;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// What must hold while two pieces in space touch: each condition a polynomial in time that is at most 0 then,
-// written once for every number type.
+// Conditions for contact of two convex pieces in space: each is a polynomial in time that is at most 0
+// while it holds, written once for all number types.
 //
-// Two convex pieces touch while d lies in their Minkowski sum A + (-B): on the inner side of all planes that
-// touch it, each of which goes through a corner p of A minus a corner q of B. If R is how near counts as
-// touching, d may also be at most R from a plane, from the line of an edge or from a corner of the sum, where
-// that is what is nearest: the sum grown by R is the union of these (round_parts.h).
+// Two convex pieces touch while d is in their Minkowski sum A + (-B). Then d is on the inner side of all
+// planes that touch the sum; each plane goes through a corner p of A minus a corner q of B. Let R be the
+// contact distance. If R is more than 0, d may also be at most R from a plane, an edge or a corner of the
+// sum, whichever is the nearest feature. The union of these sets is the sum grown by R (space_sum.h).
 #pragma once
 
 #include <optional>
@@ -13,20 +13,21 @@
 #include "contact/set/primitive.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// A direction in space, not 0: that of a run, square to two runs, or square to such a one and a third run.
+/// A direction in space, not 0: an edge vector u, the cross product of two, or that of such a product with a
+/// third.
 struct SpaceAxis {
   int factors;  ///< 1: u; 2: u x v; 3: (u x v) x w
-  Run u = {}, v = {}, w = {};
+  EdgeVector u = {}, v = {}, w = {};
 };
 
 struct SpaceCondition {
   enum class Kind : std::uint8_t {
-    plane,  ///< not beyond the plane through p - q, along the axis (sign 1) or against it (-1)
-    slab,   ///< at most R from that plane
-    tube,   ///< at most R from the line through p - q along the axis, which is a run
-    ball    ///< at most R from p - q
+    plane,  ///< d is not beyond the plane through p - q, along the axis (sign 1) or against it (-1)
+    slab,   ///< d is at most R from that plane
+    tube,   ///< d is at most R from the line through p - q along the axis, an edge vector
+    ball    ///< d is at most R from p - q
   };
   Kind kind = Kind::plane;
   int sign = 1;
@@ -34,18 +35,18 @@ struct SpaceCondition {
   const SpaceCorner *p, *q;
 };
 
-/// What the rows of a pair say beside the pieces, and the question.
+/// The sizes of a pair, from its rows and the query. They are constant.
 template <class T>
 struct SpaceSizes {
-  T radius;  ///< how near counts as touching
-  /// d along each axis, where it never changes and a double holds it: so that doubles tell of what slides
-  /// along a floor or a wall that it does.
+  T radius;  ///< the contact distance
+  /// The component of d along each axis, if it is constant and a double. With it, doubles decide that an
+  /// object slides along a floor or a wall.
   std::array<std::optional<double>, 3> steady = {};
 };
 
-/// They do not change.
+/// The sizes themselves, as they are constant.
 template <class T>
-const SpaceSizes<T>& seen_from(const SpaceSizes<T>& sizes, double /*tau*/) {
+const SpaceSizes<T>& expanded_at(const SpaceSizes<T>& sizes, double /*tau*/) {
   return sizes;
 }
 
@@ -83,8 +84,8 @@ Components<T> cross_product(const Components<T>& a, const Components<T>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// A product whose underflow is counted where it happens: what it is multiplied with later may be large, and
-/// what is 0 without an error is 0.
+/// A product that counts its own underflow, as a later factor may be large. A product with an exact 0 is an
+/// exact 0.
 template <class T>
 T safe_product(const T& a, const T& b) {
   return a * b;
@@ -112,8 +113,8 @@ Components<T> direction_of(const SpaceAxis& axis) {
   if (axis.factors == 2) return normal;
   return cross_product<T>(normal, gap_between<T>(*axis.w.to, *axis.w.from));
 }
-/// The same in double as if computed with twice the digits: of runs that are parallel but for roundings
-/// nothing else would be left than errors.
+/// The same in doubles, rounded from twice the digits. For nearly parallel edge vectors a product of doubles
+/// would consist of errors alone.
 Components<Bounded> close_direction_of(const SpaceAxis& axis);
 
 template <class T>
@@ -121,21 +122,22 @@ T squared_length(const Components<T>& a) {
   return square(a[0]) + square(a[1]) + square(a[2]);
 }
 
-/// d as seen from p - q. `x`: d by powers of time.
+/// d - (p - q). `x`: d by powers of time.
 template <int K, class T>
-std::array<Powers<T, K>, 3> gap_from(const SpaceCondition& condition, const std::array<Powers<T, K>, 3>& x) {
+std::array<Coefficients<T, K>, 3> gap_from(const SpaceCondition& condition,
+                                           const std::array<Coefficients<T, K>, 3>& x) {
   const Components<T> at = gap_between<T>(*condition.p, *condition.q);
-  std::array<Powers<T, K>, 3> gap = x;
+  std::array<Coefficients<T, K>, 3> gap = x;
   for (std::size_t j = 0; j < 3; ++j) gap[j][0] = gap[j][0] - at[j];
   return gap;
 }
 
-/// How far d is beyond the plane, in lengths of `direction`.
+/// The signed distance of d beyond the plane, times the length of `direction`.
 template <int K, class T>
-Powers<T, K> beyond_plane(const SpaceCondition& condition, const Components<T>& direction,
-                          const std::array<Powers<T, K>, 3>& x) {
+Coefficients<T, K> beyond_plane(const SpaceCondition& condition, const Components<T>& direction,
+                                const std::array<Coefficients<T, K>, 3>& x) {
   const auto gap = gap_from<K>(condition, x);
-  Powers<T, K> p{};
+  Coefficients<T, K> p{};
   for (std::size_t k = 0; k <= K; ++k) {
     const T sum = safe_product(direction[0], gap[0][k]) + safe_product(direction[1], gap[1][k]) +
                   safe_product(direction[2], gap[2][k]);
@@ -144,19 +146,18 @@ Powers<T, K> beyond_plane(const SpaceCondition& condition, const Components<T>& 
   return p;
 }
 
-/// The square of the distance from plane, line or corner, minus that of R, times that of the direction's
-/// length.
+/// The squared distance from the plane, line or corner, minus R^2, times the squared length of the direction.
 template <int K, class T>
-Powers<T, 2 * K> round_polynomial(const SpaceCondition& condition, const std::array<Powers<T, K>, 3>& x,
-                                  const T& radius) {
-  Powers<T, 2 * K> p{};
-  const auto add = [&p](const Powers<T, K>& q) {
+Coefficients<T, 2 * K> round_polynomial(const SpaceCondition& condition,
+                                        const std::array<Coefficients<T, K>, 3>& x, const T& radius) {
+  Coefficients<T, 2 * K> p{};
+  const auto add = [&p](const Coefficients<T, K>& q) {
     p[0] = p[0] + square(q[0]);
     add_square_above<K>(p, q);
   };
   if (condition.kind == SpaceCondition::Kind::ball) {
     p[0] = -square(radius);
-    for (const Powers<T, K>& gap : gap_from<K>(condition, x)) add(gap);
+    for (const Coefficients<T, K>& gap : gap_from<K>(condition, x)) add(gap);
     return p;
   }
   const Components<T> direction = direction_of<T>(condition.axis);
@@ -168,21 +169,21 @@ Powers<T, 2 * K> round_polynomial(const SpaceCondition& condition, const std::ar
   const auto gap = gap_from<K>(condition, x);
   for (std::size_t j = 0; j < 3; ++j) {
     const std::size_t one = (j + 1) % 3, other = (j + 2) % 3;
-    Powers<T, K> moment{};
+    Coefficients<T, K> cross{};
     for (std::size_t k = 0; k <= K; ++k)
-      moment[k] = gap[one][k] * direction[other] - gap[other][k] * direction[one];
-    add(moment);
+      cross[k] = gap[one][k] * direction[other] - gap[other][k] * direction[one];
+    add(cross);
   }
   return p;
 }
 
-/// Gives `take` the polynomial of a condition. `x`: d by powers of the time after some moment.
+/// Calls `take` with the polynomial of a condition. `x`: d by powers of the time after one instant.
 template <int K, class T, class Take>
-auto with_polynomial(const SpaceCondition& condition, const std::array<Powers<T, K>, 3>& x,
+auto with_polynomial(const SpaceCondition& condition, const std::array<Coefficients<T, K>, 3>& x,
                      const SpaceSizes<T>& sizes, Take&& take) {
   if (condition.kind == SpaceCondition::Kind::plane)
     return take(beyond_plane<K>(condition, direction_of<T>(condition.axis), x));
   return take(round_polynomial<K>(condition, x, sizes.radius));
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

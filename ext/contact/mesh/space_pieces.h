@@ -1,20 +1,21 @@
-// What does an object look like to contact in space? Convex pieces under a tree of boxes: the triangles of
-// its mesh, or the one box that its half extents make; a point is a box of no size.
+// Convex pieces of one object in space, under a tree of boxes: the triangles of its mesh, or one box.
 //
 //   SpacePieces pieces;
 //   pieces.take(*meshes.triangles(row, pieces.own()));  // or take_box(box), take_point()
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
+//
+// The box is made of the row's half extents; a point is a box of size 0.
 #pragma once
 
 #include <array>
 
 #include "shape/mesh/triangle_tree.h"
-#include "shape/own_pieces.h"
+#include "shape/scratch_pieces.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// From one corner to another: never of no length.
-struct Run {
+/// The vector from one corner to another, not 0.
+struct EdgeVector {
   const SpaceCorner *from, *to;
 };
 
@@ -22,28 +23,28 @@ struct Run {
 class SpacePiece {
  public:
   SpacePiece(const TriangleTree& triangles, std::size_t triangle);
-  /// `corners`: all eight; number i has the upper coordinate on the axes of the bits in i.
+  /// `corners`: all eight; corner i has the upper coordinate on each axis whose bit in i is set.
   explicit SpacePiece(const SpaceCorner* corners);
 
   bool is_box() const { return !triangles_; }
   int corner_count() const { return is_box() ? 8 : 3; }
   int edge_count() const { return is_box() ? 12 : 3; }
   const SpaceCorner& corner(int i) const { return is_box() ? box_[i] : triangles_->corner(triangle_, i); }
-  /// The corners at both ends of an edge.
+  /// The numbers of the corners at both ends of an edge.
   std::array<int, 2> edge(int i) const;
-  /// Which way edge i runs, also where a box has no width.
-  const Run& run_of_edge(int i) const { return runs_[is_box() ? i / 4 : i]; }
-  /// All ways that edges run.
-  const std::array<Run, 3>& runs() const { return runs_; }
-  /// Corners and edges that several triangles share belong to one of them; of those that coincide in a box
-  /// without width, one counts.
+  /// The direction of edge i, also in a box without width.
+  const EdgeVector& vector_of_edge(int i) const { return edge_vectors_[is_box() ? i / 4 : i]; }
+  /// All directions of edges.
+  const std::array<EdgeVector, 3>& edge_vectors() const { return edge_vectors_; }
+  /// A corner or edge that several triangles share belongs to one of them. Of those that coincide in a box
+  /// without width, one belongs to it.
   bool owns_corner(int i) const {
     return is_box() ? (i & flat_) == 0 : triangles_->owns_corner(triangle_, i);
   }
   bool owns_edge(int i) const {
     return is_box() ? ((edge(i)[0] | 1 << i / 4) & flat_) == 0 : triangles_->owns_edge(triangle_, i);
   }
-  /// Of a box, a bit for each axis along which it has no width.
+  /// For a box, a bit for each axis along which it has no width.
   int flat() const { return flat_; }
   bool is_point() const { return flat_ == 7; }
 
@@ -52,10 +53,10 @@ class SpacePiece {
   std::size_t triangle_ = 0;
   const SpaceCorner* box_ = nullptr;
   int flat_ = 0;
-  std::array<Run, 3> runs_;
+  std::array<EdgeVector, 3> edge_vectors_;
 };
 
-/// Of one object at a time; what was taken must outlive its use.
+/// Holds one object at a time, which must outlive its use here.
 class SpacePieces {
  public:
   static constexpr int axes = 3;
@@ -63,8 +64,8 @@ class SpacePieces {
   static constexpr Node root = BoxTree<3>::root;
 
   void take(const TriangleTree& triangles) { triangles_ = &triangles; }
-  /// For triangles that nobody else keeps.
-  OwnPieces<TriangleTree>& own() { return own_; }
+  /// Memory for triangles that are made for one use.
+  ScratchPieces<TriangleTree>& own() { return own_; }
   void take_box(const Box<3>& box);
   void take_point() { take_box({Vec<3>::Zero(), Vec<3>::Zero()}); }
 
@@ -80,22 +81,22 @@ class SpacePieces {
   static Node left(Node node) { return 2 * node + 1; }
   static Node right(Node node) { return 2 * node + 2; }
 
-  /// None: it is a box.
+  /// Null if the object is a box.
   const TriangleTree* triangles() const { return triangles_; }
   bool is_mesh() const { return triangles_ != nullptr; }
-  /// Its triangles, if they enclose it: what its pieces leave out is the inside of these.
+  /// The triangles if they enclose a solid, whose inside has no pieces; else null.
   const TriangleTree* solid() const { return triangles_ && triangles_->is_solid() ? triangles_ : nullptr; }
-  /// A corner of each part that hangs together.
+  /// Connected components of the surface, each represented by one corner.
   std::size_t parts() const { return triangles_ ? triangles_->parts() : 1; }
   const SpaceCorner& part_corner(std::size_t part) const {
     return triangles_ ? triangles_->part_corner(part) : corners_[0];
   }
 
  private:
-  const TriangleTree* triangles_ = nullptr;  ///< none: the box
+  const TriangleTree* triangles_ = nullptr;  ///< null: the box
   std::array<SpaceCorner, 8> corners_;
   Box<3> box_;
-  OwnPieces<TriangleTree> own_;
+  ScratchPieces<TriangleTree> own_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,31 +1,32 @@
-// When do two pieces in space touch, certainly and possibly? All conditions of their sum, grown or not
-// (space_hull.h, round_parts.h), in doubles with error bounds.
+// Test of two convex pieces in space: the uncertain intervals in which they touch, from all conditions of
+// their Minkowski sum (space_sum.h), in doubles with error bounds.
 //
-//   SpaceTests<1> tests(a, b, relative, asked, sizes, true, space);
-//   for (const PieceStay& stay : tests.of(triangle_a, triangle_b)) best = std::min(best, stay.begin.high);
+//   SpaceTests<1> tests(a, b, relative, queried, sizes, true, space);
+//   for (const PieceInterval& interval : tests.of(triangle_a, triangle_b)) best = std::min(best, interval.begin.high);
 //
-// Where the sum is flat, as that of a triangle and a point is, d goes through it in a moment: begin and end
-// are one root, certain if d is surely within the other planes then. Cost: about a microsecond; some more
-// where near counts as touching.
+// A flat sum, such as that of a triangle and a point, is in contact for one instant: start and end are one
+// root. The contact is certain if d is surely within the other planes then. Cost: about a microsecond;
+// more if the contact distance is not 0.
 #pragma once
 
 #include "contact/certain/certain_motion.h"
-#include "contact/mesh/plain_passing.h"
-#include "contact/mesh/round_parts.h"
+#include "contact/mesh/space_sum.h"
+#include "contact/mesh/triangle_filter.h"
 #include "contact/pieces/pair_tests.h"
-#include "contact/pieces/seen_from.h"
+#include "contact/pieces/time_expansion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int Degree>
 class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   using Base = PairTests<SpaceTests, SpaceCondition>;
 
  public:
-  /// `asked`: the moments asked about, enclosed. What is given must outlive this.
-  SpaceTests(const SpacePieces& a, const SpacePieces& b, const CertainMotion<3>& relative, const Stay& asked,
-             const SpaceSizes<Bounded>& sizes, bool times_wanted, PieceSpace<SpaceCondition>& space)
-      : Base(asked, times_wanted, space),
+  /// `queried`: the queried time, enclosed. Requires: pieces, motion and space outlive this.
+  SpaceTests(const SpacePieces& a, const SpacePieces& b, const CertainMotion<3>& relative,
+             const UncertainInterval& queried, const SpaceSizes<Bounded>& sizes, bool times_wanted,
+             PieceWorkspace<SpaceCondition>& space)
+      : Base(queried, times_wanted, space),
         a_(a),
         b_(b),
         relative_(relative),
@@ -38,24 +39,24 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
  private:
   friend Base;
   using Kind = SpaceCondition::Kind;
-  using Base::asked_, Base::space_;
-  using Base::begin_part, Base::end_part, Base::keep;
+  using Base::queried_, Base::space_;
+  using Base::start_part, Base::end_part, Base::keep;
 
-  static std::array<Powers<Bounded, Degree>, 3> from_now(const CertainMotion<3>& relative,
-                                                         const SpaceSizes<Bounded>& sizes) {
-    auto x = seen_from<Degree>(relative, 0);
+  static std::array<Coefficients<Bounded, Degree>, 3> from_now(const CertainMotion<3>& relative,
+                                                               const SpaceSizes<Bounded>& sizes) {
+    auto x = expanded_at<Degree>(relative, 0);
     for (std::size_t j = 0; j < 3; ++j)
       if (sizes.steady[j]) x[j] = {}, x[j][0] = Bounded{*sizes.steady[j]};
     return x;
   }
 
-  /// Whether it is told, as it is not of what begins later than `by`.
+  /// False, without a result, if contact starts later than `by`.
   bool test(const PiecePair& pair, double by) {
-    Base::begin_test();
+    Base::start_test();
     const SpacePiece a = a_.piece(pair.a), b = b_.piece(pair.b);
     unsigned axes = ~0U;
     if (!a.is_box() && !b.is_box()) {
-      const PlainPassing passing = plain_passing(a, b, plain_x_, radius_, asked_);
+      const TriangleFilter passing = filter_triangles(a, b, plain_x_, radius_, queried_);
       if (passing.is_apart()) return true;
       if (passing.near.begin > by) return false;
       axes = passing.axes;
@@ -72,7 +73,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     SpaceHull(a, b).for_each(
         [&](const SpacePlanes& pair) {
           if (pair.is_flat && a_or_b_is_a_mesh())
-            flat = pair;  // of a triangle's sum, all such are the plane that it lies in
+            flat = pair;  // all of a triangle's flat sum lies in this plane
           else
             keep(pair);
           return !space_.clipped.empty();
@@ -85,22 +86,24 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
       end_part();
   }
 
-  /// The stays within all other planes are known.
+  /// Ends a part with one flat plane, after all other planes.
   void end_flat_part(const SpacePlanes& flat) {
     space_.outer.start(space_.clipped);
     keep(flat);
-    for (const Stay& stay : space_.clipped) {
-      const bool is_one_root =
-          stay.begin.low == stay.end.low && stay.begin.high == stay.end.high && stay.begin.low > -Stay::inf;
-      const bool is_within = std::any_of(space_.outer.begin(), space_.outer.end(), [&](const Stay& within) {
-        return within.begin.high <= stay.begin.low && stay.end.high <= within.end.low;
-      });
-      Base::add(stay, is_one_root && is_within);
+    for (const UncertainInterval& interval : space_.clipped) {
+      const bool is_one_root = interval.begin.low == interval.end.low &&
+                               interval.begin.high == interval.end.high &&
+                               interval.begin.low > -UncertainInterval::inf;
+      const bool is_within =
+          std::any_of(space_.outer.begin(), space_.outer.end(), [&](const UncertainInterval& within) {
+            return within.begin.high <= interval.begin.low && interval.end.high <= within.end.low;
+          });
+      Base::add(interval, is_one_root && is_within);
     }
   }
 
-  /// First what lies within all planes moved out by R, which is more; then each part of the grown sum. A flat
-  /// sum lies in what is near its faces and edges.
+  /// The first step cuts the time by all planes moved out by R, which contain the grown sum. The parts of the
+  /// grown sum follow. A flat sum needs no part of its own: those of its faces and edges contain it.
   void test_grown(const SpacePiece& a, const SpacePiece& b) {
     bool is_flat = false;
     planes_.clear();
@@ -120,7 +123,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     }
     RoundParts(a, b).for_each([this](const RoundPart& part) {
       if (Base::is_decided()) return false;
-      begin_part();
+      start_part();
       for (int i = 0; i < part.count; ++i) keep_plane(part.beside[static_cast<std::size_t>(i)]);
       keep_round(part.round);
       end_part();
@@ -138,26 +141,26 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     if (space_.clipped.empty()) return;
     keep(plane, times_within(plane, close_direction_of(plane.axis), {}));
   }
-  /// Not farther beyond the plane than `more`, in lengths of its direction.
-  Inside times_within(const SpaceCondition& plane, const Components<Bounded>& direction,
-                      const Bounded& more) const {
-    Powers<Bounded, Degree> p = beyond_plane<Degree>(plane, direction, x_);
+  /// The times at which d is beyond the plane by at most `more`, a distance times the length of `direction`.
+  SublevelIntervals times_within(const SpaceCondition& plane, const Components<Bounded>& direction,
+                                 const Bounded& more) const {
+    Coefficients<Bounded, Degree> p = beyond_plane<Degree>(plane, direction, x_);
     p[0] = p[0] - more;
-    // Along the plane, in it: what has no error is 0.
+    // d moves in the plane: all coefficients are exactly 0.
     if (std::all_of(p.begin(), p.end(), [](const Bounded& c) { return c.value == 0 && c.error == 0; }))
-      return Inside::one(Stay::always());
-    return inside(p, lost_, asked_.end.high);
+      return SublevelIntervals::one(UncertainInterval::always());
+    return sublevel_intervals(p, lost_, queried_.end.high);
   }
 
   void keep_round(const SpaceCondition& round) {
     if (space_.clipped.empty()) return;
     if (round.kind == Kind::slab) return keep_slab(round);
     if constexpr (Degree > 1)
-      keep(round, inside_by_leaps([&](double tau) { return polynomial_at(round, tau); }, lost_, asked_));
+      keep(round, sublevel_by_steps([&](double tau) { return polynomial_at(round, tau); }, lost_, queried_));
     else
-      keep(round, inside(round_polynomial<Degree>(round, x_, radius_), lost_, asked_.end.high));
+      keep(round, sublevel_intervals(round_polynomial<Degree>(round, x_, radius_), lost_, queried_.end.high));
   }
-  /// As two planes: fewer powers than their square has.
+  /// Keeps a slab as two planes, whose polynomials have half its degree.
   void keep_slab(const SpaceCondition& slab) {
     const Components<Bounded> direction = close_direction_of(slab.axis);
     const Bounded more = radius_ * sqrt(with_lost(squared_length(direction), 0x1p-1060));
@@ -168,17 +171,17 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     }
   }
 
-  Powers<Bounded, 4> polynomial_at(const SpaceCondition& round, double tau) const {
-    return round_polynomial<2>(round, seen_from<2>(relative_, tau), radius_);
+  Coefficients<Bounded, 4> polynomial_at(const SpaceCondition& round, double tau) const {
+    return round_polynomial<2>(round, expanded_at<2>(relative_, tau), radius_);
   }
 
   const SpacePieces &a_, &b_;
   const CertainMotion<3>& relative_;
   const Bounded radius_;
   const double lost_;
-  std::vector<SpacePlanes> planes_;                 ///< of the pair at hand
-  const std::array<Powers<Bounded, Degree>, 3> x_;  ///< the motion from now on
-  std::array<Powers<Bounded, 2>, 3> plain_x_{};     ///< the same, whatever the degree
+  std::vector<SpacePlanes> planes_;                       ///< of the pair in work
+  const std::array<Coefficients<Bounded, Degree>, 3> x_;  ///< the motion after now
+  std::array<Coefficients<Bounded, 2>, 3> plain_x_{};     ///< the same as polynomials of degree 2
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,33 +1,33 @@
-// What must hold while two pieces touch: each condition a polynomial in time that is at most 0 then, written
-// once for every number type.
+// Conditions for contact of two convex pieces in the plane: each is a polynomial in time that is at most 0
+// while it holds, written once for all number types.
 //
-// Two pieces touch while d is inside of all edges of their sum. If R is how near counts as touching, it may
-// also be beside an edge and at most R from its line, or at most R from a corner: the sum grown by R is the
-// union of these.
+// Two pieces touch while d is inside all edges of their Minkowski sum. Let R be the contact distance. If R is
+// more than 0, d may also be beside an edge and at most R from its line, or at most R from a corner. The
+// union of these sets is the sum grown by R.
 #pragma once
 
 #include "contact/outline/convex_sum.h"
-#include "contact/pieces/moving_size.h"
-#include "contact/set/sizes_of_both.h"
-#include "contact/set/window_faces.h"
+#include "contact/pieces/time_expansion.h"
+#include "contact/set/minkowski_sum.h"
+#include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 struct Condition {
   enum class Kind : std::uint8_t {
-    edge,    ///< inside of it
-    side,    ///< at most R from its line
-    foot,    ///< beside it, seen from its begin (sign -1) or its end (1)
-    corner,  ///< at most R from its begin
-    height   ///< between the faces across z, below the upper (1) or above the lower (-1)
+    edge,    ///< d is inside the edge
+    side,    ///< d is at most R from the edge's line
+    foot,    ///< d is not before the start of the edge (sign -1) or not past its end (1)
+    corner,  ///< d is at most R from the start of the edge
+    height   ///< d is below the upper face across z (1) or above the lower (-1)
   };
   Kind kind = Kind::edge;
   int sign = 1;
   SumEdge edge = {};
 };
 
-/// What the rows of a pair say beside the pieces, and the question: R, and how far b may lie below and above
-/// a along z that just touches it. A window need not have both faces there.
+/// The sizes of a pair, from its rows and the query: R, and how far b may be below and above a along z while
+/// they touch. A window may lack one of these faces.
 template <class T>
 struct PairSizes {
   MovingSize<T> radius, below, above;
@@ -36,7 +36,7 @@ struct PairSizes {
   bool has_face(int side) const { return side < 0 ? has_below : has_above; }
 };
 
-/// Where an object's half height stands in its row: that of a prism, cylinder or box.
+/// The offset of the half height in a row of a prism, cylinder or box.
 inline int place_of_half_height(const Offsets& at) {
   return at.hz != Offsets::absent || at.half == Offsets::absent ? at.hz : at.half + 2;
 }
@@ -63,7 +63,7 @@ PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row
     sizes.below = sizes.above = height(setup.within_z);
     return sizes;
   }
-  const WindowFaces& faces = *setup.window;  // a is where the axes meet
+  const WindowFaces& faces = *setup.window;  // a is at the origin
   sizes.has_below = faces.has_lower(2), sizes.has_above = faces.has_upper(2);
   if (sizes.has_below) sizes.below = height(-faces.lower[2]);
   if (sizes.has_above) sizes.above = height(faces.upper[2]);
@@ -71,37 +71,37 @@ PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row
 }
 
 template <class T>
-PairSizes<T> seen_from(const PairSizes<T>& sizes, double tau) {
-  return {seen_from(sizes.radius, tau), seen_from(sizes.below, tau), seen_from(sizes.above, tau),
+PairSizes<T> expanded_at(const PairSizes<T>& sizes, double tau) {
+  return {expanded_at(sizes.radius, tau), expanded_at(sizes.below, tau), expanded_at(sizes.above, tau),
           sizes.has_below, sizes.has_above};
 }
 
-/// The square of its line, or of the gap to its corner, minus that of R. Requires: of kind side or corner.
+/// The squared distance from the line or corner, minus R^2; for a line times the squared length of the edge's
+/// direction. Requires: a condition of kind side or corner.
 template <int K, class T>
-Powers<T, 2 * K> round_polynomial(const Condition& condition, const Powers<T, K>* x,
-                                  const MovingSize<T>& radius) {
-  Powers<T, 2 * K> p{};
+Coefficients<T, 2 * K> round_polynomial(const Condition& condition, const Coefficients<T, K>* x,
+                                        const MovingSize<T>& radius) {
+  Coefficients<T, 2 * K> p{};
   if (condition.kind == Condition::Kind::side) {
-    const Powers<T, K> line = beyond<K>(condition.edge, x);
+    const Coefficients<T, K> line = beyond<K>(condition.edge, x);
     p[0] = square(line[0]);
     add_square_above<K>(p, line);
-    subtract_square_times<2 * K>(p, radius, squared_length<T>(condition.edge));
+    subtract_square_multiple<2 * K>(p, radius, squared_length<T>(condition.edge));
     return p;
   }
-  subtract_square_times<2 * K>(p, radius, Once{});
+  subtract_square_multiple<2 * K>(p, radius, Once{});
   for (int j = 0; j < 2; ++j) {
-    Powers<T, K> gap = x[j];
-    gap[0] = gap[0] - begin_of<T>(condition.edge, j);
+    Coefficients<T, K> gap = x[j];
+    gap[0] = gap[0] - start_of<T>(condition.edge, j);
     p[0] = p[0] + square(gap[0]);
     add_square_above<K>(p, gap);
   }
   return p;
 }
 
-/// Gives `take` the polynomial of a condition. `x`: d by powers of the time after some moment, of which the
-/// sizes are too.
+/// Calls `take` with the polynomial of a condition. `x` and `sizes`: by powers of the time after one instant.
 template <int K, class T, std::size_t D, class Take>
-auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, D>& x,
+auto with_polynomial(const Condition& condition, const std::array<Coefficients<T, K>, D>& x,
                      const PairSizes<T>& sizes, Take&& take) {
   switch (condition.kind) {
     case Condition::Kind::edge:
@@ -109,10 +109,10 @@ auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, 
     case Condition::Kind::foot:
       return take(past<K>(condition.edge, condition.sign, x.data()));
     case Condition::Kind::height: {
-      Powers<T, K> p = x[D - 1];
+      Coefficients<T, K> p = x[D - 1];
       if (condition.sign < 0)
         for (T& c : p) c = -c;
-      subtract_times<K>(p, condition.sign < 0 ? sizes.below : sizes.above, Once{});
+      subtract_multiple<K>(p, condition.sign < 0 ? sizes.below : sizes.above, Once{});
       return take(p);
     }
     default:
@@ -120,4 +120,4 @@ auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, 
   }
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

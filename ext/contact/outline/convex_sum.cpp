@@ -2,10 +2,10 @@
 
 #include "shape/outline/orientation.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
-/// The corner that `comes_before` every other.
+/// The number of the corner that `comes_before` every other.
 template <class Before>
 int first_of(const ConvexPiece& piece, Before&& comes_before) {
   int first = 0;
@@ -24,7 +24,8 @@ ConvexSum::ConvexSum(const ConvexPiece& a, const ConvexPiece& b)
     : a_{a, first_of(a, is_lower), a.edges()},
       b_{b, first_of(b, [](const Corner& c, const Corner& d) { return is_lower(d, c); }), b.edges()} {}
 
-/// Neither is ever half a turn ahead of the other, so a cross product tells which direction comes first.
+/// Neither walk is ever half a turn ahead of the other, so the sign of a cross product decides which
+/// direction comes first.
 bool ConvexSum::a_turns_first() const {
   if (a_.left == 0 || b_.left == 0) return b_.left == 0;
   return turn_sign(*a_.along(a_.corner), *a_.along(a_.next()), *b_.along(b_.next()), *b_.along(b_.corner)) >=
@@ -44,4 +45,4 @@ bool ConvexSum::next(SumEdge& edge) {
   return true;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,22 +1,23 @@
 #include "contact/outline/critical_pieces.h"
 
 #include "contact/outline/condition.h"
-#include "contact/set/rounded_box.h"
+#include "contact/set/minkowski_sum.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
-class Critical {
+/// Builds the set, one pair of pieces after another.
+class CriticalSet {
  public:
   ContactSet set;
 
-  Critical(const Setup& setup, bool grown) {
+  CriticalSet(const Setup& setup, bool grown) {
     if (grown) radius_ = radius_of_both(set, setup, setup.within);
     if (setup.a.layout.axes < 3) return;
     const Size heights = set.sum(height_of_both(set, setup, 0), half_of_both(set, setup, 2));
     Faces across_z{.axis = 2, .below = {set.given(setup.within_z)}, .above = {set.given(setup.within_z)}};
     if (setup.window) across_z = faces_from_origin(*setup.window);
-    across_z = contact::grown(set, across_z, heights);
+    across_z = grown_faces(set, across_z, heights);
     along_z_ = between(set, {&across_z, 1});
   }
 
@@ -33,7 +34,7 @@ class Critical {
  private:
   using Line = std::array<AxisPart, 2>;
 
-  /// Beside an edge, and around the corner at its begin.
+  /// Adds the strip beside an edge and the disc around the corner at its start.
   void add_rounded(const SumEdge& edge) {
     Conditions beside{.all = along_z_}, around{.all = along_z_};
     for (const int sign : {-1, 1}) beside.all.push_back(set.half_space(foot_of(edge, sign), {}));
@@ -46,7 +47,7 @@ class Critical {
     set.add_piece(around);
   }
 
-  /// Of a window whose body is where the axes meet.
+  /// The faces across z of a window whose body is at the origin.
   Faces faces_from_origin(const WindowFaces& window) {
     Faces faces{.axis = 2, .has_below = window.has_lower(2), .has_above = window.has_upper(2)};
     if (faces.has_below) faces.below = {set.given(-window.lower[2])};
@@ -54,12 +55,12 @@ class Critical {
     return faces;
   }
   int difference(double a, double b) { return set.difference(set.given(a), set.given(b)); }
-  /// Numbers of both lengths of its direction.
+  /// The numbers of both components of an edge's direction.
   std::array<int, 2> run_of(const SumEdge& edge) {
     return {difference(edge.to->x, edge.from->x), difference(edge.to->y, edge.from->y)};
   }
 
-  /// As beyond() and past() of convex_sum.h have them.
+  /// The same lines as beyond() and past() of convex_sum.h.
   Line line_of(const SumEdge& edge) {
     const auto [ex, ey] = run_of(edge);
     return through(edge.p, edge.q, {.axis = 0, .normal = ey}, {.axis = 1, .sign = -1, .normal = ex});
@@ -83,7 +84,7 @@ class Critical {
 
 CriticalPieces critical_pieces(const Setup& setup, const ObjectPieces& a, const ObjectPieces& b,
                                std::span<const PiecePair> pairs, bool grown) {
-  Critical critical(setup, grown);
+  CriticalSet critical(setup, grown);
   std::vector<std::uint32_t> ends;
   for (const PiecePair& pair : pairs) {
     critical.add(a.piece(pair.a), b.piece(pair.b));
@@ -92,4 +93,4 @@ CriticalPieces critical_pieces(const Setup& setup, const ObjectPieces& a, const 
   return {std::move(critical.set), std::move(ends)};
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,10 +1,10 @@
 #include "contact/outline/object_pieces.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
-/// Which way the edges of a box run, however small it is.
-constexpr Corner square[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+/// The directions of a box's edges, also of a box without width.
+constexpr Corner unit_square[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
 }  // namespace
 
@@ -25,14 +25,14 @@ void ObjectPieces::take_box(const Box<2>& box) {
   pieces_ = nullptr, is_point_ = false;
   box_ = box;
   for (std::size_t i = 0; i < corners_.size(); ++i)
-    corners_[i] = {square[i].x < 0 ? box.lower[0] : box.upper[0],
-                   square[i].y < 0 ? box.lower[1] : box.upper[1]};
+    corners_[i] = {unit_square[i].x < 0 ? box.lower[0] : box.upper[0],
+                   unit_square[i].y < 0 ? box.lower[1] : box.upper[1]};
 }
 
 ConvexPiece ObjectPieces::piece(std::size_t i) const {
-  if (!pieces_) return {std::span(corners_).first(is_point_ ? 1 : 4), square, nullptr};
+  if (!pieces_) return {std::span(corners_).first(is_point_ ? 1 : 4), unit_square, nullptr};
   const std::span<const Corner> corners = pieces_->corners(i);
   return {corners, corners.data(), pieces_->inner(i).data()};
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

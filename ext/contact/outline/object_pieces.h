@@ -1,9 +1,10 @@
-// What does an object of an outline's pair look like to contact? Pieces under a tree of boxes: those of its
-// outline, or the one that its half extents make; a point is a box of no size.
+// Convex pieces of one object in the plane, under a tree of boxes: those of its outline, or one box.
 //
 //   ObjectPieces pieces;
 //   pieces.take_row(ships, ships.outlines, 7);        // or take(pieces), take_box(8, 90), take_point()
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
+//
+// The box is made of the row's half extents; a point is a box of size 0.
 #pragma once
 
 #include <array>
@@ -12,16 +13,17 @@
 #include "shape/bodies.h"
 #include "shape/outline/outline_rows.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// Of one object at a time; what was taken must outlive its use.
+/// Holds one object at a time, which must outlive its use here.
 class ObjectPieces {
  public:
   static constexpr int axes = 2;
   using Node = BoxTree<2>::Node;
   static constexpr Node root = BoxTree<2>::root;
 
-  /// What row i looks like; without outlines that of such a layout is the rectangle around it.
+  /// Takes the shape of row i. `outlines` may be null: then a row with an outline counts as the smallest
+  /// rectangle around it.
   void take_row(const Bodies& bodies, const OutlineRows* outlines, std::size_t i);
   void take(const ConvexPieces& pieces) { pieces_ = &pieces; }
   void take_box(const Box<2>& box);
@@ -42,11 +44,11 @@ class ObjectPieces {
   bool is_point() const { return !pieces_ && is_point_; }
 
  private:
-  const ConvexPieces* pieces_ = nullptr;  ///< none: the box
+  const ConvexPieces* pieces_ = nullptr;  ///< null: the box
   std::array<Corner, 4> corners_;
   Box<2> box_;
   bool is_point_ = false;
-  OwnPieces<ConvexPieces> own_;
+  ScratchPieces<ConvexPieces> own_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

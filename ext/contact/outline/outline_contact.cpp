@@ -1,18 +1,17 @@
-#include "contact/outline_contact.h"
-
 #include <algorithm>
 
-#include "contact/outline/flat_kit.h"
+#include "contact/contact_factories.h"
+#include "contact/outline/flat_traits.h"
+#include "contact/pieces/bounded_window.h"
 #include "contact/pieces/union_contact.h"
-#include "contact/pieces/window_near.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int D, int Degree>
-void FlatKit<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables,
-                              const Pair& pair) {
+void FlatTraits<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables,
+                                 const Pair& pair) {
   if (setup.window && !tables.a)
-    a.take_box(window_near<2>(setup, setup.b.row(pair.b)));
+    a.take_box(bounded_window<2>(setup, setup.b.row(pair.b)));
   else
     a.take_row(setup.a, tables.a, pair.a);
   b.take_row(setup.b, tables.b, pair.b);
@@ -20,50 +19,50 @@ void FlatKit<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Ta
 }
 
 template <int D, int Degree>
-PlainAnswer FlatKit<D, Degree>::plain_answer(const PairWay<FlatKit>& way, bool times_wanted) {
+FilterAnswer FlatTraits<D, Degree>::filter_answer(const PairContext<FlatTraits>& context, bool times_wanted) {
   constexpr std::size_t few = 8, some = 16;
-  if (way.a.count() * way.b.count() > some) return {};
-  const double first = way.moments.dt_begin, last = way.moments.dt_end, length = last - first;
+  if (context.a.count() * context.b.count() > some) return {};
+  const double first = context.lifetime.dt_start, last = context.lifetime.dt_end, length = last - first;
   std::array<BoxedPair, few> pairs;
   std::size_t count = 0;
-  way.walk.visit(
-      Order::earlier_first, [&](const Period<double>&) { return count <= few; },
-      [&](std::size_t a, std::size_t b, const Period<double>& near) {
+  context.walk.visit(
+      Order::earlier_first, [&](const Interval<double>&) { return count <= few; },
+      [&](std::size_t a, std::size_t b, const Interval<double>& near) {
         if (count < few) pairs[count] = {a, b, near.begin <= first};
         ++count;
       });
   if (count == 0) return {.touches = Verdict::no};
   if (count > few) return {};
-  PlainWay plain{};
+  LinearPath plain{};
   const auto take_axis = [&](const CertainAxisMotion<double>& d, double& begin, double& end) {
-    const AxisView<double> from = view_from<Degree>(d, first, way.relative.underflow);
-    const AxisView<double> to = view_from<Degree>(d, last, way.relative.underflow);
+    const AxisView<double> from = view_from<Degree>(d, first, context.relative.underflow);
+    const AxisView<double> to = view_from<Degree>(d, last, context.relative.underflow);
     begin = from.p, end = to.p;
-    // Also for moments that doubles round.
+    // The slack also covers times that doubles round.
     plain.slack += std::max(from.ep, to.ep) + 0x1p-45 * (last * (std::abs(d.v) + last * std::abs(d.a)));
     plain.bend += 0.3 * (length * (length * (std::abs(d.a) + d.ea)));
   };
-  take_axis(way.relative.axis[0], plain.begin.x, plain.end.x);
-  take_axis(way.relative.axis[1], plain.begin.y, plain.end.y);
-  // Anything between its first size and its last.
-  const MovingSize<Bounded>& grown = way.sizes.radius;
-  Bounded radius = seen_from(grown, first).value;
+  take_axis(context.relative.axis[0], plain.begin.x, plain.end.x);
+  take_axis(context.relative.axis[1], plain.begin.y, plain.end.y);
+  // An enclosure of all sizes between the first and the last.
+  const MovingSize<Bounded>& grown = context.sizes.radius;
+  Bounded radius = expanded_at(grown, first).value;
   if (grown.moves) {
     const Bounded more = Bounded{0.5 * length} * grown.rate;
     radius = radius + more, radius.error += more.value * (1 + 0x1p-40) + more.error;
   }
-  const PlainAnswer answer =
-      plainly_near(plain, way.a, way.b, std::span(pairs).first(count), radius, D == 2 && times_wanted);
-  return D == 2 || answer.touches == Verdict::no ? answer : PlainAnswer{};
+  const FilterAnswer answer = filter_outlines(plain, context.a, context.b, std::span(pairs).first(count),
+                                              radius, D == 2 && times_wanted);
+  return D == 2 || answer.touches == Verdict::no ? answer : FilterAnswer{};
 }
 
 std::unique_ptr<Contact> make_outline_contact(const Setup& setup, const OutlineTables& outlines, int degree) {
   if (setup.a.layout.axes < 3) {
-    if (degree < 2) return std::make_unique<UnionContact<FlatKit<2, 1>>>(setup, outlines);
-    return std::make_unique<UnionContact<FlatKit<2, 2>>>(setup, outlines);
+    if (degree < 2) return std::make_unique<UnionContact<FlatTraits<2, 1>>>(setup, outlines);
+    return std::make_unique<UnionContact<FlatTraits<2, 2>>>(setup, outlines);
   }
-  if (degree < 2) return std::make_unique<UnionContact<FlatKit<3, 1>>>(setup, outlines);
-  return std::make_unique<UnionContact<FlatKit<3, 2>>>(setup, outlines);
+  if (degree < 2) return std::make_unique<UnionContact<FlatTraits<3, 1>>>(setup, outlines);
+  return std::make_unique<UnionContact<FlatTraits<3, 2>>>(setup, outlines);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

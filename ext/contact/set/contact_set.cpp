@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// Its number.
@@ -19,7 +19,7 @@ Primitive primitive_of(Primitive::Kind kind, std::span<const AxisPart> parts, co
 }
 
 int degree_of(const Size& size) {
-  return size.bend != no_length ? 2 : size.rate != no_length ? 1 : 0;
+  return size.moves() ? 1 : 0;
 }
 
 }  // namespace
@@ -76,4 +76,4 @@ ContactSet::Arrays ContactSet::arrays() const {
           count(pieces_),  members_.data(), hull_.data(),       count(hull_)};
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

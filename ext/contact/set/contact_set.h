@@ -1,16 +1,16 @@
-// When does a pair touch? Its contact set as data: a union of pieces, in each of which all of some primitives
-// hold.
+// The contact set of a pair of shapes as data: the relative positions at which two objects touch, as a union
+// of pieces, each an intersection of primitives.
 //
 //   ContactSet set;                                        // two discs
 //   const int radius = set.sum(set.in_both(at_a.r, at_b.r), set.given(within));
 //   const AxisPart centre[] = {{.axis = 0}, {.axis = 1}};
 //   set.add_piece({.all = {set.ball(centre, {radius})}});
 //
-// A set is made once a statement, by the pair of shapes (shape_pairs.h). It names where a pair's lengths come
-// from and which primitives and pieces there are, and holds no number of any pair: each stage of contact
-// computes the lengths in its own number type (AllLengths, PairLengths) and asks the primitives for their
-// polynomials (primitive.h). So primitive number i is the same in all of them. There may be any number of
-// primitives and pieces.
+// A set is made once per statement, from the pair of shapes (shape_pairs.h). It contains no number of any
+// pair: it names the lengths of a pair by their source, and the primitives and pieces. Each stage of contact
+// computes the lengths in its own number type (AllLengths, PairLengths) and the polynomials of the primitives
+// (primitive.h). So primitive number i is the same in all stages. The number of primitives and pieces is not
+// limited.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@
 #include "contact/set/primitive.h"
 #include "shape/layout.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-/// A length of a pair: one addition, or two products and their sum.
+/// The formula of a length of a pair: one addition, or two products and their sum.
 struct Length {
   enum class From : std::uint8_t {
-    both_rows,  ///< what the rows have at places a and b; what a row does not have is 0
-    growth,     ///< what the rows have at places a and b, each times the time from its row's t to `number`
+    both_rows,  ///< the numbers of the rows at places a and b, added; an absent one is 0
+    growth,     ///< the same, each times the time from its row's t to `number`
     given,      ///< a number that is the same for every pair
     sum,        ///< of the lengths a and b
     difference  ///< of the lengths a and b
@@ -35,28 +35,30 @@ struct Length {
   int a = no_length, b = no_length;
   double number = 0;
   bool varies = true;                    ///< from pair to pair
-  int t_a = no_length, t_b = no_length;  ///< of growth: the places of t, which is 0 where there is none
+  int t_a = no_length, t_b = no_length;  ///< of growth: the places of t; an absent t is 0
 };
 
-/// One piece: where the primitives `all` are at most 0. Two lists change no piece and save work: where the
-/// piece holds, those `around` it hold too; and of the union nothing is lost if `beyond` must be at least 0,
-/// as elsewhere another piece covers this one. `ball` is a ball or strip, one of `all` that no other piece
-/// has: its roots are costly, so the exact stage looks for them last, and only when the rest holds.
+/// One piece: the intersection in which the primitives `all` are at most 0. `around` and `beyond` save work;
+/// they do not change the union. Where the piece holds, the primitives `around` it hold too. The piece may be
+/// restricted to where `beyond` is at least 0, because another piece covers the rest. `ball` is a ball or
+/// strip of `all` that no other piece has. Its roots are costly: the exact stage computes them last, and only
+/// while the rest holds.
 struct Conditions {
   std::vector<int> all, around = {}, beyond = {};
-  int ball = -1;  ///< -1: none
+  int ball = -1;  ///< -1: no ball
 };
 
-/// Both faces of a box across one axis: -x <= below and x <= above, if they are there.
+/// Both faces of a box across one axis: -x <= below and x <= above, if they exist.
 struct Faces {
   int axis;
   Size below = {}, above = {};
   bool has_below = true, has_above = true;
 };
 
+/// A union of pieces; see the head of this file.
 class ContactSet {
  public:
-  /// Some of the list of members.
+  /// A range of the list of members.
   struct Part {
     std::uint32_t begin, end;
   };
@@ -65,7 +67,7 @@ class ContactSet {
     int ball;
   };
 
-  /// All of it, for kernels.
+  /// The whole set, for kernels.
   struct Arrays {
     const Length* lengths;
     int length_count;
@@ -78,16 +80,19 @@ class ContactSet {
     int hull_count;
   };
 
-  // Lengths; each function gives a length's number, or no_length for what is 0 in every pair.
+  // Lengths; each function returns the number of a length, or no_length if it is 0 for every pair.
+
+  /// The numbers of both rows, added.
   int in_both(int place_a, int place_b) {
     if (place_a == Offsets::absent && place_b == Offsets::absent) return no_length;
     return add({Length::From::both_rows, place_a, place_b});
   }
-  /// What has grown by `moment`; t_a and t_b are where the rows have their t.
-  int growth(int place_a, int place_b, int t_a, int t_b, double moment) {
+  /// The growth of both until `time`; t_a and t_b are the places of t in the rows.
+  int growth(int place_a, int place_b, int t_a, int t_b, double time) {
     if (place_a == Offsets::absent && place_b == Offsets::absent) return no_length;
-    return add({Length::From::growth, place_a, place_b, moment, true, t_a, t_b});
+    return add({Length::From::growth, place_a, place_b, time, true, t_a, t_b});
   }
+  /// A number that is the same for every pair.
   int given(double number) {
     if (number == 0) return no_length;
     return add({Length::From::given, no_length, no_length, number, false});
@@ -101,20 +106,20 @@ class ContactSet {
     return add({Length::From::difference, a, b, 0, varies(a) || varies(b)});
   }
 
-  /// Of two sizes.
-  Size sum(const Size& a, const Size& b) {
-    return {sum(a.value, b.value), sum(a.rate, b.rate), sum(a.bend, b.bend)};
-  }
+  /// The sum of two sizes.
+  Size sum(const Size& a, const Size& b) { return {sum(a.value, b.value), sum(a.rate, b.rate)}; }
 
-  // Primitives; each function gives a primitive's number. What pieces share is made once.
+  // Primitives (Primitive::Kind); each function returns the number of a primitive. Pieces may share
+  // primitives.
+
   int bound(int axis, int sign, const Size& size);
   int half_space(std::span<const AxisPart> line, const Size& size);
   int strip(std::span<const AxisPart> line, const Size& half_width);
   int ball(std::span<const AxisPart> centre, const Size& radius);
 
-  /// The set is the union of all pieces that were added.
+  /// Adds a piece to the union.
   void add_piece(const Conditions& conditions);
-  /// Says that all pieces lie between these faces at all times: for the cheap answer (chord.h).
+  /// Adds to the hull two faces, between which all pieces are at all times: for the filter (chord.h).
   void enclose(const Faces& faces) { hull_.push_back(faces); }
 
   std::span<const Length> lengths() const { return lengths_; }
@@ -125,7 +130,7 @@ class ContactSet {
   std::span<const int> members(const Part& part) const {
     return {members_.data() + part.begin, members_.data() + part.end};
   }
-  /// The highest power of time in its sizes.
+  /// The highest power of time in the sizes.
   int degree() const;
   Arrays arrays() const;
 
@@ -148,7 +153,7 @@ class ContactSet {
 template <class T>
 T length_of(const ContactSet& set, const double* row_a, const double* row_b, int number);
 
-/// The lengths of one pair, each when it is asked for.
+/// The lengths of one pair, each computed at every access.
 template <class T>
 struct PairLengths {
   const ContactSet& set;
@@ -157,7 +162,7 @@ struct PairLengths {
   T operator[](int number) const { return length_of<T>(set, row_a, row_b, number); }
 };
 
-/// The two rows of a pair; what a row does not have is 0.
+/// The two rows of a pair; an absent number is 0.
 template <class T>
 struct TwoRows {
   const double *a, *b;
@@ -171,13 +176,14 @@ struct TwoRows {
   }
 
  private:
-  static T growth_in(const double* row, int place, int t, double moment) {
+  static T growth_in(const double* row, int place, int t, double time) {
     if (place == Offsets::absent) return T{};
-    return Exactly<T>::difference_of(moment, value_or(row, t, 0)) * Exactly<T>::number(row[place]);
+    return Exactly<T>::difference_of(time, value_or(row, t, 0)) * Exactly<T>::number(row[place]);
   }
 };
 
-/// A length that is not given, from `known`, those before it, and the rows, as TwoRows has them.
+/// The value of a length that is not given, from `known`, the lengths before it, and `rows`, for example
+/// TwoRows.
 template <class T, class Lengths, class Rows>
 T varying_length(const Length& length, const Lengths& known, const Rows& rows) {
   switch (length.from) {
@@ -192,7 +198,7 @@ T varying_length(const Length& length, const Lengths& known, const Rows& rows) {
   }
 }
 
-/// One length of a pair, from nothing.
+/// The value of one length of a pair.
 template <class T>
 T length_of(const ContactSet& set, const double* row_a, const double* row_b, int number) {
   const Length& length = set.lengths()[static_cast<std::size_t>(number)];
@@ -200,7 +206,7 @@ T length_of(const ContactSet& set, const double* row_a, const double* row_b, int
   return varying_length<T>(length, PairLengths<T>{set, row_a, row_b}, TwoRows<T>{row_a, row_b});
 }
 
-/// All lengths of one pair after another, in the order of their numbers; what is the same for all is computed
+/// All lengths of one pair after another, by number. Lengths that are the same for all pairs are computed
 /// once.
 template <class T>
 class AllLengths {
@@ -210,7 +216,7 @@ class AllLengths {
       if (!set.lengths()[i].varies) lengths_[i] = length_of<T>(set, nullptr, nullptr, static_cast<int>(i));
   }
 
-  /// From now on the lengths of this pair.
+  /// Computes the lengths of this pair.
   void take(const ContactSet& set, const double* row_a, const double* row_b) {
     T* const out = lengths_.data();
     const TwoRows<T> rows{row_a, row_b};
@@ -225,4 +231,4 @@ class AllLengths {
   std::vector<T> lengths_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,23 +1,40 @@
-// What the contact room knows about a pair before any geometry: its rows, its moments, its relative motion.
+// The input of a contact test without geometry: two tables and the horizon, a moving window, the common
+// lifetime of a pair and its relative motion.
 //
-// Time runs from `now`: tau = 0 is now. With exact numbers as T nothing is rounded; with DoubleDouble little
-// is.
+// Time is measured from `now`: tau = 0 is now. With an exact number type as T no result is rounded; with
+// DoubleDouble the rounding errors are small.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
-#include "motion/axis_motion.h"
-#include "numbers/exactly.h"
+#include "motion/law.h"
+#include "numbers/exact_conversion.h"
 #include "shape/bodies.h"
 
-namespace foresee::contact {
+namespace foresee {
 
-struct WindowFaces;
+/// A moving window: a closed box that may be open to any side. The positions of its faces at `now`, one pair
+/// per axis of the tables. Requires: lower < +infinity, upper > -infinity, lower <= upper; velocity finite.
+struct WindowFaces {
+  std::array<double, 3> lower{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  std::array<double, 3> upper{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  std::array<double, 3> velocity{};
 
-/// Two tables and a question; `within` is the limit in x and y (or along all axes), `within_z` the one along
-/// z. Where the first table is a window, `window` says where its faces are.
+  bool has_lower(int axis) const { return std::isfinite(lower[static_cast<std::size_t>(axis)]); }
+  bool has_upper(int axis) const { return std::isfinite(upper[static_cast<std::size_t>(axis)]); }
+  /// The origin of coordinates along an axis: a finite face if one exists, else 0.
+  double reference(int axis) const {
+    const auto j = static_cast<std::size_t>(axis);
+    return has_lower(axis) ? lower[j] : has_upper(axis) ? upper[j] : 0;
+  }
+};
+
+/// The inputs of contact: two tables, the horizon and the distances. `within` is the limit in x and y (or
+/// along all axes), `within_z` the one along z. If the first table is a window, then `window` has its faces.
 struct Setup {
   Bodies a, b;
   Horizon horizon;
@@ -32,44 +49,44 @@ struct RelativeMotion {
   T x[D], v[D], a[D];
 };
 
-/// The same on one axis.
+/// Relative motion on one axis.
 template <class T>
 struct RelativeAxisMotion {
   T x, v, a;
 };
 
-/// When both exist within the horizon, measured from now and absolute; each rounded once.
-struct Moments {
-  double dt_begin, dt_end;
-  double t_begin, t_end;
-  bool begin_exact, end_exact;  ///< dt_begin, dt_end are the exact values
-  bool ends_with_horizon;       ///< the end is now + h, not an object's own
-  bool none;                    ///< the two never exist together during the horizon
+/// When both objects exist within the horizon, measured from now and absolute; each rounded once.
+struct PairLifetime {
+  double dt_start, dt_end;
+  double t_start, t_end;
+  bool start_exact, end_exact;  ///< dt_start, dt_end are the exact values
+  bool ends_with_horizon;       ///< the end is now + h, not that of an object
+  bool none;                    ///< the two objects never exist together during the horizon
 };
 
-/// Decided exactly: `none` is never a guess.
-inline Moments moments_of(const Setup& setup, const double* row_a, const double* row_b) {
+/// The lifetime of a pair. `none` is decided exactly.
+inline PairLifetime pair_lifetime_of(const Setup& setup, const double* row_a, const double* row_b) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double now = setup.horizon.now, h = setup.horizon.h;
   const double start = std::max({now, value_or(row_a, setup.a.at.t, 0), value_or(row_b, setup.b.at.t, 0)});
   const double stop =
       std::min(value_or(row_a, setup.a.at.until, inf), value_or(row_b, setup.b.at.until, inf));
   const DoubleDouble begin = difference(start, now);
-  Moments moments{begin.high, h, start, now + h, begin.low == 0, true, true, false};
-  moments.none = start > stop || begin.high > h || (begin.high == h && begin.low > 0);
+  PairLifetime lifetime{begin.high, h, start, now + h, begin.low == 0, true, true, false};
+  lifetime.none = start > stop || begin.high > h || (begin.high == h && begin.low > 0);
   if (stop < inf) {
     const DoubleDouble end = difference(stop, now);
     if (end.high < h || (end.high == h && end.low < 0)) {
-      moments.dt_end = end.high;
-      moments.t_end = stop;
-      moments.end_exact = end.low == 0;
-      moments.ends_with_horizon = false;
+      lifetime.dt_end = end.high;
+      lifetime.t_end = stop;
+      lifetime.end_exact = end.low == 0;
+      lifetime.ends_with_horizon = false;
     }
   }
-  return moments;
+  return lifetime;
 }
 
-/// What is not declared is 0.
+/// The motion of one object on one axis; undeclared coefficients are 0.
 inline AxisMotion<double> axis_motion(const Bodies& bodies, const double* row, int axis) {
   const Offsets& at = bodies.at;
   return {row[at.x + axis], at.v == Offsets::absent ? 0 : row[at.v + axis],
@@ -94,7 +111,7 @@ RelativeAxisMotion<T> relative_axis_motion_of(const Setup& setup, const double* 
           v + (turn_b - turn_a), half_acceleration};
 }
 
-/// From `now` on, on all axes, in T's precision.
+/// The relative motion on all axes, from `now` on, in the precision of T.
 template <class T, int D>
 RelativeMotion<T, D> relative_motion_of(const Setup& setup, const double* row_a, const double* row_b) {
   RelativeMotion<T, D> relative;
@@ -105,4 +122,20 @@ RelativeMotion<T, D> relative_motion_of(const Setup& setup, const double* row_a,
   return relative;
 }
 
-}  // namespace foresee::contact
+/// The place of the half extent in a row. A ball of one axis is an interval, whose half extent is its radius.
+template <int D>
+int place_of_half(const Offsets& at) {
+  return D == 1 && at.r != Offsets::absent ? at.r : at.half;
+}
+
+/// The half extents of both boxes and `within`, added.
+template <class T, int D>
+T half_extent(const Setup& setup, const double* row_a, const double* row_b, int axis) {
+  const auto of = [axis](const Offsets& at, const double* row) {
+    const int place = place_of_half<D>(at);
+    return Exactly<T>::number(place == Offsets::absent ? 0 : row[place + axis]);
+  };
+  return of(setup.a.at, row_a) + of(setup.b.at, row_b) + Exactly<T>::number(setup.within);
+}
+
+}  // namespace foresee

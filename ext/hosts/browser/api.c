@@ -105,7 +105,7 @@ static void append_error(int offset) {
   sqlite3_str_appendf(answer, ",\"offset\":%d}", offset);
 }
 
-/* All statements; 0 where one failed, which is told. */
+/* All statements; 0 if one failed, whose error is the answer. */
 static int run(const char* sql) {
   for (const char* rest = sql; *rest;) {
     sqlite3_stmt* statement;

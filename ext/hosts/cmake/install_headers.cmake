@@ -4,7 +4,7 @@
 cmake_policy(VERSION 3.21)
 set(wanted
   query/join/join.h query/join/explain.h query/window/window.h query/nearest/nearest.h query/position/positions.h
-  query/watch/pair_contacts.h index/memory_pages.h index/tpr_tree/tpr_tree.h shape/outline/wkt_reader.h shape/mesh/mesh_reader.h)
+  query/watch/pair_contacts.h index/memory_pages.h index/tpr_tree/tpr_tree.h shape/outline/wkt.h shape/mesh/mesh_text.h)
 set(found)
 while(wanted)
   list(POP_FRONT wanted header)

@@ -3,14 +3,14 @@
 #include <cmath>
 #include <vector>
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 constexpr double stripe_height = 2;       // in mean extents: flat optimum between 1.5 and 3
-constexpr double part_of_x = 0.5;         // in mean extents: what counts as long along x
+constexpr double part_of_x = 0.5;         // in mean extents: the unit of "long along x"
 constexpr double giant_extent = 8;        // in mean extents: flat between 3 and 32
-constexpr std::size_t giants_max = 4096;  // beyond, visiting stripes one by one costs more than coarser cells
-constexpr double parts_max = 1 << 20;     // on one axis; a float still tells them apart
+constexpr std::size_t giants_max = 4096;  // visiting the stripes of more costs more than coarser cells
+constexpr double parts_max = 1 << 20;     // on one axis; a float still distinguishes them
 
 double at_rank(std::vector<float>& values, double rank) {
   const auto place = static_cast<std::ptrdiff_t>(rank * static_cast<double>(values.size() - 1));
@@ -18,7 +18,7 @@ double at_rank(std::vector<float>& values, double rank) {
   return values[static_cast<std::size_t>(place)];
 }
 
-/// The mean over extents of at most four times the median.
+/// The mean over the extents that are at most four times the median.
 template <int D>
 double typical_extent(std::span<const FloatBox<D>> sample, int axis) {
   std::vector<float> extents;
@@ -30,8 +30,8 @@ double typical_extent(std::span<const FloatBox<D>> sample, int axis) {
   return counted > 0 ? std::min(sum / counted, limit) : limit;
 }
 
-/// Where lower ends lie: all of the sample, but no farther out than a quarter of the length of
-/// its middle 98 %.
+/// The range of the lower ends: of the whole sample, but at most a quarter of the length of its middle 98 %
+/// beyond that middle.
 template <int D>
 Range middle_range(std::span<const FloatBox<D>> sample, int axis) {
   std::vector<float> ends;
@@ -42,7 +42,7 @@ Range middle_range(std::span<const FloatBox<D>> sample, int axis) {
           static_cast<float>(std::min<double>(*last, high + margin))};
 }
 
-/// Mean extents, doubled until the sample promises few giants.
+/// Doubles the mean extents until the sample has few giants.
 template <int D>
 void coarsen_until_few_giants(std::span<const FloatBox<D>> sample, std::size_t count, double (&mean)[D]) {
   const double allowed = static_cast<double>(giants_max) / static_cast<double>(std::max(count, giants_max));
@@ -58,9 +58,9 @@ void coarsen_until_few_giants(std::span<const FloatBox<D>> sample, std::size_t c
   }
 }
 
-double parts(double length, double width, double most) {
-  const double wished = width > 0 ? std::ceil(length / width) : length > 0 ? most : 1;
-  return std::clamp(wished, 1.0, std::max(1.0, std::min(most, parts_max)));
+double parts(double length, double width, double limit) {
+  const double wished = width > 0 ? std::ceil(length / width) : length > 0 ? limit : 1;
+  return std::clamp(wished, 1.0, std::max(1.0, std::min(limit, parts_max)));
 }
 
 Cuts cuts_of(const Range& range, double count) {
@@ -107,7 +107,7 @@ Partition<D> choose_partition(std::span<const FloatBox<D>> sample, std::size_t c
   for (int axis = 0; axis < D; ++axis) {
     const Cuts cuts = cuts_of(range[axis], wished[axis]);
     if (axis > 0) partition.axis[axis] = cuts;
-    // What fits into a few parts is no giant, however small the mean is.
+    // A box that fits into a few parts is not a giant, however small the mean is.
     const double size = axis == 0 ? part_of_x : stripe_height;
     const double few_parts = giant_extent / size / cuts.per_unit;
     partition.largest_inside[axis] = static_cast<float>(
@@ -120,4 +120,4 @@ template Partition<1> choose_partition(std::span<const FloatBox<1>>, std::size_t
 template Partition<2> choose_partition(std::span<const FloatBox<2>>, std::size_t);
 template Partition<3> choose_partition(std::span<const FloatBox<3>>, std::size_t);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

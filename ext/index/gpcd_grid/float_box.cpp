@@ -4,10 +4,10 @@
 
 #include "shape/beam.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
-constexpr std::size_t enough = 64;  // beams that tell where most are
+constexpr std::size_t enough = 64;  // the number of beams that suffices to find where most objects are
 
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -15,7 +15,7 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-/// The typical distance from the origin; where most objects sit at one place, the largest distance or extent.
+/// The typical distance from the origin; if most objects are at one place, the largest distance or extent.
 double typical_distance(std::vector<double>& distances, double largest) {
   const double typical = median(distances);
   if (typical > 0) return typical;
@@ -58,4 +58,4 @@ template Frame<1> frame_of(std::span<const Beam<1>>);
 template Frame<2> frame_of(std::span<const Beam<2>>);
 template Frame<3> frame_of(std::span<const Beam<3>>);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -1,9 +1,8 @@
-// The grid's own boxes: single precision, relative to a frame, so that twice as many fit a cache line and a
-// register.
+// Axis-aligned boxes in single precision, relative to a frame: twice as many fit a cache line and a register.
 //
 //   Frame<2> frame = frame_of(sample);                   // origin and unit near where most objects are
 //
-// float_lanes.h turns beams into them. Guarantee: two boxes that meet have float boxes that meet. Coordinates
+// float_lanes.h converts beams into them. Guarantee: if two boxes meet, their float boxes meet. Coordinates
 // near 1e15 with extents near 1 keep their resolution, because the origin is subtracted in double precision
 // first.
 #pragma once
@@ -14,14 +13,12 @@
 #include <limits>
 #include <span>
 
-#include "base/rooms.h"
-
-namespace foresee::shape {
+namespace foresee {
 template <int D>
 struct Beam;
 }
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 template <int D>
 struct FloatBox {
@@ -38,10 +35,10 @@ struct FloatBox {
   float extent(int axis) const { return upper[axis] - lower[axis]; }
 };
 
-/// Which numbers a scene needs beyond boxes; what it does not need is neither stored nor computed.
+/// The numbers that a scene needs beside its boxes; others are neither stored nor computed.
 struct Columns {
-  bool travel = false;  ///< something moves during the horizon
-  bool life = false;    ///< some exist for a part of the horizon only
+  bool travel = false;  ///< an object moves during the horizon
+  bool life = false;    ///< an object exists for a part of the horizon only
 
   friend bool operator==(const Columns&, const Columns&) = default;
 };
@@ -52,15 +49,16 @@ struct Frame {
   double scale[D];
   double scaled_origin[D];
 
-  /// False for units so small that the room for the test of time would swallow them.
+  /// False if the unit is so small that the padding of the time test would be larger than the boxes.
   bool resolves_time() const {
     return std::all_of(scale, scale + D, [](double s) { return s < 0x1p1000; });
   }
 };
 
-/// A frame whose origin is the median centre of the sample and whose unit is the typical distance from it:
-/// a few objects far away, or infinite boxes, do not move it. Any sample is right; a good one is faster.
+/// A frame whose origin is the median centre of the sample and whose unit is the typical distance from it. So
+/// a few objects far away, or infinite boxes, do not move it. The result is correct for any sample; a typical
+/// one makes the grid faster.
 template <int D>
 Frame<D> frame_of(std::span<const Beam<D>> sample);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

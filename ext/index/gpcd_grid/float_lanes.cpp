@@ -5,7 +5,7 @@
 
 #include "shape/beam.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 template <int D>
 std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>& frame, Columns columns) {
@@ -35,12 +35,12 @@ FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame) {
   return out;
 }
 
-#define FORESEE_FLOATS_OF_AXES(D)                                                                 \
+#define FORESEE_OF_AXES(D)                                                                        \
   template std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>>, const Frame<D>&, Columns); \
   template FloatBox<D> round_inward(const Box<D>&, const Frame<D>&)
-FORESEE_FLOATS_OF_AXES(1);
-FORESEE_FLOATS_OF_AXES(2);
-FORESEE_FLOATS_OF_AXES(3);
-#undef FORESEE_FLOATS_OF_AXES
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

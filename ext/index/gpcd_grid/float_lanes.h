@@ -1,14 +1,14 @@
-// Float boxes side by side, on their way from beams into the grid: rounded outward, and told which stripes
-// they meet.
+// Structure-of-arrays form of float boxes: beams rounded outward to single precision, and the stripes that
+// each box meets.
 //
 //   FloatLanes<2> lanes;
 //   const FloatKernels<2>& kernels = float_kernels<2>();
 //   kernels.round_outward(beams, count, frame, columns, lanes);   // contain the beams' boxes
 //   kernels.find_stripes(lanes, count, partition);                // lanes.first[7], lanes.more_y[7], …
 //
-// Guarantee: two boxes that meet have float boxes that meet, and share a stripe unless one of them is a
-// giant. With `columns.travel` there is room for the test of time too (scan.kernel.cpp). All instruction sets
-// give the same bits. Cost: a few nanoseconds a box.
+// Guarantee: if two boxes meet, their float boxes meet and share a stripe, unless one of them is a giant.
+// With `columns.travel` the boxes are also padded for the time test (scan.kernel.cpp). All instruction sets
+// give the same bits. Cost: a few nanoseconds per box.
 #pragma once
 
 #include <vector>
@@ -16,32 +16,32 @@
 #include "index/gpcd_grid/cell_size.h"
 #include "motion/beam_lanes.h"
 
-namespace foresee::motion {
+namespace foresee {
 template <int D>
 struct Box;
 }
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
-constexpr double too_large = 0x1p59;  ///< for the test of time
+constexpr double too_large = 0x1p59;  ///< for the time test
 
 template <int D>
 struct FloatLanes {
   static constexpr std::size_t width = BeamLanes<D>::width;
 
   float lower[D][width] = {}, upper[D][width] = {};
-  /// Where the columns have it; NaN if the numbers of the beam are too large to compute with: every test of
-  /// time then passes.
+  /// Set if `columns` has it. NaN if the numbers of the beam are too large to compute with: then every time
+  /// test passes.
   float travel[D][width] = {};
-  /// Where the columns have it: within [-1, 1], the middle of the horizon being 0.
+  /// Set if `columns` has it: in [-1, 1], where 0 is half the horizon.
   float begin[width] = {}, end[width] = {};
 
-  // What find_stripes() finds.
-  std::uint32_t first[width] = {};  ///< number of the first stripe: that along y, that along z
-  std::uint32_t more_y[width] = {}, more_z[width] = {};  ///< stripes beside the first, along each axis
-  std::uint32_t inside[width] = {};                      ///< 1, or 0 if it enters no stripe
-  std::uint32_t giant[width] = {};                       ///< 1 if that is because it is too large
-  std::uint32_t order[width] = {};                       ///< grows with the lower end along x
+  // Results of find_stripes().
+  std::uint32_t first[width] = {};                       ///< number of the first stripe, along y and along z
+  std::uint32_t more_y[width] = {}, more_z[width] = {};  ///< number of further stripes along each axis
+  std::uint32_t inside[width] = {};                      ///< 1, or 0 if the box is entered into no stripe
+  std::uint32_t giant[width] = {};                       ///< 1 if that is because the box is too large
+  std::uint32_t order[width] = {};                       ///< increases with the lower end along x
 
   FloatBox<D> box(std::size_t l) const {
     FloatBox<D> box;
@@ -50,35 +50,36 @@ struct FloatLanes {
   }
 };
 
-/// The loops over the first `count` lanes, compiled for one level of instructions each; what is behind those
-/// lanes has no meaning.
+/// The loops over the first `count` lanes, compiled once per instruction set. Values behind those lanes are
+/// unspecified.
 template <int D>
 struct FloatKernels {
-  /// Boxes that contain those of the beams, with room for the test of time; travel and life where `columns`
+  /// Computes boxes that contain those of the beams, padded for the time test; travel and life if `columns`
   /// has them.
   void (*round_outward)(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
                         FloatLanes<D>& out);
-  /// Which stripes each box meets, or that it is a giant, or empty. Requires: partition.stripes() < 2^32.
+  /// Computes the stripes that each box meets, or that it is a giant or empty. Requires: partition.stripes()
+  /// < 2^32.
   void (*find_stripes)(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
 };
 
 template <int D, Simd simd>
 const FloatKernels<D>& float_kernels();
 
-/// Of the widest instructions in use.
+/// The kernels for the widest instructions in use.
 template <int D>
 const FloatKernels<D>& float_kernels() {
   return with_simd_in_use(
       []<Simd simd>(Level<simd>) -> const FloatKernels<D>& { return float_kernels<D, simd>(); });
 }
 
-/// A few beams, rounded outward.
+/// The outward-rounded boxes of a few beams.
 template <int D>
 std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>& frame, Columns columns);
 
-/// A float box that lies within `box` by 2^-18 of its coordinates; empty if none does, or if the test of time
-/// could not compute with it.
+/// A float box inside `box` by 2^-18 of its coordinates. It is empty if no such box exists, or if the time
+/// test could not compute with it.
 template <int D>
 FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

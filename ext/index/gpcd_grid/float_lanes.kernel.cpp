@@ -1,21 +1,21 @@
-// The loops of float_lanes.h: a kernel (base/simd.h). No branches, so that compilers use vector instructions.
+// Vector kernels of float_lanes.h (base/simd.h): loops without branches, so that compilers use vector
+// instructions.
 //
-// The room on both sides, 2^-20 of extent and travel, 2^-22 of the coordinate and 2^-40 of the frame's unit,
-// is many times what conversion to float (2^-24) and the float arithmetic of the test of time
-// (scan.kernel.cpp) can lose together. What lies beyond the range of a float is moved to its end, which keeps
-// the order.
+// The padding on both sides is 2^-20 of extent and travel, 2^-22 of the coordinate and 2^-40 of the frame's
+// unit. Conversion to float (2^-24) and the float arithmetic of the time test (scan.kernel.cpp) together lose
+// far less. A value beyond the range of a float is clamped to that range, which keeps the order.
 #include "index/gpcd_grid/float_lanes.h"
 
 #include "base/lane_math.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
-constexpr std::size_t block = 16;           // lanes at a time: the floats of the widest register
-constexpr double largest = 0x1.fffffep127;  // float
+constexpr std::size_t block = 16;           // lanes per iteration: the floats of the widest register
+constexpr double largest = 0x1.fffffep127;  // the largest finite float
 constexpr double never = __builtin_inf(), no_number = __builtin_nan("");
 
-/// The beams' boxes in the frame's units, with the room of above; travel where `moves`.
+/// The beams' boxes in the frame's units, padded as described above; travel if `moves`.
 template <int D, bool moves>
 void round_boxes(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, FloatLanes<D>& out) {
   constexpr double relative = moves ? 0x1p-22 : 0x1p-23;
@@ -26,13 +26,13 @@ void round_boxes(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& f
       for (std::size_t i = 0; i < block; ++i) {
         const std::size_t l = first + i;
         const double lower = beams.lower[k][l] * scale - origin, upper = beams.upper[k][l] * scale - origin;
-        const double travel = moves ? beams.travel[k][l] * scale : 0, path = size_of(travel);
+        const double travel = moves ? beams.travel[k][l] * scale : 0, path = absolute(travel);
         const bool fits = greater(greater(-lower, upper), path) < too_large;
         const double for_time = (upper - lower + path) * 0x1p-20 + 0x1p-40;
         const double room = moves && fits ? for_time : 0x1p-126;
         // NaN becomes the outer end.
-        const double low_end = greater(lower - (size_of(lower) * relative + room), -largest);
-        const double high_end = lesser(upper + (size_of(upper) * relative + room), largest);
+        const double low_end = greater(lower - (absolute(lower) * relative + room), -largest);
+        const double high_end = lesser(upper + (absolute(upper) * relative + room), largest);
         const bool empty = k == 0 && beams.lower[0][l] > beams.upper[0][l];
         low[i] = empty ? never : lesser(low_end, largest);
         high[i] = greater(high_end, -largest);
@@ -47,7 +47,7 @@ void round_boxes(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& f
   }
 }
 
-/// Fractions of the horizon as places in [-1, 1], rounded outward.
+/// Maps fractions of the horizon to [-1, 1], rounded outward.
 template <int D>
 void round_lives(const BeamLanes<D>& beams, std::size_t count, FloatLanes<D>& out) {
   for (std::size_t first = 0; first < count; first += block)
@@ -65,7 +65,7 @@ void round_outward_all(const BeamLanes<D>& beams, std::size_t count, const Frame
   if (columns.life) round_lives(beams, count, out);
 }
 
-/// Cuts::index(), for numbers of parts that a float tells apart.
+/// Cuts::index(), for numbers of parts that a float distinguishes.
 inline std::int32_t index_of(float x, float from, float per_unit, float last) {
   return static_cast<std::int32_t>(lesser(greater((x - from) * per_unit, 0.0f), last));
 }
@@ -114,4 +114,4 @@ template const FloatKernels<1>& float_kernels<1, Simd::FORESEE_SIMD>();
 template const FloatKernels<2>& float_kernels<2, Simd::FORESEE_SIMD>();
 template const FloatKernels<3>& float_kernels<3, Simd::FORESEE_SIMD>();
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -1,9 +1,9 @@
 #include "index/gpcd_grid/giants.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
-/// Whether boxes of the usual size fit into a core.
+/// True if boxes of the usual size fit into a core.
 template <int D>
 bool has_room(const FloatBox<D>& core, const Partition<D>& partition) {
   constexpr float usual = 0.25f;  // about twice the mean extent
@@ -31,7 +31,7 @@ Giants<D>::Giants(const Partition<D>& partition, const Stripes<D>& stripes, Inte
 }
 
 template <int D>
-void Giants<D>::find_cores(const BeamSource<D>& source, const Frame<D>& frame,
+void Giants<D>::find_cores(const MovingSource<D>& source, const Frame<D>& frame,
                            const Partition<D>& partition) {
   for (Place& place : waiting_) {
     const FloatBox<D> core = round_inward(source.core(id_of(place.key)), frame);
@@ -41,8 +41,8 @@ void Giants<D>::find_cores(const BeamSource<D>& source, const Frame<D>& frame,
   }
 }
 
-/// Each adds 1 where it begins and takes it off behind its end, along both axes; sums from the first stripe
-/// on are then the counts.
+/// Two-dimensional prefix sums: each giant adds 1 at its first stripe and subtracts it behind its last one,
+/// along both axes.
 template <int D>
 std::vector<std::size_t> Giants<D>::crossing_counts(const Partition<D>& partition) const {
   const auto parts = [&partition](int axis) {
@@ -54,7 +54,7 @@ std::vector<std::size_t> Giants<D>::crossing_counts(const Partition<D>& partitio
     const auto row = static_cast<std::size_t>(y), place = static_cast<std::size_t>(z);
     if (row < rows && place < across) counts[row * across + place] += change;
   };
-  constexpr std::size_t less = -1;  // counts wrap around, and back
+  constexpr std::size_t less = -1;  // unsigned counts wrap around and back
   for (const Place& giant : waiting_) {
     add(giant.y.first, giant.z.first, 1), add(giant.y.last + 1, giant.z.last + 1, 1);
     add(giant.y.last + 1, giant.z.first, less), add(giant.y.first, giant.z.last + 1, less);
@@ -73,7 +73,8 @@ void Giants<D>::advance(int row) {
   for (; !waiting_.empty() && waiting_.back().y.first <= row; waiting_.pop_back())
     if (waiting_.back().y.last >= row) active_.push_back(waiting_.back());
   const auto along_x = [](const Place& a, const Place& b) { return a.key < b.key; };
-  std::sort(active_.begin() + old, active_.end(), along_x);  // a visit that begins later adds several rows'
+  // Sorted, because a visit that starts at a later stripe adds several rows at once.
+  std::sort(active_.begin() + old, active_.end(), along_x);
   std::inplace_merge(active_.begin(), active_.begin() + old, active_.end(), along_x);
 }
 
@@ -103,4 +104,4 @@ template class Giants<1>;
 template class Giants<2>;
 template class Giants<3>;
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -1,23 +1,24 @@
-// Boxes far larger or faster than the rest: which of them cross the stripe at hand?
+// Giants, the boxes far larger or faster than the rest, and the stripes that each of them crosses.
 //
-// Giants stay outside the grid, where they would be copied into many stripes. Instead the grid walks through
-// its stripes in order and every giant that crosses one is compared with what lies there. Seen from a stripe
-// a giant has classes like any box, so each of its pairs is still reported once.
+// Giants are not entered into the grid, which would copy them into many stripes. Instead the grid visits its
+// stripes in order and compares every giant that crosses a stripe with the boxes in it. A giant has classes
+// relative to a stripe, like any box, so each of its pairs is still reported once.
 //
-// What is large touches most of its boxes already when the horizon begins. So a giant has a core: a box that
-// it covers then, rounded inward. What lies in it touches, and nobody needs to ask when.
+// A large box touches most of its neighbours already at the start of the horizon. So a giant has a core: a
+// box, rounded inward, that it covers at that time. Every box inside the core touches the giant, without an
+// exact test.
 //
-// Requires: stripes are visited along y first, from any of them on. Cost: one step for each stripe that a
-// giant crosses; memory follows the number of giants only.
+// Requires: stripes are visited along y first, from any stripe on. Cost: one step per stripe and giant that
+// crosses it; memory is linear in the number of giants.
 #pragma once
 
 #include <vector>
 
 #include "index/gpcd_grid/stripes.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
-/// Boxes as columns.
+/// Boxes in columns.
 template <int D>
 struct Cores {
   std::vector<float> lower[D], upper[D];
@@ -26,20 +27,20 @@ struct Cores {
 template <int D>
 class Giants {
  public:
-  /// Those that did not enter the stripes, which are not needed afterwards.
+  /// Collects the boxes that did not enter the stripes. `stripes` is not needed afterwards.
   Giants(const Partition<D>& partition, const Stripes<D>& stripes, Interrupt& interrupt);
 
-  /// Finds what each giant covers when the horizon begins, rounded inward. Before stripes are visited.
-  /// Requires: all that the giants meet are there when the horizon begins.
-  void find_cores(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition);
+  /// Computes the core of each giant, before the first stripe is visited. Requires: all objects that the
+  /// giants meet exist at the start of the horizon.
+  void find_cores(const MovingSource<D>& source, const Frame<D>& frame, const Partition<D>& partition);
 
-  /// How many cross each stripe, by its number. Requires: none has been visited.
+  /// The number of giants that cross each stripe, by stripe number. Requires: no stripe has been visited.
   std::vector<std::size_t> crossing_counts(const Partition<D>& partition) const;
   /// All giants, sorted along x.
   std::span<const Key> all() const { return sorted_; }
-  /// Those that cross a stripe (its numbers along y and z), sorted along x. Valid until the next call.
+  /// The giants that cross a stripe (its numbers along y and z), sorted along x. Valid until the next call.
   std::span<const Key> crossing(const int (&stripe)[D]);
-  /// The cores of those, some of them empty; null where no giant has one.
+  /// The cores of those giants, some of them empty; null if no giant has a core.
   const Cores<D>* cores() const { return any_core_ ? &cores_ : nullptr; }
 
  private:
@@ -52,7 +53,7 @@ class Giants {
     FloatBox<D> core;
   };
   std::vector<Key> sorted_;
-  std::vector<Place> waiting_;  // by the first stripe along y, the next to come last
+  std::vector<Place> waiting_;  // in descending order of the first stripe along y
   std::vector<Place> active_;   // those that cross the current stripes along y, sorted along x
   std::vector<Key> crossing_;
   Cores<D> cores_;
@@ -60,4 +61,4 @@ class Giants {
   int row_ = -1;
 };
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

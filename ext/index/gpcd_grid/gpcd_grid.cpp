@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
-#include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/grid.h"
+#include "index/gpcd_grid/moving_source.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 template <int D>
 class GridWithSpace final : public Candidates {
  public:
-  GridWithSpace(const gpcd::BeamSource<D>& a, const gpcd::BeamSource<D>* b, std::shared_ptr<GridSpace> space,
-                Interrupt& interrupt)
+  GridWithSpace(const gpcd::MovingSource<D>& a, const gpcd::MovingSource<D>* b,
+                std::shared_ptr<GridSpace> space, Interrupt& interrupt)
       : space_(space ? std::move(space) : std::make_shared<GridSpace>()),
         grid_(a, b, *space_, 0, interrupt),
         visit_(grid_, space_->visit, interrupt) {}
@@ -30,11 +30,11 @@ class GridWithSpace final : public Candidates {
 template <int D>
 class DividedGrid final : public DividedCandidates {
  public:
-  DividedGrid(const gpcd::BeamSource<D>& a, const gpcd::BeamSource<D>* b, std::size_t helpers,
+  DividedGrid(const gpcd::MovingSource<D>& a, const gpcd::MovingSource<D>* b, std::size_t helpers,
               std::shared_ptr<GridSpace> space, Interrupt& interrupt)
       : space_(space ? std::move(space) : std::make_shared<GridSpace>()),
         grid_(a, b, *space_, helpers, interrupt) {
-    // Each part has giants of its own, which are worth their copying.
+    // Each partition copies the giants, so it has enough work to be worth the copy.
     const std::size_t work_per_part = std::max<std::size_t>(8192, 8 * grid_.giant_count());
     std::size_t stripe = 0, work = 0;
     for (std::size_t of_stripe : grid_.work_by_stripe()) {
@@ -65,7 +65,7 @@ class DividedGrid final : public DividedCandidates {
 
   std::shared_ptr<GridSpace> space_;
   gpcd::Grid<D> grid_;
-  std::vector<std::size_t> ends_;  // the stripe behind the last one of each part
+  std::vector<std::size_t> ends_;  // one past the last stripe of each partition
 };
 
 }  // namespace
@@ -89,29 +89,14 @@ std::unique_ptr<DividedCandidates> make_divided_grid(const MovingBoxes<D>& a, co
   return std::make_unique<DividedGrid<D>>(first, &second, helpers, std::move(space), interrupt);
 }
 
-template <int D>
-std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes, Interrupt& interrupt) {
-  return std::make_unique<GridWithSpace<D>>(gpcd::RestingSource<D>(boxes), nullptr, nullptr, interrupt);
-}
+#define FORESEE_OF_AXES(D)                                                                          \
+  template std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>&, const MovingBoxes<D>*, \
+                                                      Interrupt&, std::shared_ptr<GridSpace>);      \
+  template std::unique_ptr<DividedCandidates> make_divided_grid(                                    \
+      const MovingBoxes<D>&, const MovingBoxes<D>*, std::size_t, Interrupt&, std::shared_ptr<GridSpace>)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
-template <int D>
-std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes_a, std::span<const Box<D>> boxes_b,
-                                           Interrupt& interrupt) {
-  const gpcd::RestingSource<D> b(boxes_b);
-  return std::make_unique<GridWithSpace<D>>(gpcd::RestingSource<D>(boxes_a), &b, nullptr, interrupt);
-}
-
-#define FORESEE_GRID_OF_AXES(D)                                                                           \
-  template std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>&, const MovingBoxes<D>*,       \
-                                                      Interrupt&, std::shared_ptr<GridSpace>);            \
-  template std::unique_ptr<DividedCandidates> make_divided_grid(                                          \
-      const MovingBoxes<D>&, const MovingBoxes<D>*, std::size_t, Interrupt&, std::shared_ptr<GridSpace>); \
-  template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>>, Interrupt&);               \
-  template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>>, std::span<const Box<D>>,   \
-                                                      Interrupt&)
-FORESEE_GRID_OF_AXES(1);
-FORESEE_GRID_OF_AXES(2);
-FORESEE_GRID_OF_AXES(3);
-#undef FORESEE_GRID_OF_AXES
-
-}  // namespace foresee::index
+}  // namespace foresee

@@ -2,20 +2,20 @@
 
 #include <cstdio>
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t sample_max = 512;
-/// At most every sixteenth box, so that small scenes do not pay for statistics.
+/// At most every sixteenth box is sampled, so that small scenes do not pay for statistics.
 constexpr std::size_t sample_share = 16;
 constexpr std::size_t sample_enough = 64;
-constexpr std::size_t pairs_per_batch = 512;      // what becomes of them fits the first cache
-constexpr std::size_t touching_per_batch = 128;   // they become rows, which fit it then
+constexpr std::size_t pairs_per_batch = 512;      // the data of the next stage fits the first-level cache
+constexpr std::size_t touching_per_batch = 128;   // these become rows, which then fit that cache
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 
-/// Non-empty beams of both sides, one from each of some hundred equal parts, not at equal distances.
+/// Non-empty beams of both sides: one from each of some hundred equal parts, at irregular distances.
 template <int D>
-std::vector<Beam<D>> sample_of(const BeamSource<D>& a, const BeamSource<D>* b) {
+std::vector<Beam<D>> sample_of(const MovingSource<D>& a, const MovingSource<D>* b) {
   const std::size_t count_a = a.count(), count = count_a + (b ? b->count() : 0),
                     aim = std::clamp(count / sample_share, sample_enough, sample_max),
                     wanted = std::min(count, aim);
@@ -32,9 +32,9 @@ std::vector<Beam<D>> sample_of(const BeamSource<D>& a, const BeamSource<D>* b) {
   return sample;
 }
 
-/// What either side needs; no travel where the frame's unit is too small for the test of time.
+/// The columns that either side needs; no travel if the frame's unit is too small for the time test.
 template <int D>
-Columns columns_of(const BeamSource<D>& a, const BeamSource<D>* b, const Frame<D>& frame) {
+Columns columns_of(const MovingSource<D>& a, const MovingSource<D>* b, const Frame<D>& frame) {
   const Columns first = a.columns(), second = b ? b->columns() : Columns{};
   const bool travel = frame.resolves_time() && (first.travel || second.travel);
   return {travel, travel && (first.life || second.life)};
@@ -43,7 +43,7 @@ Columns columns_of(const BeamSource<D>& a, const BeamSource<D>* b, const Frame<D
 }  // namespace
 
 template <int D>
-Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, std::size_t helpers,
+Grid<D>::Grid(const MovingSource<D>& a, const MovingSource<D>* b, GridSpace& space, std::size_t helpers,
               Interrupt& interrupt) {
   const std::vector<Beam<D>> sample = sample_of(a, b);
   const Frame<D> frame = frame_of(std::span<const Beam<D>>(sample));
@@ -52,11 +52,11 @@ Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, 
   partition_ = choose_partition(std::span<const FloatBox<D>>(boxes), a.count() + (b ? b->count() : 0));
   for (int axis = 1; axis < D; ++axis)
     stripe_height_[axis] = 1 / static_cast<double>(partition_.axis[axis].per_unit) / frame.scale[axis];
-  for (const BeamSource<D>* source : {&a, b})
+  for (const MovingSource<D>* source : {&a, b})
     if (source)
       sides_.push_back(std::make_unique<Side>(*source, frame, columns, partition_, space.sides[sides_.size()],
                                               helpers, interrupt));
-  if (giant_count() == 0 || !a.all_begin(interrupt) || (b && !b->all_begin(interrupt))) return;
+  if (giant_count() == 0 || !a.all_start(interrupt) || (b && !b->all_start(interrupt))) return;
   sides_[0]->giants.find_cores(a, frame, partition_);
   if (b) sides_[1]->giants.find_cores(*b, frame, partition_);
 }
@@ -137,7 +137,7 @@ void GridVisit<D>::open_stripe(std::size_t number) {
     const bool meets_none = grid_.side(sides_.size() - 1 - i).stripes.entries(number).empty();
     const auto crossing = meets_none ? std::span<const Key>() : sides_[i].giants.crossing(stripe);
     sides_[i].crossing.gather(crossing, entered.rows, partition, stripe, interrupt_);
-    sides_[i].crossing.take(sides_[i].giants.cores());
+    sides_[i].crossing.set_cores(sides_[i].giants.cores());
   }
   for (std::size_t i = 0; i < sides_.size(); ++i)
     sides_[i].crossing.clip_to(sides_[sides_.size() - 1 - i].inside.view());
@@ -212,4 +212,4 @@ template class GridVisit<1>;
 template class GridVisit<2>;
 template class GridVisit<3>;
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

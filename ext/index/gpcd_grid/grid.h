@@ -1,15 +1,15 @@
-// The grid as a whole: GPCD steps 1 to 5c from swept boxes to candidates. gpcd_grid.h is the door; this
-// header shows the parts and counters to tests and benchmarks.
+// The stages of the GPCD grid, from swept boxes to candidates, with counters for tests and benchmarks.
 //
-//   step 1  beams or boxes: beam_sources.h, float_rows.h
+//   step 1  beams: moving_source.h, stripes.h
 //   step 2  cell size: cell_size.h
 //   step 3  enter: stripes.h, giants.h
 //   step 4, 5a, 5c  share a stripe and overlap, in space and in time: lanes.h, scan.h
 //
-// A Grid is what has been entered. A GridVisit goes through a range of its stripes, one after another: at
-// each, what lies in it is gathered into lanes, and some scans follow, its boxes among themselves (or of the
-// two sides), and the giants that cross it against its boxes: what they cover, then the others. Giants meet
-// one another before the first stripe. Several threads may each visit stripes of their own.
+// Other modules use gpcd_grid.h. A Grid holds the entered objects. A GridVisit visits a range of its stripes,
+// one after another. In each stripe it gathers the boxes into lanes and then scans them: with one another, or
+// with those of the other side. Then it scans the giants that cross the stripe with its boxes. Boxes that a
+// giant covers come first, then the others. Pairs of giants come before the first stripe. Several threads
+// may visit stripes of one grid at the same time.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@
 #include "index/gpcd_grid/scan.h"
 #include "index/gpcd_grid/stripes.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 template <int D>
 class Grid {
@@ -29,7 +29,7 @@ class Grid {
   /// The objects of one side of the join.
   struct Side {
     /// Enters every object of `source` into the stripes that its box meets, or among the giants.
-    Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
+    Side(const MovingSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
          GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
         : rows(source.count(), columns, source.objects(), memory.rows),
           stripes(source, frame, partition, rows, memory, helpers, interrupt),
@@ -39,20 +39,20 @@ class Grid {
     Giants<D> giants;
   };
 
-  /// Enters the objects of `a`, or of both if `b` is not null; afterwards the sources are not needed. What is
-  /// read from them is kept in `space`, which must outlive the grid. `helpers` are threads beside this one;
-  /// the grid is the same for any number of them.
-  Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, std::size_t helpers,
+  /// Enters the objects of `a`, or of both if `b` is not null. The sources are not needed afterwards; their
+  /// numbers are kept in `space`, which must outlive the grid. `helpers` is the number of threads beside this
+  /// one; the grid is the same for any number of them.
+  Grid(const MovingSource<D>& a, const MovingSource<D>* b, GridSpace& space, std::size_t helpers,
        Interrupt& interrupt);
 
-  /// One side, or two.
+  /// 1 or 2.
   std::size_t side_count() const { return sides_.size(); }
   Side& side(std::size_t i) { return *sides_[i]; }
   const Partition<D>& partition() const { return partition_; }
-  /// Entries in all stripes: at least one per box inside the grid.
+  /// Entries in all stripes: at least one for each box inside the grid.
   std::size_t entry_count() const;
   std::size_t giant_count() const;
-  /// About what visiting each stripe takes, in boxes: its own, and giants that are compared with them.
+  /// Estimated cost of visiting each stripe, in boxes: its own, and giants that are compared with them.
   std::vector<std::size_t> work_by_stripe() const;
   std::string describe() const;
 
@@ -65,19 +65,20 @@ class Grid {
 template <int D>
 class GridVisit final : public Candidates {
  public:
-  /// The stripes from `first` to before `last`; whoever visits stripe 0 also meets giants with giants. All
-  /// must outlive the visit.
+  /// Visits the stripes [first, last). A visit that includes stripe 0 also compares giants with giants. All
+  /// arguments must outlive the visit.
   GridVisit(Grid<D>& grid, std::size_t first, std::size_t last, GridSpace::Visit& memory,
             Interrupt& interrupt);
-  /// All stripes.
+  /// Visits all stripes.
   GridVisit(Grid<D>& grid, GridSpace::Visit& memory, Interrupt& interrupt)
       : GridVisit(grid, 0, grid.partition().stripes(), memory, interrupt) {}
 
-  /// At most some 500 pairs, or what a millisecond of looking finds; in the order of the stripes.
+  /// A batch of at most about 500 pairs, or the pairs found in about a millisecond; in the order of the
+  /// stripes.
   bool next(std::vector<Pair>& out) override;
   bool touching() const override { return touching_; }
   std::string describe() const override { return grid_.describe(); }
-  /// Steps of the scan kernel so far.
+  /// The number of steps of the scan kernel so far.
   std::size_t steps_taken() const { return steps_taken_; }
 
  private:
@@ -88,14 +89,14 @@ class GridVisit final : public Candidates {
     Lanes<D> inside, crossing;
   };
 
-  /// Puts the scans of the next stripe into scans_; false behind the last one.
+  /// Puts the scans of the next stripe into scans_; false if no stripe is left.
   bool open_next();
-  /// The scan of giants among themselves, or of those of one side with those of the other.
+  /// Adds the scan of giants with one another, or of the giants of both sides.
   void open_giants();
-  /// The scans of a stripe: together they report the pairs that it answers for (lanes.h), each once.
+  /// Adds the scans of a stripe: together they report each pair that belongs to the stripe (lanes.h) once.
   void open_stripe(std::size_t number);
-  /// Adds the scan of giants with the boxes of a stripe; where they cover many, as two: those, then the
-  /// others.
+  /// Adds the scan of giants with the boxes of a stripe. If they cover many boxes, adds two scans: of the
+  /// covered boxes, then of the others.
   void scan_giants(const LaneView<D>& crossing, const LaneView<D>& inside, bool swap);
 
   Grid<D>& grid_;
@@ -104,11 +105,11 @@ class GridVisit final : public Candidates {
   const ScanKernel<D> run_ = scan_kernel<D>();
   std::vector<Scan<D>> scans_;
   std::size_t scan_ = 0;
-  bool touching_ = false;  // the last batch
+  bool touching_ = false;  // of the last batch
   bool giants_met_;
   std::size_t next_stripe_, last_stripe_;
   Pair* batch_;
   std::size_t steps_taken_ = 0;
 };
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

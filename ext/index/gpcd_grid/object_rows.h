@@ -1,16 +1,13 @@
-// Where the objects behind the beams lie, for whoever asks about pairs next. Anywhere in memory: a scan
-// computes more than it reads, so it asks for them early, and never reads them.
+// The location of the full objects, which a scan prefetches for the exact test of its pairs and never reads.
 #pragma once
 
 #include <cstddef>
 
-#include "base/rooms.h"
-
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 struct ObjectRows {
-  const char* first = nullptr;  ///< null: nobody will ask
-  std::size_t bytes = 0;        ///< from one to the next
+  const char* first = nullptr;  ///< null: no object is prefetched
+  std::size_t bytes = 0;        ///< the distance from one object to the next
 };
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -1,40 +1,42 @@
-// The scan kernel (base/simd.h), written once for all widths of a vector (scan_vectors.h).
+// The scan kernel (base/simd.h): separating-axis test of beams, one source for all vector widths
+// (scan_vectors.h).
 //
-// The test of time
-// ----------------
-// Seen from the row, a lane's beam is a point that moves along a segment, and the row a box as large as both:
-// they touch only if the segment meets the box. A segment and a box are apart exactly if they are so along an
-// axis or along the cross product of an axis and the segment (separating axes). With m the middle of the
-// segment, d half of it and r the half extents of the box, all times two, they are apart if
+// The time test
+// -------------
+// Relative to the row, a lane's beam is a point that moves along a segment, and the row is a box with the sum
+// of both extents. The two touch only if the segment meets the box. A segment and a box are disjoint exactly
+// if they are separated along an axis, or along the cross product of an axis and the segment (separating axis
+// theorem). Let m be the middle of the segment, d half of it and r the half extents of the box, all
+// doubled. Then they are disjoint if
 //
 //   |m_i| > r_i + |d_i|     or     |m_i d_j - m_j d_i| > r_i |d_j| + r_j |d_i|
 //
-// for some axes i, j: no division, no case for d = 0, and NaN keeps the pair. The first is also what the
-// swept boxes could tell, and more (but for NaN), so nobody asks them. Where objects exist for a part of the
-// horizon, the segment is cut to the time that both do.
+// for some axes i, j. This needs no division and no case for d = 0, and NaN keeps the pair. The first
+// condition implies the comparison of the swept boxes (except for NaN), so that comparison is omitted. If
+// objects exist for a part of the horizon only, the segment is cut to the time at which both exist.
 //
-// Nothing is lost to rounding. All terms are sums of at most three products of at most three factors, and a
-// pair that touches has |m_i| <= r_i + |d_i|: so each side is off by less than 2^-21 (r_i + |w_i|)(|d_j|) and
-// the same for i and j exchanged, w being the travel of both. r contains 2^-20 of all this already
-// (float_lanes.kernel.cpp). There too, travel below 2^-40 is 0 and r at least 2^-40, which keeps products
-// from vanishing, and numbers beyond 2^60 are NaN, which keeps them from overflowing.
+// No pair is lost to rounding. All terms are sums of at most three products of at most three factors, and a
+// pair that touches has |m_i| <= r_i + |d_i|. Let w be the travel of both. Then the error of each side is
+// less than 2^-21 (r_i + |w_i|)(|d_j|) plus the same with i and j exchanged. r is already padded by 2^-20 of
+// these terms (float_lanes.kernel.cpp). There, travel below 2^-40 is 0 and r is at least 2^-40, so products
+// do not underflow. Numbers beyond 2^60 are NaN, so products do not overflow.
 //
 // Every operation is one of IEEE 754 and none is contracted, so all instruction sets keep the same pairs.
 #include "base/simd.h"
 #include "index/gpcd_grid/scan_vectors.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 enum class Time { none, horizon, life };
 
-/// What is compared, side by side: boxes where nothing moves, beams where something does.
+/// The compared columns in registers: boxes if nothing moves, beams otherwise.
 template <class V, int D, Time time>
 struct Beams {
   using F = typename V::Floats;
   F lower[D], upper[D], centre[D], travel[D], extent[D], begin, end;
 
-  /// `load` gives the floats of one column.
+  /// `load` returns the floats of one column.
   template <class Load>
   [[gnu::always_inline]] inline Beams(const LaneView<D>& view, Load load) {
     for (int k = 0; k < D; ++k) {
@@ -47,7 +49,7 @@ struct Beams {
   }
 };
 
-/// Of the lanes in `kept` those whose boxes meet.
+/// Removes from `kept` the lanes whose boxes do not meet.
 template <class V, int D>
 [[gnu::always_inline]] inline void keep_in_space(const Beams<V, D, Time::none>& a,
                                                  const Beams<V, D, Time::none>& b, typename V::Mask& kept) {
@@ -57,7 +59,7 @@ template <class V, int D>
   }
 }
 
-/// Of the lanes in `kept` those whose beams meet at some moment.
+/// Removes from `kept` the lanes whose beams meet at no time.
 template <class V, int D, Time time>
 [[gnu::always_inline]] inline void keep_in_time(const Beams<V, D, time>& a, const Beams<V, D, time>& b,
                                                 typename V::Mask& kept) {
@@ -83,10 +85,10 @@ template <class V, int D, Time time>
                             size[i] * abs_half[j] + size[j] * abs_half[i]);
 }
 
-/// Those that lie in the core of row i when the horizon begins; none whose numbers are NaN. What is lost
-/// here, some 2^-22 of coordinate, extent and travel, is a part of the room that the lane has on its own side
-/// (2^-20 of extent and travel; float_lanes.kernel.cpp) and the core on its (2^-18 of the coordinates). So
-/// what counts as covered is: it touches, and its box begins before the core ends.
+/// Keeps the lanes that are inside the core of row i at the start of the horizon; none whose numbers are NaN.
+/// The rounding error here is about 2^-22 of coordinate, extent and travel. It is less than the padding of
+/// the lane (2^-20 of extent and travel; float_lanes.kernel.cpp) and of the core (2^-18 of the coordinates).
+/// So a covered lane certainly touches, and its box starts before the core ends.
 template <class V, int D, Time time>
 [[gnu::always_inline]] inline void keep_covered(const LaneView<D>& rows, std::size_t i,
                                                 const Beams<V, D, time>& lanes, typename V::Mask& kept) {
@@ -95,7 +97,7 @@ template <class V, int D, Time time>
     if constexpr (time == Time::none) {
       kept = V::and_greater(kept, lanes.lower[k], V::all(core_lower));
       kept = V::and_greater(kept, V::all(core_upper), lanes.upper[k]);
-    } else {  // all times two
+    } else {  // all numbers are doubled
       const auto centre = lanes.centre[k] - lanes.travel[k];
       kept = V::and_greater(kept, centre - lanes.extent[k], V::all(core_lower + core_lower));
       kept = V::and_greater(kept, V::all(core_upper + core_upper), centre + lanes.extent[k]);
@@ -103,16 +105,17 @@ template <class V, int D, Time time>
   }
 }
 
-/// A lane before which none reaches row i. Rows that are not clipped begin farther right, one after another.
+/// The first lane that may reach row i. Rows that are not clipped are in ascending order, so the search
+/// resumes at scan.left.
 template <int D>
 std::size_t first_lane(Scan<D>& scan, std::size_t i) {
   const LaneView<D>& lanes = *scan.lanes;
   const float* from = scan.keep == Keep::covered ? scan.rows->core_lower[0] : scan.rows->from;
   const double row_lower = from ? from[i] : scan.rows->lower[0][i];
   const auto reach = static_cast<float>(row_lower - lanes.longest);
-  // Rounded down; NaN where that is infinite: then every lane counts.
-  const float least = reach - (__builtin_fabsf(reach) * 0x1p-22f + 0x1p-126f);
-  const auto ends_before = [&](std::size_t lane) { return lanes.lower[0][lane] < least; };
+  // Rounded down. NaN if that is infinite: then no lane is skipped.
+  const float min_end = reach - (__builtin_fabsf(reach) * 0x1p-22f + 0x1p-126f);
+  const auto ends_before = [&](std::size_t lane) { return lanes.lower[0][lane] < min_end; };
   if (from) {
     std::size_t first = 0;
     for (std::size_t count = lanes.size; count > 0;) {
@@ -127,9 +130,9 @@ std::size_t first_lane(Scan<D>& scan, std::size_t i) {
   return scan.left;
 }
 
-/// Asks for the object behind a later row, early enough for memory, late enough for stripes of some hundred.
+/// Prefetches the object of a later row: early enough for memory, late enough for stripes of some hundred.
 template <int D>
-[[gnu::always_inline]] inline void ask_for_object(const LaneView<D>& rows, std::size_t i) {
+[[gnu::always_inline]] inline void prefetch_object(const LaneView<D>& rows, std::size_t i) {
   constexpr std::size_t ahead = 128, line = 64;
   const ObjectRows& objects = rows.objects;
   if (!objects.first || i + ahead >= rows.size) return;
@@ -138,27 +141,27 @@ template <int D>
   __builtin_prefetch(object + objects.bytes - 1);
 }
 
-/// The scan kernel: row after row, each against the lanes that begin before it ends.
+/// The scan kernel: compares each row with the lanes that start before it ends.
 template <class V, int D, Time time, Keep keep>
 std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
   const LaneView<D>& rows = *scan.rows;
-  const LaneView<D> lanes = *scan.lanes;  // a copy: what is written to `out` cannot change its pointers
+  const LaneView<D> lanes = *scan.lanes;  // a copy, so that writes to `out` cannot change its pointers
   const bool within = scan.rows == scan.lanes;
   std::size_t work = steps * lanes_max;
   Pair* const begin = out;
   Pair* const full = out + room - lanes_max;
-  for (; scan.row < rows.size; ++scan.row, scan.begun = false) {
+  for (; scan.row < rows.size; ++scan.row, scan.started = false) {
     const std::size_t i = scan.row;
     const std::uint32_t id = rows.ids[i], classes = rows.classes[i] | sentinel;
     const Beams<V, D, time> row(rows, [i](const float* column) { return V::all(column[i]); });
-    ask_for_object(rows, i);
+    prefetch_object(rows, i);
     const float upper = keep == Keep::covered ? rows.core_upper[0][i]
                         : rows.to             ? rows.to[i]
                                               : rows.upper[0][i];
-    std::size_t lane = scan.begun ? scan.lane : within ? i + 1 : first_lane(scan, i);
+    std::size_t lane = scan.started ? scan.lane : within ? i + 1 : first_lane(scan, i);
     for (;; lane += V::width, work -= V::width) {
       if (work < lanes_max || out > full) {
-        steps = work / lanes_max, scan.lane = lane, scan.begun = true;
+        steps = work / lanes_max, scan.lane = lane, scan.started = true;
         return static_cast<std::size_t>(out - begin);
       }
       if (lanes.lower[0][lane] > upper) break;
@@ -183,7 +186,7 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   return static_cast<std::size_t>(out - begin);
 }
 
-/// The same, whatever the scan keeps.
+/// Dispatches on the kind of pairs to keep.
 template <class V, int D, Time time>
 std::size_t run_kept(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
   if (scan.keep == Keep::covered) return run_rows<V, D, time, Keep::covered>(scan, out, room, steps);
@@ -191,7 +194,7 @@ std::size_t run_kept(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   return run_rows<V, D, time, Keep::all>(scan, out, room, steps);
 }
 
-/// The same, whatever columns the lanes have.
+/// Dispatches on the columns that the lanes have.
 template <int D>
 std::size_t run_scan(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
   if (room < lanes_max) return 0;
@@ -218,4 +221,4 @@ template ScanKernel<1> scan_kernel<1, Simd::FORESEE_SIMD>();
 template ScanKernel<2> scan_kernel<2, Simd::FORESEE_SIMD>();
 template ScanKernel<3> scan_kernel<3, Simd::FORESEE_SIMD>();
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

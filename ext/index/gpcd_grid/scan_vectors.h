@@ -1,5 +1,5 @@
-// The lanes that the scan kernel computes with, as wide as the instructions for which the file that includes
-// this is compiled: floats, and their comparisons as a mask. Local to that file.
+// Vector registers of the scan kernel, as wide as the including file's instruction set: floats, and masks
+// from comparisons. Local to that file.
 #pragma once
 
 #include "index/gpcd_grid/scan.h"
@@ -10,10 +10,10 @@
 #include <xmmintrin.h>
 #endif
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
-/// Writes the pair of `row` and each lane whose bit is set, lowest first.
+/// Writes the pair of `row` and each lane whose bit is set, in ascending order.
 [[gnu::always_inline]] inline Pair* emit_bits(unsigned bits, std::uint32_t row, const std::uint32_t* ids,
                                               Pair* out) {
   for (; bits != 0; bits &= bits - 1) *out++ = {row, ids[__builtin_ctz(bits)]};
@@ -21,7 +21,7 @@ namespace {
 }
 
 #if defined(__AVX512F__)
-/// Hits are stored without a branch.
+/// Stores pairs without a branch.
 struct SixteenLanes {
   static constexpr std::size_t width = 16;
   using Floats = __m512;
@@ -30,7 +30,7 @@ struct SixteenLanes {
   static Floats all(float x) { return _mm512_set1_ps(x); }
   static Floats load(const float* x) { return _mm512_loadu_ps(x); }
   static Floats abs(Floats x) { return _mm512_abs_ps(x); }
-  // Masked, because GCC 12 warns about its own header for the plain ones.
+  // Masked, because GCC 12 warns about its own header for the unmasked ones.
   static Floats max(Floats x, Floats y) { return _mm512_mask_max_ps(x, 0xffff, x, y); }
   static Floats min(Floats x, Floats y) { return _mm512_mask_min_ps(x, 0xffff, x, y); }
   static Mask and_greater(Mask kept, Floats x, Floats y) {
@@ -43,8 +43,8 @@ struct SixteenLanes {
   static Mask unshared(const std::uint32_t* classes, std::uint32_t row) {
     return _mm512_testn_epi32_mask(_mm512_loadu_si512(classes), _mm512_set1_epi32(static_cast<int>(row)));
   }
-  /// Moves the hits to the front, interleaves them with the row, and writes all sixteen: the next hits go
-  /// over what is too much.
+  /// Compresses the kept ids to the front, interleaves them with the row, and stores all sixteen pairs; the
+  /// next call overwrites the surplus.
   static Pair* emit(Mask kept, std::uint32_t row, const std::uint32_t* ids, Pair* out) {
     const __m512i rows = _mm512_set1_epi32(static_cast<int>(row));
     const __m512i lanes = _mm512_maskz_compress_epi32(kept, _mm512_loadu_si512(ids));
@@ -132,4 +132,4 @@ using Vector = FourLanes;
 #endif
 
 }  // namespace
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

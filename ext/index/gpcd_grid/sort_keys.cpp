@@ -5,15 +5,15 @@
 #include <limits>
 #include <utility>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
-constexpr std::size_t few = 40;  // that are sorted by counting
+constexpr std::size_t few = 40;  // keys at most, for the sort by counting
 constexpr std::size_t keys_per_check = 8192;
 
-/// The bits of x as an integer that grows with x.
+/// The bits of x as an integer that increases with x.
 std::uint32_t ordered_bits(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
   return bits ^ (static_cast<std::uint32_t>(-static_cast<std::int32_t>(bits >> 31)) | 0x80000000u);
@@ -25,13 +25,14 @@ float lower_x(Key key) {
   return std::bit_cast<float>(bits ^ (flipped | 0x80000000u));
 }
 
-/// std::sort that can be stopped; used for keys without order only, so the price of counting is small.
+/// std::sort that can be interrupted. It is used for unsorted keys only, so the cost of counting steps is
+/// small.
 void full_sort(std::span<Key> keys, Interrupt& interrupt) {
   Steps steps(interrupt);
   std::sort(keys.begin(), keys.end(), [&](Key a, Key b) { return steps(), a < b; });
 }
 
-/// A few keys, no two equal: the place of each is the number of smaller ones.
+/// Sorts a few distinct keys: the rank of each is the number of smaller keys.
 void sort_few(std::span<const Key> keys, Key* out) {
   using Two = std::int64_t __attribute__((vector_size(16)));
   constexpr Key sign = Key{1} << 63;  // vector instructions compare signed numbers
@@ -52,14 +53,14 @@ void sort_few(std::span<const Key> keys, Key* out) {
   }
 }
 
-/// Where keys lie, but within `range`.
+/// The range of the keys' lower ends, clamped to `range`.
 Range range_of(std::span<const Key> keys, const Range& range) {
-  Key least = keys[0], most = keys[0];
-  for (Key key : keys) least = std::min(least, key), most = std::max(most, key);
-  return {std::max(lower_x(least), range.from), std::min(lower_x(most), range.to)};
+  Key min_key = keys[0], max_key = keys[0];
+  for (Key key : keys) min_key = std::min(min_key, key), max_key = std::max(max_key, key);
+  return {std::max(lower_x(min_key), range.from), std::min(lower_x(max_key), range.to)};
 }
 
-/// The keys nearly in order, in `out`: those of a bucket along x together, buckets rising.
+/// Writes the keys to `out`, bucket by bucket in ascending order along x.
 void into_buckets(std::span<const Key> keys, const Range& range, Key* out, std::uint32_t* places,
                   Interrupt& interrupt) {
   const std::size_t size = keys.size();
@@ -115,4 +116,4 @@ std::span<const Key> along_x(std::span<const Key> keys, const Range& range, Grid
   return {sorted, size};
 }
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

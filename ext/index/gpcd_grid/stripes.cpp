@@ -2,7 +2,38 @@
 
 #include "base/parallel.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
+
+namespace {
+
+/// Transposes columns of lanes to rows of `width` floats.
+template <int width>
+void write_rows(const float* const* columns, std::size_t count, float* out) {
+  for (std::size_t l = 0; l < count; ++l, out += width)
+    for (int k = 0; k < width; ++k) out[k] = columns[k][l];
+}
+
+}  // namespace
+
+template <int D>
+void FloatRows<D>::write(std::size_t first, const FloatLanes<D>& lanes, std::size_t count) {
+  const float* columns[3 * D + 2];
+  for (int k = 0; k < D; ++k)
+    columns[k] = lanes.lower[k], columns[D + k] = lanes.upper[k], columns[2 * D + k] = lanes.travel[k];
+  columns[3 * D] = lanes.begin, columns[3 * D + 1] = lanes.end;
+  float* out = values_ + first * width_;
+  if (columns_.life)
+    write_rows<3 * D + 2>(columns, count, out);
+  else if (columns_.travel)
+    write_rows<3 * D>(columns, count, out);
+  else
+    write_rows<2 * D>(columns, count, out);
+}
+
+template class FloatRows<1>;
+template class FloatRows<2>;
+template class FloatRows<3>;
+
 namespace {
 
 constexpr std::size_t chunks_per_check = 64, entries_per_check = 8192;
@@ -10,24 +41,24 @@ constexpr std::size_t chunks_per_check = 64, entries_per_check = 8192;
 }  // namespace
 
 template <int D>
-Stripes<D>::Stripes(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
+Stripes<D>::Stripes(const MovingSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
                     FloatRows<D>& rows, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
-    : partition_(partition), rows_(rows), begins_(memory.stripes.room(partition.stripes() + 1)) {
+    : partition_(partition), rows_(rows), starts_(memory.stripes.room(partition.stripes() + 1)) {
   std::vector<Part> parts(helpers + 1);
   if (memory.parts.size() < parts.size()) memory.parts.resize(parts.size());
   const std::size_t count = source.count();
-  run_together(helpers, interrupt, [&](std::size_t part, std::size_t of, Interrupt& asked) {
-    read(source, frame, part * count / of, (part + 1) * count / of, memory.parts[part], parts[part], asked);
+  run_together(helpers, interrupt, [&](std::size_t part, std::size_t of, Interrupt& queried) {
+    read(source, frame, part * count / of, (part + 1) * count / of, memory.parts[part], parts[part], queried);
   });
   add_up(parts);
   keys_ = memory.keys.room(entry_count_);
   run_together(helpers, interrupt,
-               [&](std::size_t part, std::size_t, Interrupt& asked) { place(parts[part], asked); });
+               [&](std::size_t part, std::size_t, Interrupt& queried) { place(parts[part], queried); });
 }
 
 template <int D>
-void Stripes<D>::read(const BeamSource<D>& source, const Frame<D>& frame, std::size_t begin, std::size_t end,
-                      GridSpace::Part& memory, Part& part, Interrupt& interrupt) {
+void Stripes<D>::read(const MovingSource<D>& source, const Frame<D>& frame, std::size_t begin,
+                      std::size_t end, GridSpace::Part& memory, Part& part, Interrupt& interrupt) {
   part.counts = memory.counts.room(partition_.stripes());
   std::fill_n(part.counts, partition_.stripes(), 0);
   const FloatKernels<D>& kernels = float_kernels<D>();
@@ -45,11 +76,12 @@ void Stripes<D>::read(const BeamSource<D>& source, const Frame<D>& frame, std::s
   }
 }
 
-// Most boxes meet one stripe or two along an axis, which takes no branch.
+// Most boxes meet one or two stripes along an axis; that case takes no branch.
 template <int D>
 void Stripes<D>::enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count,
                        GridSpace::Part& memory, Part& part) const {
-  std::size_t wanted = part.size + 4;  // some are written and written over
+  // The branch-free case writes up to four entries, some of which are overwritten.
+  std::size_t wanted = part.size + 4;
   std::uint32_t any_giant = 0;
   for (std::size_t l = 0; l < count; ++l) {
     wanted += std::size_t{lanes.more_y[l] + 1} * (lanes.more_z[l] + 1);
@@ -81,7 +113,7 @@ void Stripes<D>::enter(const FloatLanes<D>& lanes, std::size_t first, std::size_
     if (lanes.giant[l]) part.giants.push_back(static_cast<std::uint32_t>(first + l));
 }
 
-// Counts become the places of each part's first entry in each stripe.
+// Counts become the positions of each part's first entry in each stripe.
 template <int D>
 void Stripes<D>::add_up(std::span<Part> parts) {
   for (const Part& part : parts) {
@@ -91,10 +123,10 @@ void Stripes<D>::add_up(std::span<Part> parts) {
   if (entry_count_ > std::numeric_limits<std::uint32_t>::max()) throw Error("too many objects for one grid");
   std::uint32_t place = 0;
   for (std::size_t stripe = 0; stripe < partition_.stripes(); ++stripe) {
-    begins_[stripe] = place;
+    starts_[stripe] = place;
     for (Part& part : parts) place += std::exchange(part.counts[stripe], place);
   }
-  begins_[partition_.stripes()] = place;
+  starts_[partition_.stripes()] = place;
 }
 
 template <int D>
@@ -109,4 +141,4 @@ template class Stripes<1>;
 template class Stripes<2>;
 template class Stripes<3>;
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

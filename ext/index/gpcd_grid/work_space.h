@@ -1,11 +1,10 @@
-// Memory that a grid computes in, kept from one query to the next.
+// Reusable memory of a grid, kept from one query to the next.
 //
 //   Buffer<float> rows;
 //   float* values = rows.room(count);                    // at least so many, contents undefined
 //
-// Fresh memory costs more than the numbers written to it: the system clears every page when it is first
-// touched. A work space grows to what the largest query needed; trim() gives back what the last one had no
-// use for.
+// New memory costs more than writing the numbers: the operating system clears every page at its first access.
+// A work space grows to the need of the largest query; trim() frees what the last query did not need.
 #pragma once
 
 #include <algorithm>
@@ -18,15 +17,16 @@
 
 #include "base/pair.h"
 
-namespace foresee::index {
+namespace foresee {
 
-/// An array that grows as needed and never clears. T has no constructor.
+/// An array that grows on demand and is never cleared. T has no constructor.
 template <class T>
 class Buffer {
  public:
-  /// Room for at least `count`; what was in it is lost if it grows. Pointers from before are then invalid.
+  /// Memory for at least `count` values. If the buffer grows, its contents are lost and earlier pointers are
+  /// invalid.
   T* room(std::size_t count) {
-    most_ = std::max(most_, count);
+    largest_request_ = std::max(largest_request_, count);
     if (count > capacity_) {
       capacity_ = 0;
       values_.reset();
@@ -35,9 +35,9 @@ class Buffer {
     }
     return values_.get();
   }
-  /// The same, but the first `used` values stay.
+  /// The same, but keeps the first `used` values.
   T* grown(std::size_t count, std::size_t used) {
-    most_ = std::max(most_, count);
+    largest_request_ = std::max(largest_request_, count);
     if (count > capacity_) {
       std::unique_ptr<T[]> larger(new T[count + count / 2]);
       std::copy_n(values_.get(), used, larger.get());
@@ -46,32 +46,32 @@ class Buffer {
     }
     return values_.get();
   }
-  /// Gives the memory back if nobody has asked for a quarter of it since the last trim().
+  /// Frees the memory if no request since the last trim() needed a quarter of it.
   void trim() {
     constexpr std::size_t not_worth_it = 1 << 16;
-    if (bytes() > not_worth_it && capacity_ / 4 > most_) {
+    if (bytes() > not_worth_it && capacity_ / 4 > largest_request_) {
       capacity_ = 0;
       values_.reset();
     }
-    most_ = 0;
+    largest_request_ = 0;
   }
   std::size_t bytes() const { return capacity_ * sizeof(T); }
 
  private:
   std::unique_ptr<T[]> values_;
   std::size_t capacity_ = 0;
-  std::size_t most_ = 0;  // asked for since the last trim()
+  std::size_t largest_request_ = 0;  // since the last trim()
 };
 
-/// What a grid computes in. Used by one grid at a time.
+/// All memory of a grid. One grid at a time uses it.
 struct GridSpace {
-  /// What one thread has read of one side.
+  /// The entries that one thread has collected from one side.
   struct Part {
     Buffer<std::uint64_t> keys;
     Buffer<std::uint32_t> stripes, counts;
   };
 
-  /// What is kept of the objects of one side.
+  /// The objects of one side.
   struct Side {
     Buffer<float> rows;
     Buffer<std::uint32_t> stripes;
@@ -79,7 +79,7 @@ struct GridSpace {
     std::vector<Part> parts;
   } sides[2];
 
-  /// What one thread needs to visit stripes.
+  /// The memory with which one thread visits stripes.
   struct Visit {
     struct Lanes {
       Buffer<float> floats, reach;
@@ -89,7 +89,7 @@ struct GridSpace {
     Buffer<Pair> batch;
   } visit;
 
-  /// The same for several threads, which take and return it.
+  /// A pool of such memory for several threads.
   class Visits {
    public:
     class Taken {
@@ -105,7 +105,7 @@ struct GridSpace {
       std::unique_ptr<Visit> visit_;
     };
 
-    /// Where nobody has taken any.
+    /// Requires: no thread has taken any.
     template <class Work>
     void for_each(Work work) {
       for (const auto& visit : unused_) work(*visit);
@@ -115,7 +115,7 @@ struct GridSpace {
     std::unique_ptr<Visit> take() {
       const std::lock_guard lock(mutex_);
       if (unused_.empty()) {
-        unused_.reserve(++made_);  // there is always a place to put it back
+        unused_.reserve(++made_);  // so that put_back() never allocates
         return std::make_unique<Visit>();
       }
       std::unique_ptr<Visit> visit = std::move(unused_.back());
@@ -132,7 +132,7 @@ struct GridSpace {
     std::size_t made_ = 0;
   } visits;
 
-  /// After each query: the space stays at most some times as large as the last one needed.
+  /// Called after each query: the space is at most a few times as large as the last query needed.
   void trim() {
     for_each([](auto& buffer) { buffer.trim(); });
   }
@@ -161,4 +161,4 @@ struct GridSpace {
   }
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

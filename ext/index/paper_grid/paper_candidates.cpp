@@ -3,7 +3,7 @@
 #include "index/paper_grid/paper_grid.h"
 #include "index/paper_grid/paper_stages.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 template <int D>
@@ -44,4 +44,4 @@ template std::unique_ptr<Candidates> make_paper_candidates(const Bodies&, const 
 template std::unique_ptr<Candidates> make_paper_candidates(const Bodies&, const Bodies&, bool, const Horizon&,
                                                            const Vec<3>&, Interrupt&);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -6,17 +6,17 @@
 #include <cstdio>
 #include <numeric>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 constexpr double entries_per_object = 64;
-constexpr double cells_per_axis = 1 << 21;  // three such numbers fit into one of 64 bits
+constexpr double cells_per_axis = 1 << 21;  // three such numbers fit into 64 bits
 constexpr std::size_t pairs_per_batch = 4096;
 constexpr std::size_t steps_per_batch = 1 << 17;
 constexpr std::size_t steps_per_check = 1 << 13;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What step 2 needs to know of one axis.
+/// The statistics of one axis for step 2.
 struct AxisFigures {
   double sum = 0, lowest = infinity, highest = -infinity;
   std::size_t count = 0;
@@ -57,8 +57,8 @@ void PaperGrid<D>::build(const Sides& sides) {
   group_entries();
 }
 
-/// Never decreases with x, so that boxes that meet share a cell whatever rounding does. Infinity times zero
-/// is no number and compares as less.
+/// Never decreases as x increases, so boxes that meet share a cell despite rounding. Infinity times zero is
+/// NaN, which std::max() replaces by 0.
 template <int D>
 typename PaperGrid<D>::Place PaperGrid<D>::Cuts::place(const Vec<D>& x) const {
   Place place;
@@ -68,7 +68,7 @@ typename PaperGrid<D>::Place PaperGrid<D>::Cuts::place(const Vec<D>& x) const {
   return place;
 }
 
-/// Step 2, and the guard.
+/// Step 2, with the bound on memory.
 template <int D>
 typename PaperGrid<D>::Cuts PaperGrid<D>::choose_cells(const Sides& sides) {
   AxisFigures axis[D];
@@ -82,9 +82,9 @@ typename PaperGrid<D>::Cuts PaperGrid<D>::choose_cells(const Sides& sides) {
     cuts.per_unit[k] = 1 / figures_.cell[k];
     cuts.from[k] = std::isfinite(axis[k].lowest) ? axis[k].lowest : 0;
   }
-  const double most = entries_per_object * static_cast<double>(sides[0].size() + sides[1].size() + 1);
+  const double limit = entries_per_object * static_cast<double>(sides[0].size() + sides[1].size() + 1);
   double count = entry_count(sides, cuts);
-  for (; count > most; count = entry_count(sides, cuts)) {
+  for (; count > limit; count = entry_count(sides, cuts)) {
     cuts.per_unit /= 2;
     figures_.cell *= 2;
     figures_.doubled *= 2;
@@ -138,7 +138,7 @@ void PaperGrid<D>::enter(const Sides& sides, const Cuts& cuts) {
   figures_.entries = entries_.size();
 }
 
-/// Hashed cells: entries are counted and moved bucket by bucket, then put in order within their bucket.
+/// Groups entries by cell: a counting sort by hash bucket, then a sort within each bucket.
 template <int D>
 void PaperGrid<D>::group_entries() {
   const int bits = std::bit_width(entries_.size() | 1);
@@ -152,7 +152,7 @@ void PaperGrid<D>::group_entries() {
   entries_ = std::move(grouped);
 
   std::size_t steps = 0, begin = 0;
-  for (std::size_t end : ends) {  // by now the end of each bucket; the last, of all, comes twice
+  for (std::size_t end : ends) {  // the end of each bucket; the end of the last one comes twice
     if (end - begin > 1)
       std::sort(entries_.data() + begin, entries_.data() + end, [&](const Entry& l, const Entry& r) {
         if (++steps % steps_per_check == 0) interrupt_.check();
@@ -164,7 +164,7 @@ void PaperGrid<D>::group_entries() {
     figures_.cells += i == 0 || entries_[i].cell != entries_[i - 1].cell;
 }
 
-/// Both start at or before the reference cell, and one of them starts there, on every axis.
+/// True if both boxes start at or before the cell and one of them starts there, on every axis.
 template <int D>
 bool PaperGrid<D>::is_reference(const Entry& a, const Entry& b) const {
   const Place &first_a = first_[a.side][a.object], &first_b = first_[b.side][b.object];
@@ -185,7 +185,7 @@ bool PaperGrid<D>::open_cell() {
   return true;
 }
 
-/// Step 4. Pauses anywhere within a cell.
+/// Step 4. A batch may end within a cell.
 template <int D>
 bool PaperGrid<D>::next(std::vector<Pair>& out) {
   interrupt_.check();
@@ -230,14 +230,13 @@ std::unique_ptr<PaperGrid<D>> make_paper_grid(const Bodies& a, const Bodies& b, 
   return std::make_unique<PaperGrid<D>>(boxes_a, boxes_b, interrupt);
 }
 
-template class PaperGrid<1>;
-template class PaperGrid<2>;
-template class PaperGrid<3>;
-template std::unique_ptr<PaperGrid<1>> make_paper_grid(const Bodies&, const Bodies&, bool, const Horizon&,
-                                                       const Vec<1>&, Interrupt&);
-template std::unique_ptr<PaperGrid<2>> make_paper_grid(const Bodies&, const Bodies&, bool, const Horizon&,
-                                                       const Vec<2>&, Interrupt&);
-template std::unique_ptr<PaperGrid<3>> make_paper_grid(const Bodies&, const Bodies&, bool, const Horizon&,
-                                                       const Vec<3>&, Interrupt&);
+#define FORESEE_OF_AXES(D)                                                                                   \
+  template class PaperGrid<D>;                                                                               \
+  template std::unique_ptr<PaperGrid<D>> make_paper_grid(const Bodies&, const Bodies&, bool, const Horizon&, \
+                                                         const Vec<D>&, Interrupt&)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

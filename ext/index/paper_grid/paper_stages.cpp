@@ -6,12 +6,12 @@
 #include "contact/contact.h"
 #include "index/paper_grid/thread_clock.h"
 #include "index/paper_grid/time_interval.h"
-#include "index/paper_grid/trajectory_intersection.h"
+#include "index/paper_grid/trajectory.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
-/// The same objects as points.
+/// The same objects as points at their centres.
 Bodies centres_of(Bodies bodies) {
   bodies.layout.shape = Shape::point;
   bodies.layout.has_growth = bodies.layout.has_growth_z = false;
@@ -30,7 +30,7 @@ class TypedStages final : public PaperStages {
     boxes_a_ = swept_boxes<D>(a, horizon, margin, interrupt);
     if (between) boxes_b_ = swept_boxes<D>(b, horizon, margin, interrupt);
     count(PaperStage::projection_overlap).seconds = thread_seconds() - begin;
-    // Nothing follows from a centre that an outline or a mesh need not be around.
+    // An outline or a mesh need not contain its centre, so the centre point test proves nothing.
     if (a.at.outline != Offsets::absent || b_.at.outline != Offsets::absent) return;
     centres_ = make_contact(centres_of(a), centres_of(b), {.horizon = horizon}, "a", "b");
   }
@@ -59,7 +59,7 @@ class TypedStages final : public PaperStages {
 
   StageCount& count(PaperStage stage) { return counts_[static_cast<std::size_t>(stage)]; }
 
-  /// Keeps the first `passed` pairs and those of the others of whose number `test` is true.
+  /// Keeps the first `passed` pairs, and each later pair i for which test(i) is true.
   template <class Test>
   void keep(PaperStage stage, std::vector<Pair>& pairs, std::size_t passed, Test test) {
     const double begin = thread_seconds();
@@ -74,7 +74,7 @@ class TypedStages final : public PaperStages {
     count(stage).seconds += thread_seconds() - begin;
   }
 
-  /// The centre point test; returns how many hits it has found.
+  /// The centre point test; returns the number of hits.
   std::size_t move_hits_to_front(std::vector<Pair>& pairs) {
     const double begin = thread_seconds();
     hits_.clear();
@@ -83,7 +83,7 @@ class TypedStages final : public PaperStages {
       centres_->decide(std::span(pairs).subspan(i, std::min(pairs_per_check, pairs.size() - i)), hits_);
     }
     others_.clear();
-    auto hit = hits_.begin();  // both are in the same order
+    auto hit = hits_.begin();  // hits are in the order of the pairs
     for (const Pair& pair : pairs) {
       if (hit != hits_.end() && pair == *hit)
         ++hit;
@@ -107,8 +107,8 @@ class TypedStages final : public PaperStages {
   Horizon horizon_;
   Vec<D> margin_;
   Interrupt& interrupt_;
-  std::vector<Box<D>> boxes_a_, boxes_b_;  // b: only in a join between two
-  std::unique_ptr<Contact> centres_;       // null: of outlines or meshes
+  std::vector<Box<D>> boxes_a_, boxes_b_;  // boxes_b_: only in a join between two sides
+  std::unique_ptr<Contact> centres_;       // null for outlines or meshes
   std::vector<Pair> hits_, others_;
   std::vector<TwoTrajectories> trajectories_;  // of the pairs behind the hits that stage c has kept
 };
@@ -130,4 +130,4 @@ template std::unique_ptr<PaperStages> make_paper_stages(const Bodies&, const Bod
 template std::unique_ptr<PaperStages> make_paper_stages(const Bodies&, const Bodies&, bool, const Horizon&,
                                                         const Vec<3>&, Interrupt&);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,18 +1,18 @@
-// The paper's order of tests, GPCD step 5: what is left of candidates before anybody asks for exact times.
+// The paper's filter stages, GPCD step 5: they reduce candidates before exact contact times are computed.
 //
 //   auto stages = make_paper_stages<2>(ships, ships, true, horizon, margin, interrupt);
 //   stages->prune(pairs);                                 // keeps the pairs that may touch
 //   stages->counts()[static_cast<int>(PaperStage::time_interval)].after;
 //
 //   a  projection overlap       the swept boxes meet on every axis
-//   b  centre point             the centres coincide at some moment while both exist: a hit at once, which is
-//                               spared the other tests; decided exactly
+//   b  centre point             the centres coincide at some time while both exist: an immediate hit, which
+//                               skips the other tests; decided exactly
 //   c  time interval            time_interval.h
-//   d  trajectory intersection  trajectory_intersection.h
+//   d  trajectory intersection  trajectory.h
 //
-// Guarantee: no pair that touches within the margins of both is lost. Hits of the centre point test count
-// as passing c and d. Times are processor time of the calling thread, taken once a stage and batch; the swept
-// boxes count into a, the trajectories of the pairs that are left into c.
+// Guarantee: no pair that touches within the margins of both is lost. Hits of the centre point test count as
+// passing c and d. Times are processor time of the calling thread, measured once per stage and batch. Stage a
+// includes the time for the swept boxes, stage c that for the trajectories of the remaining pairs.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 #include "base/error.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::index {
+namespace foresee {
 
 enum class PaperStage : std::uint8_t {
   projection_overlap,
@@ -54,10 +54,10 @@ class PaperStages {
   std::size_t hits_at_once_ = 0;
 };
 
-/// Pairs within `a`, or with `between` of `a` and `b`. The bodies and `interrupt` must outlive the stages.
+/// Pairs within `a`, or between `a` and `b` if `between`. The bodies and `interrupt` must outlive the stages.
 template <int D>
 std::unique_ptr<PaperStages> make_paper_stages(const Bodies& a, const Bodies& b, bool between,
                                                const Horizon& horizon, const Vec<D>& margin,
                                                Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,12 +1,10 @@
-// How much processor time has this thread used? What predictive_explain measures stages with, a batch at a
-// time: one reading costs some hundred nanoseconds.
+// Processor time of the calling thread, with which predictive_explain measures stages, batch by batch. One
+// reading costs some hundred nanoseconds.
 #pragma once
 
 #include <ctime>
 
-#include "base/rooms.h"
-
-namespace foresee::index {
+namespace foresee {
 
 inline double thread_seconds() {
   timespec now{};
@@ -14,4 +12,4 @@ inline double thread_seconds() {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

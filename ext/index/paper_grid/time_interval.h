@@ -1,19 +1,18 @@
-// The paper's time interval test: are the times at which each of two objects is inside the other's swept box
-// common to both?
+// The paper's time interval test: two objects can touch only while each is inside the other's swept box.
 //
-// Two objects that touch at some moment are there, each inside the other's swept box, at that moment. On one
-// axis "inside" is two quadratic inequalities in time, each true during at most two intervals; the test
-// intersects all of them over both objects and says whether anything is left.
+// If two objects touch at a time, each is inside the other's swept box at that time. On one axis, "inside"
+// means two quadratic inequalities in time. Each of them holds during at most two intervals. The test
+// intersects all intervals of both objects and is false if the result is empty.
 //
-// Guarantee: never false for objects that touch while both exist. Roots are rounded outward, and an
-// inequality whose roots double arithmetic cannot tell apart counts as true for ever.
+// Guarantee: never false for objects that touch while both exist. Roots are rounded outward. If double
+// arithmetic cannot separate the roots of an inequality, it counts as always true.
 #pragma once
 
 #include "index/paper_grid/trajectory.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 bool times_may_overlap(const Trajectory<D>& a, const Trajectory<D>& b);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 Vec<D> lower_end(const Vec<D>& value, const Vec<D>& pad) {
   const Vec<D> end = value - pad;
-  if ((end.abs() <= largest_bound).all()) return end;  // as good as always
+  if ((end.abs() <= largest_bound).all()) return end;  // the usual case
   return (end >= -largest_bound).select(end, -std::numeric_limits<double>::infinity()).min(largest_bound);
 }
 
@@ -18,12 +18,12 @@ Vec<D> upper_end(const Vec<D>& value, const Vec<D>& pad) {
 
 namespace {
 
-/// One lower face, carried by s seconds; the upper one is its mirror image.
+/// A lower face carried by s seconds; the upper face is its mirror image.
 template <int D>
 struct CarriedFace {
   Vec<D> x, v;
 
-  /// `v_before` is the velocity's end that counts for s < 0, `a_before` likewise.
+  /// `v_before` is the end of the velocity that applies for s < 0; `a_before` likewise.
   CarriedFace(const Vec<D>& x0, const Vec<D>& v0, const Vec<D>& v_before, const Vec<D>& a0,
               const Vec<D>& a_before, double s) {
     const Vec<D> by_velocity = (s < 0 ? v_before : v0) * s, by_acceleration = a0 * s * s * 0.5;
@@ -41,10 +41,10 @@ Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double e
   const double s = epoch - motion.t;
   const Vec<D> by_velocity = motion.v * s, gained = motion.a * s, by_acceleration = gained * s * 0.5;
   const Vec<D> centre = motion.x + by_velocity + by_acceleration, velocity = motion.v + gained;
-  const double least = pad > 0 ? smallest_pad : 0;
+  const double absolute_pad = pad > 0 ? smallest_pad : 0;
   const Vec<D> x_pad =
-      (motion.x.abs() + by_velocity.abs() + by_acceleration.abs() + reach_of(extents)) * pad + least;
-  const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + least, none = Vec<D>::Zero();
+      (motion.x.abs() + by_velocity.abs() + by_acceleration.abs() + reach_of(extents)) * pad + absolute_pad;
+  const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + absolute_pad, none = Vec<D>::Zero();
   return {lower_end<D>(centre + extents.lower, x_pad),
           upper_end<D>(centre + extents.upper, x_pad),
           lower_end<D>(velocity, v_pad),
@@ -55,10 +55,10 @@ Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double e
 
 template <int D>
 Bounds<D> with_growth(const Bounds<D>& bounds, const Vec<D>& growth, double age, double pad) {
-  const double least = pad > 0 ? smallest_pad : 0;
+  const double absolute_pad = pad > 0 ? smallest_pad : 0;
   const Vec<D> more = growth * std::max(age, 0.0);
   const auto padding = [&](const Vec<D>& end, const Vec<D>& grown) {
-    return Vec<D>(end.isFinite().select((end.abs() + grown) * pad + least, 0.0));
+    return Vec<D>(end.isFinite().select((end.abs() + grown) * pad + absolute_pad, 0.0));
   };
   return {lower_end<D>(bounds.x_lower - more, padding(bounds.x_lower, more)),
           upper_end<D>(bounds.x_upper + more, padding(bounds.x_upper, more)),
@@ -79,20 +79,15 @@ Bounds<D> carried(const Bounds<D>& bounds, double from, double to) {
   return {lower.x, -upper.x, lower.v, -upper.v, bounds.a_lower, bounds.a_upper};
 }
 
-template Vec<1> lower_end<1>(const Vec<1>&, const Vec<1>&);
-template Vec<1> upper_end<1>(const Vec<1>&, const Vec<1>&);
-template Bounds<1> bounds_at(const Motion<1>&, const Extents<1>&, double, double);
-template Bounds<1> with_growth(const Bounds<1>&, const Vec<1>&, double, double);
-template Bounds<1> carried(const Bounds<1>&, double, double);
-template Vec<2> lower_end<2>(const Vec<2>&, const Vec<2>&);
-template Vec<2> upper_end<2>(const Vec<2>&, const Vec<2>&);
-template Bounds<2> bounds_at(const Motion<2>&, const Extents<2>&, double, double);
-template Bounds<2> with_growth(const Bounds<2>&, const Vec<2>&, double, double);
-template Bounds<2> carried(const Bounds<2>&, double, double);
-template Vec<3> lower_end<3>(const Vec<3>&, const Vec<3>&);
-template Vec<3> upper_end<3>(const Vec<3>&, const Vec<3>&);
-template Bounds<3> bounds_at(const Motion<3>&, const Extents<3>&, double, double);
-template Bounds<3> with_growth(const Bounds<3>&, const Vec<3>&, double, double);
-template Bounds<3> carried(const Bounds<3>&, double, double);
+#define FORESEE_OF_AXES(D)                                                           \
+  template Vec<D> lower_end<D>(const Vec<D>&, const Vec<D>&);                        \
+  template Vec<D> upper_end<D>(const Vec<D>&, const Vec<D>&);                        \
+  template Bounds<D> bounds_at(const Motion<D>&, const Extents<D>&, double, double); \
+  template Bounds<D> with_growth(const Bounds<D>&, const Vec<D>&, double, double);   \
+  template Bounds<D> carried(const Bounds<D>&, double, double)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

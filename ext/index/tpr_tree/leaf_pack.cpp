@@ -1,12 +1,12 @@
 #include "index/tpr_tree/leaf_pack.h"
 
-#include "index/tpr_tree/order.h"
+#include "index/tpr_tree/bulk_load/leaf_order.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 void LeafPack<D>::add(NodeNumber number, const Node& leaf) {
-  if (!leaf.is_leaf()) throw BrokenTree("a tree node that should be a leaf is none");
+  if (!leaf.is_leaf()) throw BrokenTree("an inner node of the tree is where a leaf should be");
   if (std::find(old_.begin(), old_.end(), number) != old_.end())
     throw BrokenTree("a node of a tree has a child twice");
   ids_.insert(ids_.end(), leaf.keys.begin(), leaf.keys.end());
@@ -34,10 +34,10 @@ void LeafPack<D>::take_number(Leaf& leaf, std::span<const std::uint32_t> objects
   std::vector<std::size_t> shares(numbers_.size());
   for (const std::uint32_t object : objects)
     if (numbers_[from_[object]] != 0) ++shares[from_[object]];
-  const auto most = static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin());
-  if (shares[most] > 0) leaf.number = std::exchange(numbers_[most], 0);
+  const auto best = static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin());
+  if (shares[best] > 0) leaf.number = std::exchange(numbers_[best], 0);
   for (const std::uint32_t object : objects)
-    if (leaf.number == 0 || from_[object] != most) leaf.arriving.push_back(ids_[object]);
+    if (leaf.number == 0 || from_[object] != best) leaf.arriving.push_back(ids_[object]);
 }
 
 template <int D>
@@ -76,4 +76,4 @@ template class LeafPack<1>;
 template class LeafPack<2>;
 template class LeafPack<3>;
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,20 +1,21 @@
-// How are the objects of some leaves packed into other leaves? As a bulk load would, in as many as wanted.
+// Repacking of leaves: the objects of some leaves are distributed over a given number of leaves, in the order
+// of a bulk load.
 //
 //   LeafPack<2> pack(state);
 //   pack.add(7, *leaf7), pack.add(9, *leaf9);
 //   pack.arrange(3);                          // into three leaves; nothing is written yet
-//   pack.summaries(epoch)                     // what the parent would say of each
+//   pack.summaries(epoch)                     // the parent's entries for them
 //   pack.write_beneath(parent, above, entries);
 //
-// A new leaf takes the number of the old one that most of its objects come from: what stays where it was
-// costs the page map nothing.
+// A new leaf takes the number of the old leaf that most of its objects come from. So objects that keep their
+// leaf cost no change of the page map.
 #pragma once
 
 #include <vector>
 
-#include "index/tpr_tree/state.h"
+#include "index/tpr_tree/tree_state.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 class LeafPack {
@@ -24,33 +25,34 @@ class LeafPack {
   void add(NodeNumber number, const Node& leaf);
   std::size_t objects() const { return ids_.size(); }
 
-  /// Objects are shared out evenly among the leaves. Requires: objects.
+  /// Distributes the objects evenly over the leaves. Requires: objects.
   void arrange(std::size_t leaves);
   std::vector<Entry<D>> summaries(double epoch) const;
-  /// How many objects would come into another leaf.
+  /// The number of objects whose leaf would change.
   std::size_t arriving() const;
 
-  /// The old leaves leave their parent and the new ones come, with these entries. `above`: the parent, which
-  /// changes.
+  /// Replaces the old leaves of `parent` by the new ones, with these entries. `above` is the parent's node,
+  /// which changes.
   void write_beneath(NodeNumber parent, Node& above, const std::vector<Entry<D>>& entries);
 
  private:
-  /// A leaf of before, or one to come.
+  /// An old or a new leaf.
   struct Leaf {
     Node node;
-    NodeNumber number = 0;  ///< 0: a new one
+    NodeNumber number = 0;  ///< 0: a new number
     std::vector<std::int64_t> arriving;
   };
   void take_number(Leaf& leaf, std::span<const std::uint32_t> objects);
-  /// Writes new leaf i, once; the number that it has.
+  /// Writes new leaf i, once; returns its number.
   NodeNumber write(std::size_t i, NodeNumber parent);
 
   TreeState<D>& state_;
-  std::vector<NodeNumber> old_, numbers_;  ///< of the old leaves; then 0 where one is taken
+  std::vector<NodeNumber> old_;      ///< the numbers of the old leaves
+  std::vector<NodeNumber> numbers_;  ///< the same; 0 once a new leaf has taken the number
   std::vector<std::int64_t> ids_;
   std::vector<double> records_;
-  std::vector<std::uint32_t> from_;  ///< which old leaf each object comes from
+  std::vector<std::uint32_t> from_;  ///< the index of the old leaf of each object
   std::vector<Leaf> leaves_;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,6 +1,6 @@
 #include "index/tpr_tree/moving_box.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 MovingBox<D> moving_window(const Vec<D>& lower, const Vec<D>& upper, const Vec<D>& velocity,
@@ -24,4 +24,4 @@ template MovingBox<1> moving_window(const Vec<1>&, const Vec<1>&, const Vec<1>&,
 template MovingBox<2> moving_window(const Vec<2>&, const Vec<2>&, const Vec<2>&, const Horizon&);
 template MovingBox<3> moving_window(const Vec<3>&, const Vec<3>&, const Vec<3>&, const Horizon&);
 
-}  // namespace foresee::index
+}  // namespace foresee

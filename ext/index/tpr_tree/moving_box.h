@@ -1,21 +1,23 @@
-// When can two boxes meet whose faces move? A moving box is what a question sees of bounds or of an object.
+// Moving boxes, whose faces move linearly during a horizon, and the time interval in which two of them can
+// meet.
 //
 //   MovingBox<2> ship = moving_box(motion, extents, horizon, margin), zone = …;
-//   TimeSpan when = shared_span(ship, zone);
+//   SharedInterval when = shared_span(ship, zone);
 //   if (narrow_to_contact(ship, zone, when)) …                // they may meet, during `when` only
 //
-// At tau seconds after `now` the faces are at lower + v_lower*tau and upper + v_upper*tau, for tau in `span`
-// (the part of the horizon during which anything is there). Acceleration has become velocity: an arc is
-// replaced by its chord over [0, span.end]; one that bends outward lies beyond it by at most |a|*span.end²/8.
+// At tau seconds after `now` the faces are at lower + v_lower*tau and upper + v_upper*tau, for tau in `span`.
+// That is the part of the horizon during which the object, or any object within the bounds, exists.
+// Acceleration is folded into velocity: an arc is replaced by its chord over [0, span.end]. An arc that bends
+// outward is padded by at most |a|*span.end²/8.
 //
-// Rounding. M, the sum of the magnitudes of everything that goes into a face over the whole span, bounds
-// every intermediate result. The face errs by less than 16 units of 2^-53 of it (place at `now` 7, chord 5,
-// sums 4); the tests below compute with plain doubles (differences, one product, one quotient), which adds
-// some 4 units of the same magnitudes. Padding by 32 units of M therefore loses nothing that can meet; what
-// cannot may pass. A moment below 2^-1022 s is off by up to 2^-1075 s, however short the span is, so M counts
-// 2^-1000 s more of every velocity. Where M or a velocity is beyond 1e300, overflows or is not a number,
-// there is no bound: the faces are infinite and have velocity 0. Else both stay within 1e300, so that no
-// difference overflows.
+// Rounding. M, the sum of the magnitudes of all terms of a face over the whole span, bounds every
+// intermediate result. The error of a face is less than 16 units of 2^-53 of M: 7 from the position at `now`,
+// 5 from the chord, 4 from the sums. The tests below compute with plain doubles (differences, one product,
+// one quotient), which adds about 4 units of the same magnitudes. So padding by 32 units of M loses no boxes
+// that can meet; others may pass. A time below 2^-1022 s has an error of up to 2^-1075 s, however short the
+// span is. M therefore includes 2^-1000 s more of every velocity. If M or a velocity is beyond 1e300,
+// infinite or NaN, there is no bound: the faces are infinite and have velocity 0. Otherwise both are within
+// 1e300, so no difference overflows.
 #pragma once
 
 #include <algorithm>
@@ -23,13 +25,13 @@
 #include "index/tpr_tree/bounds.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::index {
+namespace foresee {
 
-/// What spans of time are longer by where they stand for rounding.
+/// Added to time spans to bound their rounding errors.
 inline constexpr double shortest_reach = 0x1p-1000;
 
-/// Seconds after `now`.
-struct TimeSpan {
+/// An interval of seconds after `now`.
+struct SharedInterval {
   double begin = 0, end = 0;
 
   bool is_empty() const { return !(begin <= end); }
@@ -38,33 +40,34 @@ struct TimeSpan {
 template <int D>
 struct MovingBox {
   Vec<D> lower, upper, v_lower, v_upper;
-  TimeSpan span;
+  SharedInterval span;
 };
 
-/// The part of [0, h] between two moments, rounded outward.
-inline TimeSpan span_between(double first, double last, const Horizon& horizon) {
-  // What is before now, rounded any way, is before now.
+/// The part of [0, h] between two times, rounded outward.
+inline SharedInterval span_between(double first, double last, const Horizon& horizon) {
+  // A time before `now` remains before `now` however it is rounded.
   return {std::max(0.0, (first - horizon.now) * (1 - rounding_pad)),
           std::min(horizon.h, (last - horizon.now) * (1 + rounding_pad))};
 }
 
-/// Pads faces that are computed from numbers whose magnitudes add up to `size`.
+/// Pads faces that are computed from numbers with a sum of magnitudes of `size`.
 template <int D>
 void pad_outward(MovingBox<D>& box, const Vec<D>& size) {
   const Vec<D> pad = size * rounding_pad + smallest_pad;
   box.lower -= pad, box.upper += pad;
   const Eigen::Array<bool, D, 1> bounded =
       size <= largest_bound && box.v_lower.abs() <= largest_bound && box.v_upper.abs() <= largest_bound;
-  if (bounded.all()) return;  // as good as always
+  if (bounded.all()) return;  // the usual case
   const double infinity = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < D; ++axis)
     if (!bounded[axis])
       box.lower[axis] = -infinity, box.upper[axis] = infinity, box.v_lower[axis] = box.v_upper[axis] = 0;
 }
 
-/// What lies within `bounds` at `epoch`, as a moving box. Here, because a walk asks it of every entry.
+/// The moving box of all motions within `bounds` at `epoch`. Inline, because a walk calls it for every entry.
 template <int D>
-MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const TimeSpan& span, const Horizon& horizon) {
+MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const SharedInterval& span,
+                        const Horizon& horizon) {
   const double s = horizon.now - epoch, duration = std::max(span.end, 0.0);
   const double reach = std::abs(s) + duration + shortest_reach;
   const double half_s = 0.5 * s, half_duration = 0.5 * duration, eighth = 0.125 * duration;
@@ -87,16 +90,16 @@ MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const TimeSpan& s
   return box;
 }
 
-/// An object as a moving box, grown by `margin` on both sides of every axis.
+/// The moving box of an object, grown by `margin` on both sides of every axis.
 template <int D>
 MovingBox<D> moving_box(const Motion<D>& motion, const Extents<D>& extents, const Horizon& horizon,
                         const Vec<D>& margin) {
-  const TimeSpan span = span_between(motion.t, motion.until, horizon);
+  const SharedInterval span = span_between(motion.t, motion.until, horizon);
   const double s = horizon.now - motion.t, duration = std::max(span.end, 0.0);
   const double reach = std::abs(s) + duration + shortest_reach;
   const Vec<D> centre = motion.x + s * (motion.v + (0.5 * s) * motion.a);
   const Vec<D> below = margin - extents.lower, above = margin + extents.upper;
-  const double eighth = 0.125 * duration;  // its square may overflow where there is no acceleration
+  const double eighth = 0.125 * duration;  // its square may overflow if there is no acceleration
   MovingBox<D> box;
   box.span = span;
   box.lower = centre - (below + eighth * (duration * motion.a.max(0.0)));
@@ -107,8 +110,8 @@ MovingBox<D> moving_box(const Motion<D>& motion, const Extents<D>& extents, cons
   return box;
 }
 
-/// The same of what grows by `growth` in a unit of time, on every side, from `age` before now on. It need not
-/// be the right way round before it is there.
+/// The same for an object that grows by `growth` per unit of time, on every side, from `age` before now on.
+/// Outside its span the box may have lower > upper.
 template <int D>
 MovingBox<D> with_growth(MovingBox<D> box, const Vec<D>& growth, double age) {
   const double reach = std::abs(age) + std::max(box.span.end, 0.0) + shortest_reach;
@@ -120,7 +123,7 @@ MovingBox<D> with_growth(MovingBox<D> box, const Vec<D>& growth, double age) {
   return box;
 }
 
-/// Object i of some, likewise.
+/// The same for object i of `bodies`.
 template <int D>
 MovingBox<D> moving_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, const Vec<D>& margin) {
   const Motion<D> motion = motion_of<D>(bodies, i);
@@ -130,18 +133,18 @@ MovingBox<D> moving_box(const Bodies& bodies, std::size_t i, const Horizon& hori
                         horizon.now - motion.t);
 }
 
-/// A window whose faces are at lower and upper at `now` and move along from then on; bounds may be infinite.
+/// A window whose faces are at lower and upper at `now` and then move with `velocity`; faces may be infinite.
 template <int D>
 MovingBox<D> moving_window(const Vec<D>& lower, const Vec<D>& upper, const Vec<D>& velocity,
                            const Horizon& horizon);
 
 template <int D>
-TimeSpan shared_span(const MovingBox<D>& a, const MovingBox<D>& b) {
+SharedInterval shared_span(const MovingBox<D>& a, const MovingBox<D>& b) {
   return {std::max(a.span.begin, b.span.begin), std::min(a.span.end, b.span.end)};
 }
 
-/// Narrows `span` to the moments at which gap + speed * tau <= 0; false if there are none.
-inline bool narrow_to_closed(double gap, double speed, TimeSpan& span) {
+/// Narrows `span` to the times at which gap + speed * tau <= 0; false if no such time exists.
+inline bool narrow_to_closed(double gap, double speed, SharedInterval& span) {
   const bool apart_first = gap + speed * span.begin > 0, apart_last = gap + speed * span.end > 0;
   if (!apart_first && !apart_last) return true;
   if (apart_first && apart_last) return false;
@@ -153,15 +156,15 @@ inline bool narrow_to_closed(double gap, double speed, TimeSpan& span) {
   return true;
 }
 
-/// Narrows `span` to moments outside which the boxes do not meet; false if there are none. Touching counts.
-/// Requires: the span is not empty.
+/// Narrows `span` to an interval outside which the boxes do not meet; false if they do not meet at all.
+/// Touching boxes meet. Requires: the span is not empty.
 template <int D>
-bool narrow_to_contact(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan& span) {
+bool narrow_to_contact(const MovingBox<D>& a, const MovingBox<D>& b, SharedInterval& span) {
   const Vec<D> left = a.lower - b.upper, right = b.lower - a.upper;
   const Vec<D> left_speed = a.v_lower - b.v_upper, right_speed = b.v_lower - a.v_upper;
   const Vec<D> left_first = left + left_speed * span.begin, left_last = left + left_speed * span.end,
                right_first = right + right_speed * span.begin, right_last = right + right_speed * span.end;
-  // Most pairs are told apart by one axis all the time, or overlap on all.
+  // Most pairs are separated along one axis all the time, or overlap on all axes.
   if (left_first.min(left_last).max(right_first.min(right_last)).maxCoeff() > 0) return false;
   if (left_first.max(left_last).max(right_first.max(right_last)).maxCoeff() <= 0) return true;
   for (int axis = 0; axis < D; ++axis)
@@ -171,4 +174,4 @@ bool narrow_to_contact(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan& s
   return !span.is_empty();
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,6 +1,6 @@
 #include "index/tpr_tree/node.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 Entry<D> summary(const Node& node, const LeafReader<D>& reader, double epoch) {
@@ -19,4 +19,4 @@ template Entry<1> summary(const Node&, const LeafReader<1>&, double);
 template Entry<2> summary(const Node&, const LeafReader<2>&, double);
 template Entry<3> summary(const Node&, const LeafReader<3>&, double);
 
-}  // namespace foresee::index
+}  // namespace foresee

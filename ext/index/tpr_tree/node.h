@@ -1,5 +1,4 @@
-// What does a node hold? Typed views of a decoded node's numbers: objects in a leaf, entries in an inner
-// node.
+// Typed views of a decoded tree node: the objects of a leaf, the entries of an inner node.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +9,9 @@
 #include "index/tpr_tree/moving_box.h"
 #include "shape/shapes.h"
 
-namespace foresee::index {
+namespace foresee {
 
-/// Reads objects out of leaves.
+/// Decodes the records of a leaf.
 template <int D>
 class LeafReader {
  public:
@@ -44,13 +43,13 @@ class LeafReader {
   Shape shape_;
 };
 
-/// An object as the tree carries it about.
+/// A decoded object.
 template <int D>
 struct Mover {
   Motion<D> motion;
-  Extents<D> extents;  ///< as of t
+  Extents<D> extents;  ///< at its t
   Vec<D> growth;
-  bool grows;  ///< the table says how fast
+  bool grows;  ///< true if the table has columns of growth
 
   Mover(const LeafReader<D>& reader, const double* record)
       : motion(reader.motion(record)),
@@ -69,25 +68,24 @@ struct Mover {
   }
 };
 
-/// When the objects beneath an entry begin and end.
+/// The time ranges of the objects beneath an entry: of their t, and the max of their until.
 struct Times {
-  double t_least = std::numeric_limits<double>::infinity();
-  double t_greatest = -std::numeric_limits<double>::infinity();
-  double until_greatest = -std::numeric_limits<double>::infinity();
+  double t_min = std::numeric_limits<double>::infinity();
+  double t_max = -std::numeric_limits<double>::infinity();
+  double until_max = -std::numeric_limits<double>::infinity();
 
   void include(const Times& other) {
-    t_least = std::min(t_least, other.t_least);
-    t_greatest = std::max(t_greatest, other.t_greatest);
-    until_greatest = std::max(until_greatest, other.until_greatest);
+    t_min = std::min(t_min, other.t_min);
+    t_max = std::max(t_max, other.t_max);
+    until_max = std::max(until_max, other.until_max);
   }
   bool contains(const Times& other) const {
-    return t_least <= other.t_least && other.t_greatest <= t_greatest &&
-           other.until_greatest <= until_greatest;
+    return t_min <= other.t_min && other.t_max <= t_max && other.until_max <= until_max;
   }
   friend bool operator==(const Times&, const Times&) = default;
 };
 
-/// What an inner node says about one child.
+/// An inner node's entry for one child.
 template <int D>
 struct Entry {
   Times times;
@@ -127,7 +125,7 @@ Entry<D> entry_at(const Node& inner, std::size_t slot) {
 template <int D>
 void set_entry(Node& inner, std::size_t slot, const Entry<D>& entry) {
   double* to = inner.values.data() + slot * entry_size(D);
-  *to++ = entry.times.t_least, *to++ = entry.times.t_greatest, *to++ = entry.times.until_greatest;
+  *to++ = entry.times.t_min, *to++ = entry.times.t_max, *to++ = entry.times.until_max;
   for (const Vec<D>* part : {&entry.bounds.x_lower, &entry.bounds.x_upper, &entry.bounds.v_lower,
                              &entry.bounds.v_upper, &entry.bounds.a_lower, &entry.bounds.a_upper})
     to = std::copy_n(part->data(), D, to);
@@ -140,16 +138,16 @@ void add_entry(Node& inner, NodeNumber child, const Entry<D>& entry) {
   set_entry(inner, inner.size() - 1, entry);
 }
 
-/// Where `key` is in the node. Throws BrokenTree if it is not there.
+/// The slot of `key` in the node. Throws BrokenTree if the node does not have it.
 inline std::size_t slot_of(const Node& node, std::int64_t key) {
   const auto found = std::find(node.keys.begin(), node.keys.end(), key);
   if (found == node.keys.end()) throw BrokenTree("a tree node lacks a key that it should hold");
   return static_cast<std::size_t>(found - node.keys.begin());
 }
 
-/// A node that is still to be read, and what is said of it above. It is believed only if it says so too:
-/// levels count strictly and a node has one parent, so every way through the tree ends and none leads to a
-/// node twice.
+/// A node to be read, with the parent and the level that it must have. read() checks both. Levels decrease
+/// strictly and a node has one parent. So every path down the tree ends, and no two paths lead to the same
+/// node.
 struct Unread {
   static constexpr int any_level = -1;
 
@@ -160,7 +158,7 @@ struct Unread {
 inline bool has_child(const Node& inner, NodeNumber child) {
   return std::find(inner.keys.begin(), inner.keys.end(), child) != inner.keys.end();
 }
-/// Two parents may name the same child in a damaged file, and each by itself is without fault.
+/// In a damaged file two parents may have the same child, although each node is valid separately.
 inline void expect_no_child(const Node& inner, NodeNumber child) {
   if (has_child(inner, child)) throw BrokenTree("a node of a tree has a child twice");
 }
@@ -173,7 +171,7 @@ inline void expect_below(const Node& node, NodeNumber parent, int level) {
 inline Unread unread_root(NodeSource& source) {
   return {source.find_root(), 0, Unread::any_level};
 }
-/// `number` is that of `node`.
+/// `number` is the number of `node`.
 inline Unread unread_child(NodeNumber number, const Node& node, std::size_t slot) {
   return {node.keys[slot], number, node.level - 1};
 }
@@ -189,7 +187,7 @@ inline std::shared_ptr<const Node> read_below(NodeSource& source, NodeNumber num
   return read(source, unread_child(number, node, slot));
 }
 
-/// The node above, which may lack the child; null above the root.
+/// The parent of a node; it may lack the child. Null for the root.
 inline std::shared_ptr<const Node> read_above(NodeSource& source, NodeNumber number, const Node& node) {
   if (node.parent == 0) {
     if (number != source.find_root()) throw BrokenTree("a tree node has no parent and is not the root");
@@ -200,7 +198,7 @@ inline std::shared_ptr<const Node> read_above(NodeSource& source, NodeNumber num
   return parent;
 }
 
-/// Takes a key and its `stride` values out; the last one moves into its place.
+/// Removes a key and its `stride` values; the last key moves to its slot.
 inline void remove_slot(Node& node, std::size_t slot, std::size_t stride) {
   node.keys[slot] = node.keys.back();
   std::copy(node.values.end() - static_cast<std::ptrdiff_t>(stride), node.values.end(),
@@ -209,8 +207,8 @@ inline void remove_slot(Node& node, std::size_t slot, std::size_t stride) {
   node.values.resize(node.values.size() - stride);
 }
 
-/// The tightest entry for a whole node, at `epoch`, that the node's own numbers give.
+/// The tightest entry for a whole node at `epoch`, computed from the node's own numbers.
 template <int D>
 Entry<D> summary(const Node& node, const LeafReader<D>& reader, double epoch);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "index/tpr_tree/node.h"
-#include "index/tpr_tree/tree_join.h"
+#include "index/tpr_tree/search/tree_join.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 class TreeReader {
@@ -16,17 +16,18 @@ class TreeReader {
 
   TreeScene read() {
     if (source_.find_root() == 0) return std::move(scene_);
-    const auto root = index::read(source_, unread_root(source_));
+    const auto root = foresee::read(source_, unread_root(source_));
     if (root->level < 0 || root->level > 64) throw BrokenTree("a tree's root has an impossible level");
     scene_.levels.starts.resize(static_cast<std::size_t>(root->level) + 1);
     visit(source_.find_root(), *root);
-    for (std::size_t level = scene_.levels.starts.size(); level-- > 0;)  // before the level below has its end
+    // From the top down: each level ends with the size of the level below, before that gets its own end.
+    for (std::size_t level = scene_.levels.starts.size(); level-- > 0;)
       scene_.levels.starts[level].push_back(next_below(level));
     return std::move(scene_);
   }
 
  private:
-  /// How many rows, or nodes one level down, there are so far.
+  /// The number of rows, or of nodes one level down, so far.
   std::uint32_t next_below(std::size_t level) const {
     return static_cast<std::uint32_t>(level == 0 ? scene_.ids.size()
                                                  : scene_.levels.starts[level - 1].size());
@@ -66,4 +67,4 @@ TreeScene read_tree(NodeSource& source, Interrupt& interrupt) {
   return TreeReader(source, interrupt).read();
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,25 +1,25 @@
 #include "index/tpr_tree/tpr_tree.h"
 
 #include "base/axes.h"
-#include "base/steps.h"
-#include "index/tpr_tree/bulk_load.h"
-#include "index/tpr_tree/division.h"
-#include "index/tpr_tree/grow.h"
-#include "index/tpr_tree/merge.h"
-#include "index/tpr_tree/order.h"
-#include "index/tpr_tree/repack.h"
-#include "index/tpr_tree/shrink.h"
+#include "base/interrupt_steps.h"
+#include "index/tpr_tree/bulk_load/bulk_load.h"
+#include "index/tpr_tree/bulk_load/leaf_order.h"
+#include "index/tpr_tree/bulk_load/space_partitioning.h"
+#include "index/tpr_tree/update/insertion.h"
+#include "index/tpr_tree/update/merge.h"
+#include "index/tpr_tree/update/removal.h"
+#include "index/tpr_tree/update/repack.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// Fewer objects than these are merged one by one.
 constexpr std::size_t few = 32;
-/// No more are merged at once, and none than there is memory for if each concerns another leaf: leaves stay
-/// in memory meanwhile, as they were and as they become.
-constexpr std::size_t most_merged = 1 << 15, merge_memory = 64 << 20;
-/// Of so many updates one looks around its leaf; of objects that are merged together, which renew what is
-/// above them anyway, one of more.
+/// The max number of objects merged at once, and the memory for the case that each of them is in another
+/// leaf. During a merge, memory holds the leaves as they were and as they become.
+constexpr std::size_t max_merged = 1 << 15, merge_memory = 64 << 20;
+/// One of so many updates repacks around its leaf. For merged objects the number is larger, because a merge
+/// recomputes the entries above them anyway.
 constexpr std::size_t between_repacks = 24, between_merged = 512;
 
 template <int D>
@@ -28,23 +28,23 @@ class Tree final : public TprTree {
   Tree(Pages& pages, double horizon) : state_(pages, horizon) {}
 
   void insert(std::int64_t id, std::span<const double> record) override {
-    state_.clock.saw(state_.reader.t(record.data()));
+    state_.clock.observe(state_.reader.t(record.data()));
     insert_object(state_, NewObject<D>{id, record, Mover<D>(state_.reader, record.data())});
   }
 
   bool update(std::int64_t id, std::span<const double> record) override {
     const auto leaf = state_.pages.find_leaf(id);
     if (!leaf) return false;
-    state_.clock.saw(state_.reader.t(record.data()));
+    state_.clock.observe(state_.reader.t(record.data()));
     const NewObject<D> object{id, record, Mover<D>(state_.reader, record.data())};
-    freshen_above(*leaf);
-    const auto [slot, stays] = place_of(*leaf, object);
-    if (stays) {
+    renew_stale_above(*leaf);
+    const auto [slot, fits] = place_of(*leaf, object);
+    if (fits) {
       overwrite(*leaf, slot, object);
     } else {
-      const bool leaf_stays = take_out(state_, *leaf, slot);
-      insert_object(state_, object, leaf_stays ? ancestor_containing(*leaf, object) : 0,
-                    leaf_stays ? *leaf : 0);
+      const bool keeps_leaf = take_out(state_, *leaf, slot);
+      insert_object(state_, object, keeps_leaf ? ancestor_containing(*leaf, object) : 0,
+                    keeps_leaf ? *leaf : 0);
     }
     if (++updates_ % between_repacks == 0) repack_around(state_, leaf_of(id), updates_ / between_repacks);
     return true;
@@ -85,8 +85,8 @@ class Tree final : public TprTree {
       }
       return;
     }
-    see_newest(records);
-    const std::size_t portions = (ids.size() + portion() - 1) / portion();
+    observe_newest(records);
+    const std::size_t portions = (ids.size() + merge_size() - 1) / merge_size();
     if (portions == 1) return merge_neighbours(ids, records, interrupt);
     const auto order = leaf_order(state_, records, {portions, 1}, {0, portions}, interrupt);
     for (std::size_t i = 0; i < portions; ++i) {
@@ -95,23 +95,23 @@ class Tree final : public TprTree {
     }
   }
 
-  void load_anew(std::span<const std::int64_t> ids, std::span<const double> records,
-                 Interrupt& interrupt) override {
-    see_newest(records);
+  void reload(std::span<const std::int64_t> ids, std::span<const double> records,
+              Interrupt& interrupt) override {
+    observe_newest(records);
     free_all(state_.pages, interrupt);
     bulk_load_tree(state_, ids, records, interrupt);
   }
 
-  std::unique_ptr<SpaceDivision> divide(std::span<const double> sample, std::size_t parts,
-                                        std::span<const double> newest, Interrupt& interrupt) override {
+  std::unique_ptr<SpacePartitioning> divide(std::span<const double> sample, std::size_t partitions,
+                                            std::span<const double> newest, Interrupt& interrupt) override {
     if (newest.empty()) state_.clock = {};
-    see_newest(newest);
-    return divide_space(state_, sample, parts, interrupt);
+    observe_newest(newest);
+    return divide_space(state_, sample, partitions, interrupt);
   }
 
-  void bulk_load_parts(ObjectParts& parts, Interrupt& interrupt) override {
+  void bulk_load_partitions(ObjectPartitions& partitions, Interrupt& interrupt) override {
     free_all(state_.pages, interrupt);
-    bulk_load_tree(state_, parts, interrupt);
+    bulk_load_tree(state_, partitions, interrupt);
   }
 
   void rebuild(Interrupt& interrupt) override {
@@ -123,7 +123,7 @@ class Tree final : public TprTree {
   }
 
  private:
-  /// Merges objects that are near each other, if there are many: then they concern few nodes.
+  /// Merges objects that are near each other, if there are many: then they are in few nodes.
   void merge_neighbours(std::span<const std::int64_t> ids, std::span<const double> records,
                         Interrupt& interrupt) {
     merge_objects(state_, ids, records, interrupt);
@@ -143,17 +143,17 @@ class Tree final : public TprTree {
     return *leaf;
   }
 
-  /// How many objects are merged at once.
-  std::size_t portion() const {
+  /// The number of objects merged at once.
+  std::size_t merge_size() const {
     const std::size_t leaf = state_.pages.leaf_capacity() * state_.reader.record_size() * sizeof(double);
-    return std::clamp(merge_memory / leaf, few, most_merged);
+    return std::clamp(merge_memory / leaf, few, max_merged);
   }
 
-  /// The records that were written last are the last ones.
-  void see_newest(std::span<const double> records) {
+  /// Updates the clock from the last records, which were written last.
+  void observe_newest(std::span<const double> records) {
     const std::size_t size = state_.reader.record_size(), all = records.size() / size;
     for (std::size_t i = all - std::min(all, WriteClock::memory); i < all; ++i)
-      state_.clock.saw(state_.reader.t(records.data() + i * size));
+      state_.clock.observe(state_.reader.t(records.data() + i * size));
   }
 
   static std::size_t slot_in_leaf(const Node& leaf, std::int64_t id) {
@@ -163,7 +163,7 @@ class Tree final : public TprTree {
 
   struct Place {
     std::size_t slot;
-    bool stays;  ///< the leaf's entry is true for the object as it will be
+    bool fits;  ///< the leaf's entry contains the new object
   };
   Place place_of(NodeNumber number, const NewObject<D>& object) {
     const auto leaf = state_.pages.read(number);
@@ -172,15 +172,14 @@ class Tree final : public TprTree {
     return {slot, !parent || entry_contains(*parent, number, object)};
   }
 
-  /// Would the entry of this child stay true if the object were beneath it? Greatest t apart, which is cheap
-  /// to mend.
+  /// True if the child's entry would contain the object beneath it. Max t is ignored: it is cheap to update.
   static bool entry_contains(const Node& parent, NodeNumber child, const NewObject<D>& object) {
     Entry<D> entry = entry_at<D>(parent, slot_of(parent, child));
-    entry.times.t_greatest = std::numeric_limits<double>::infinity();
+    entry.times.t_max = std::numeric_limits<double>::infinity();
     return entry.contains(object.entry(parent.epoch));
   }
 
-  /// The lowest node above this one, not itself, that may take the object in; the root takes anything.
+  /// The lowest ancestor of this node whose entry contains the object; otherwise the root.
   NodeNumber ancestor_containing(NodeNumber number, const NewObject<D>& object) {
     auto node = state_.pages.read(number);
     auto parent = read_above(state_.pages, number, *node);
@@ -192,7 +191,7 @@ class Tree final : public TprTree {
     }
   }
 
-  void freshen_above(NodeNumber number) {
+  void renew_stale_above(NodeNumber number) {
     for (;;) {
       const auto node = state_.pages.read(number);
       std::size_t slot;
@@ -201,13 +200,13 @@ class Tree final : public TprTree {
         if (!parent) return;
         slot = slot_of(*parent, number);
       }
-      if (!freshen(state_, node->parent, slot)) return;
+      if (!renew_if_stale(state_, node->parent, slot)) return;
       number = node->parent;
     }
   }
 
-  /// Entries farther up contain the leaf's objects, not all that its own entry allows: they are looked at
-  /// too.
+  /// The entries of higher levels contain the leaf's objects, but not all that the leaf's entry allows. So
+  /// fit_upward() checks them too.
   void overwrite(NodeNumber leaf, std::size_t slot, const NewObject<D>& object) {
     double* place = state_.pages.modify_record(leaf, slot);
     const double t_before = state_.reader.t(place);
@@ -264,4 +263,4 @@ void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::ve
   }
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

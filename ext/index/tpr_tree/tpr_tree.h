@@ -1,5 +1,5 @@
-// The tree is the table: a TPR-style R-tree over pages, its leaves the objects themselves (Saltenis et al.,
-// "Indexing the Positions of Continuously Moving Objects", SIGMOD 2000).
+// TPR-tree over pages: an R-tree with time-parameterized bounds, whose leaves store the table's objects
+// themselves (Saltenis et al., "Indexing the Positions of Continuously Moving Objects", SIGMOD 2000).
 //
 //   MemoryPages pages({.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true});
 //   auto tree = make_tpr_tree(pages, 60);
@@ -7,16 +7,16 @@
 //   auto walk = …;                                     // see window_walk.h, nearest_walk.h, tree_join.h
 //
 // Guarantee: every object is in exactly one leaf, and the bounds of every entry above it contain its motion,
-// whatever the numbers. The tree is tuned for questions that look up to `horizon` seconds ahead of the times
-// that are being written; others are answered too. Bounds follow the clock: a node whose epoch lies far
-// behind (or ahead) has its entries computed anew when something beneath it is written.
-// Where updates have left loose leaves, those beneath two neighbours are packed anew now and then (repack.h).
+// whatever the numbers. The tree is tuned for queries up to `horizon` seconds ahead of the times being
+// written; other queries are answered too. Bounds follow the clock: if a node's epoch is far behind or ahead,
+// its entries are recomputed when an object beneath it is written. If updates have left loose leaves, the
+// leaves beneath two neighbours are repacked from time to time (repack.h).
 //
-// Cost: insert and erase touch one path of nodes; an update that leaves its leaf's entry true and is not the
-// newest object touches the leaf alone (unless it is one of the few that find loose leaves around); a bulk
-// load is O(n log n) and fills the leaves.
+// Cost: insert and erase touch one path of nodes. An update writes only the leaf if the leaf's entry stays
+// valid and the object is not the newest; a few updates also repack loose leaves. A bulk load is O(n log n)
+// and fills the leaves.
 //
-// The tree keeps nothing about its nodes in memory, so pages may be changed behind it by a rollback. An
+// The tree keeps no state about its nodes in memory, so a rollback may change the pages behind it. An
 // exception that leaves a call leaves the pages half changed: the caller rolls them back.
 #pragma once
 
@@ -29,77 +29,79 @@
 #include "base/error.h"
 #include "index/pages.h"
 
-namespace foresee::index {
+namespace foresee {
 
-/// What check_tree() found: sentences about what is wrong, and how much there is.
+/// The result of check_tree(): a sentence per problem, and the size of the tree.
 struct TreeReport {
   std::vector<std::string> problems;
   std::size_t objects = 0, nodes = 0;
 };
 
-/// Which part of the space of positions and velocities is an object in? See division.h.
-class SpaceDivision {
+/// Assigns objects to partitions of the space of positions and velocities. See space_partitioning.h.
+class SpacePartitioning {
  public:
-  virtual ~SpaceDivision() = default;
-  virtual std::size_t part_of(const double* record) = 0;
+  virtual ~SpacePartitioning() = default;
+  virtual std::size_t partition_of(const double* record) = 0;
 };
 
-/// Objects that memory cannot hold together, by the parts of a division.
-class ObjectParts {
+/// Objects, by partition, that do not fit in memory together.
+class ObjectPartitions {
  public:
-  virtual ~ObjectParts() = default;
-  /// How many objects each part has, one or more in all of them together.
+  virtual ~ObjectPartitions() = default;
+  /// The number of objects in each partition; at least one in total.
   virtual std::span<const std::size_t> counts() const = 0;
-  /// Fills `ids` and `records` with a part's objects. Each part is read once.
-  virtual void read(std::size_t part, std::vector<std::int64_t>& ids, std::vector<double>& records) = 0;
+  /// Fills `ids` and `records` with the objects of a partition. Each partition is read once.
+  virtual void read(std::size_t partition, std::vector<std::int64_t>& ids, std::vector<double>& records) = 0;
 };
 
 class TprTree {
  public:
   virtual ~TprTree() = default;
 
-  /// Requires: no object has this id; the record is valid as docs/sql_reference.md#values says.
+  /// Requires: no object has this id; the record is valid by docs/sql_reference.md#values.
   virtual void insert(std::int64_t id, std::span<const double> record) = 0;
-  /// False if there is no such object.
+  /// Returns false if the tree does not have the object.
   virtual bool update(std::int64_t id, std::span<const double> record) = 0;
   virtual bool erase(std::int64_t id) = 0;
 
-  /// Replaces everything by these objects, neighbours in space and velocity together, in full leaves with
-  /// consecutive numbers. Ids are unique.
+  /// Replaces all objects by these, in full leaves with consecutive numbers; neighbours in space and velocity
+  /// share leaves. Ids are unique.
   virtual void bulk_load(std::span<const std::int64_t> ids, std::span<const double> records,
                          Interrupt& interrupt) = 0;
-  /// Each object is in the tree afterwards as its record says, whether or not it was before: as many insert()
-  /// and update(), where there are many at far less cost each (merge.h). Ids are unique.
+  /// Inserts or updates each object, whether or not the tree has it. Many objects together cost far less per
+  /// object than insert() and update() (merge.h). Ids are unique.
   virtual void merge(std::span<const std::int64_t> ids, std::span<const double> records,
                      Interrupt& interrupt) = 0;
-  /// bulk_load() of objects among which are all that the tree has, those that were written last at the end.
-  virtual void load_anew(std::span<const std::int64_t> ids, std::span<const double> records,
-                         Interrupt& interrupt) = 0;
-  /// Parts for bulk_load_parts(), chosen by the records of some objects, drawn anywhere. `newest`: records
-  /// that were written last, if the tree goes on as with load_anew(); without any its clock starts again.
-  virtual std::unique_ptr<SpaceDivision> divide(std::span<const double> sample, std::size_t parts,
-                                                std::span<const double> newest, Interrupt& interrupt) = 0;
-  /// As bulk_load(), holding no more than a part in memory. Frees what the tree leads to, but tells the pages
-  /// of no object that goes. Requires: divide() was called for these parts.
-  virtual void bulk_load_parts(ObjectParts& parts, Interrupt& interrupt) = 0;
-  /// bulk_load() with the objects that the tree has.
+  /// bulk_load() of a superset of the tree's objects. The last objects are those that were written last.
+  virtual void reload(std::span<const std::int64_t> ids, std::span<const double> records,
+                      Interrupt& interrupt) = 0;
+  /// Chooses partitions for bulk_load_partitions() from a sample of records, drawn anywhere. `newest` are the
+  /// records written last, if the tree's clock continues as with reload(). If it is empty, the clock starts
+  /// again.
+  virtual std::unique_ptr<SpacePartitioning> divide(std::span<const double> sample, std::size_t partitions,
+                                                    std::span<const double> newest, Interrupt& interrupt) = 0;
+  /// Like bulk_load(), with at most one partition in memory. Frees all nodes of the tree, but does not report
+  /// removed objects to the pages. Requires: divide() was called for these partitions.
+  virtual void bulk_load_partitions(ObjectPartitions& partitions, Interrupt& interrupt) = 0;
+  /// bulk_load() of the tree's own objects.
   virtual void rebuild(Interrupt& interrupt) = 0;
 };
 
 /// `pages` must outlive the tree. Requires: horizon finite and >= 0.
 std::unique_ptr<TprTree> make_tpr_tree(Pages& pages, double horizon);
 
-/// The greatest t stored, read off the root; 0 without objects or without t.
+/// The max t stored, read from the root; 0 without objects or without t.
 double read_newest_t(NodeSource& source);
 
-/// How many objects there are, estimated from one way down.
+/// An estimate of the number of objects, from one path of the tree.
 double estimate_objects(NodeSource& source);
 
-/// Every object's id and record, leaf by leaf, appended.
+/// Appends the id and record of every object, leaf by leaf.
 void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::vector<double>& records,
                      Interrupt& interrupt);
 
-/// Proves the invariants: levels, parents, counts, every id once and where find_leaf() says, times, bounds.
+/// Checks the invariants: levels, parents, counts, times, bounds, and that every id exists once, in the leaf
+/// that find_leaf() returns.
 TreeReport check_tree(Pages& pages, Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

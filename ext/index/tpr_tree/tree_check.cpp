@@ -2,14 +2,14 @@
 #include <set>
 
 #include "base/axes.h"
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/tpr_tree.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
-/// Walks the whole tree, with the entries above a node in hand.
+/// Visits the whole tree and keeps the entries above the current node.
 template <int D>
 class TreeCheck {
  public:
@@ -38,14 +38,14 @@ class TreeCheck {
       report_.problems.push_back("node " + std::to_string(number) + ": " + what);
   }
 
-  /// `level` is what the parent demands; -1: any.
+  /// `level` is the level that the parent requires; -1: any.
   void visit(NodeNumber number, NodeNumber parent, int level) {
     interrupt_.check();
     if (!nodes_.insert(number).second) return problem(number, "is reached twice");
     ++report_.nodes;
     const auto node = pages_.read(number);
     if (level >= 0 && node->level != level)
-      return problem(number, "has level " + std::to_string(node->level) + " below one that asks for " +
+      return problem(number, "has level " + std::to_string(node->level) + " below a node that requires " +
                                  std::to_string(level));
     if (node->parent != parent) problem(number, "names a parent that is not its own");
     if (!sizes_fit(number, *node)) return;
@@ -72,10 +72,9 @@ class TreeCheck {
   void check_newest(NodeNumber number, const Node& node) {
     double newest = -std::numeric_limits<double>::infinity();
     for (std::size_t slot = 0; slot < node.size(); ++slot)
-      newest = std::max(newest, node.is_leaf() ? reader_.t(reader_.record(node, slot))
-                                               : times_at<D>(node, slot).t_greatest);
-    if (newest != above_.back().entry.times.t_greatest)
-      problem(number, "has another greatest t than its entry");
+      newest = std::max(
+          newest, node.is_leaf() ? reader_.t(reader_.record(node, slot)) : times_at<D>(node, slot).t_max);
+    if (newest != above_.back().entry.times.t_max) problem(number, "has another greatest t than its entry");
   }
 
   void visit_objects(NodeNumber number, const Node& leaf) {
@@ -100,8 +99,8 @@ class TreeCheck {
         problem(places_[i].leaf, "holds object " + std::to_string(places_[i].id) + " again");
   }
 
-  /// Bounds that contain position, velocity and acceleration at the epoch contain the object at every moment.
-  /// What is compared is not padded, so it may be off by less than the entry's own padding.
+  /// Bounds that contain position, velocity and acceleration at the epoch contain the object at every time.
+  /// The object's own bounds are not padded, so their error is less than the entry's padding.
   void check_bounds(NodeNumber number, std::int64_t id, const Mover<D>& mover) {
     const Motion<D>& motion = mover.motion;
     for (const Above& above : above_) {
@@ -111,7 +110,7 @@ class TreeCheck {
     }
   }
 
-  /// A face that overflowed while it was computed proves nothing: it lies within any entry.
+  /// A face that overflowed in the computation is replaced by one inside any entry: it proves nothing.
   static Bounds<D> known(Bounds<D> own) {
     const Vec<D> anywhere = Vec<D>::Constant(std::numeric_limits<double>::infinity());
     for (Vec<D>* lower : {&own.x_lower, &own.v_lower, &own.a_lower})
@@ -136,4 +135,4 @@ TreeReport check_tree(Pages& pages, Interrupt& interrupt) {
   return with_axes(pages.layout().axes, [&]<int D>(Axes<D>) { return TreeCheck<D>(pages, interrupt).run(); });
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -7,36 +7,36 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "motion/life.h"
+#include "motion/life_interval.h"
 #include "query/avoid/clear_ranges.h"
-#include "query/avoid/close_look.h"
+#include "query/avoid/initial_state.h"
 #include "query/avoid/intruders.h"
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
-constexpr double least_number = std::numeric_limits<double>::denorm_min();
+constexpr double min_number = std::numeric_limits<double>::denorm_min();
 
-/// One manoeuvre of one question, step by step.
-class Manoeuvring {
+/// The rows of one manoeuvre.
+class ManoeuvreRows {
  public:
-  Manoeuvring(const AvoidQuestion& question, const OwnMotion& stored, const OwnMotion& base,
-              const AskedChanges& asked, Interrupt& interrupt)
+  ManoeuvreRows(const AvoidQuestion& question, const OwnMotion& stored, const OwnMotion& base,
+                const QueriedChanges& queried, Interrupt& interrupt)
       : question_(question),
         stored_(stored),
         base_(base),
-        asked_(asked),
-        change_{asked.manoeuvre, speed_of(base), stored.t - earliest(stored, asked)},
-        seen_from_(seen_from(base, stored, asked)),
-        turns_(turns_with_course(question, asked.manoeuvre)),
+        queried_(queried),
+        change_{queried.manoeuvre, speed_of(base), stored.t - earliest(stored, queried)},
+        reference_motion_(reference_motion(base, stored, queried)),
+        turns_(turns_with_course(question, queried.manoeuvre)),
         interrupt_(interrupt),
-        touched_(question, scenes(), interrupt) {}
+        exact_(question, scenes(), interrupt) {}
 
   std::vector<AvoidRow> rows() {
-    if (asked_.lo == asked_.hi || changes_nothing()) {
-      const double k = asked_.lo == asked_.hi ? asked_.lo : 0;
-      add_row(is_clear(k), asked_.lo, asked_.hi);
+    if (queried_.lo == queried_.hi || changes_nothing()) {
+      const double k = queried_.lo == queried_.hi ? queried_.lo : 0;
+      add_row(is_clear(k), queried_.lo, queried_.hi);
     } else {
       tile(clear_ranges());
     }
@@ -45,30 +45,30 @@ class Manoeuvring {
   }
 
  private:
-  /// When a delayed motion begins at first: no k of the range makes it begin before.
-  static double earliest(const OwnMotion& stored, const AskedChanges& asked) {
-    return asked.manoeuvre == Manoeuvre::delay && asked.lo < 0 ? stored.t + asked.lo : stored.t;
+  /// The earliest start of a delayed motion: no k of the range makes it start before.
+  static double earliest(const OwnMotion& stored, const QueriedChanges& queried) {
+    return queried.manoeuvre == Manoeuvre::delay && queried.lo < 0 ? stored.t + queried.lo : stored.t;
   }
-  /// What all changed motions are seen from: time counts from its begin, so that none is there before.
-  static OwnMotion seen_from(OwnMotion base, const OwnMotion& stored, const AskedChanges& asked) {
-    const double t = earliest(stored, asked);
+  /// The reference of all changed motions: time counts from its start, so none exists before.
+  static OwnMotion reference_motion(OwnMotion base, const OwnMotion& stored, const QueriedChanges& queried) {
+    const double t = earliest(stored, queried);
     if (t < stored.t) base.until -= stored.t - t, base.t = t;
     return base;
   }
 
-  Touched::Scenes scenes() {
-    Touched::Scenes near;
-    const auto look = [&](const Searched& others, std::optional<std::int64_t> itself) {
-      near.push_back(
-          intruders(question_, seen_from_, change_, asked_, others, itself, reach_to(others), interrupt_));
+  ExactAvoidance::Scenes scenes() {
+    ExactAvoidance::Scenes near;
+    const auto search = [&](const SearchTarget& others, std::optional<std::int64_t> itself) {
+      near.push_back(intruders(question_, reference_motion_, change_, queried_, others, itself,
+                               reach_to(others), interrupt_));
     };
-    look(question_.others, question_.own->ids[0]);
-    if (question_.also) look(*question_.also, std::nullopt);
+    search(question_.others, question_.own->ids[0]);
+    if (question_.also) search(*question_.also, std::nullopt);
     near_ = near;
     return near;
   }
 
-  Contact::Reach reach_to(const Searched& others) const {
+  Contact::Reach reach_to(const SearchTarget& others) const {
     Scene none;
     none.layout = others.layout();
     return make_contact(question_.own->bodies(), none.bodies(),
@@ -77,36 +77,35 @@ class Manoeuvring {
         ->reach();
   }
 
-  /// Who does not move cannot turn, but for an outline with a heading: all changes are one.
+  /// An object at rest cannot turn, except an outline with a heading: all changes are one.
   bool changes_nothing() const {
     const auto none = [](const std::array<double, 3>& v) { return v[0] == 0 && v[1] == 0; };
-    return asked_.manoeuvre == Manoeuvre::turn && none(base_.v) && none(base_.a) && !turns_;
+    return queried_.manoeuvre == Manoeuvre::turn && none(base_.v) && none(base_.a) && !turns_;
   }
 
   OwnMotion motion_at(double k) const { return k == 0 ? stored_ : changed(base_, change_, k); }
   std::vector<double> record_at(double k) const {
     if (k == 0) return question_.record;
-    return Touched::with_motion(question_.own->layout, question_.record, motion_at(k));
+    return ExactAvoidance::with_motion(question_.own->layout, question_.record, motion_at(k));
   }
 
-  /// Whom this touches at first is touched already: the place as it is stored with all changes but a delay.
+  bool delays() const { return queried_.manoeuvre == Manoeuvre::delay; }
+  /// What this touches at first touches already: the object at the change; for a delay, at its stored start.
   std::vector<double> record_at_first() const {
-    const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
-    return Touched::with_motion(question_.own->layout, question_.record, delayed ? stored_ : base_);
+    return ExactAvoidance::with_motion(question_.own->layout, question_.record, delays() ? stored_ : base_);
   }
 
-  /// Those that make the change touch, exactly.
-  std::vector<Intruder> touched_by(double k) {
-    const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
-    if (k == 0 || !(delayed || turns_)) return touched_.by(record_at(k));
-    static const std::vector<Intruder> nobody;
-    if (delayed && question_.touching == Touching::part) return touched_.by(record_at(k), &nobody);
-    const std::vector<Intruder> first = touched_.at_first(record_at_first());
-    return touched_.by(record_at(k), &first);
+  /// The intruders that a change touches, by exact contact.
+  std::vector<Intruder> touching_at(double k) {
+    if (k == 0 || !(delays() || turns_)) return exact_.touching(record_at(k));
+    if (delays() && question_.touching == Touching::part)
+      return exact_.touching(record_at(k), &no_intruders_);
+    const std::vector<Intruder> first = exact_.touching_at_start(record_at_first());
+    return exact_.touching(record_at(k), &first);
   }
-  bool is_clear(double k) { return can_be_stored(motion_at(k)) && touched_by(k).empty(); }
+  bool is_clear(double k) { return can_be_stored(motion_at(k)) && touching_at(k).empty(); }
 
-  /// As numbers, and as an outline that lies so.
+  /// As finite numbers, and as an outline in this pose.
   bool can_be_stored(const OwnMotion& motion) const {
     if (!is_finite(motion)) return false;
     if (!turns_) return true;
@@ -118,12 +117,12 @@ class Manoeuvring {
     return true;
   }
 
-  /// What is proven, and the exact word on 0.
+  /// The proven ranges, and the exact decision on 0.
   std::vector<KRange> clear_ranges() {
     std::vector<KRange> clear;
     if (is_finite(base_))
       clear = with_axes(question_.own->layout.axes, [&]<int D>(Axes<D>) { return proven<D>(); });
-    if (asked_.lo > 0 || asked_.hi < 0) return clear;
+    if (queried_.lo > 0 || queried_.hi < 0) return clear;
     const auto after = std::find_if(clear.begin(), clear.end(), [](const KRange& r) { return r.to >= 0; });
     const bool has_0 = after != clear.end() && after->from <= 0;
     if (is_clear(0) == has_0) return clear;
@@ -133,27 +132,26 @@ class Manoeuvring {
     }
     const KRange around = *after;
     auto place = clear.erase(after);
-    if (around.to > 0) place = clear.insert(place, {least_number, around.to});
-    if (around.from < 0) clear.insert(place, {around.from, -least_number});
+    if (around.to > 0) place = clear.insert(place, {min_number, around.to});
+    if (around.from < 0) clear.insert(place, {around.from, -min_number});
     return clear;
   }
 
   template <int D>
   std::vector<KRange> proven() {
-    const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
     const auto marked = [&](const std::vector<Intruder>& some) {
       std::vector<std::vector<std::uint8_t>> marks;
       for (const auto& near : near_) marks.emplace_back(near->size());
       for (const Intruder& intruder : some) marks[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
       return marks;
     };
-    const auto first = marked(touched_.at_first(record_at_first()));
-    const auto at_start = delayed ? marked(touched_at_start()) : first;
+    const auto first = marked(exact_.touching_at_start(record_at_first()));
+    const auto at_start = delays() ? marked(touching_at_rest()) : first;
     struct Ordered {
       double nearness;
       std::size_t table;
       std::int64_t id;
-      MetIntruder<D> met;
+      IntruderCertificate<D> certificate;
     };
     std::vector<Ordered> ordered;
     const Bodies own = question_.own->bodies();
@@ -169,68 +167,70 @@ class Manoeuvring {
         if (i % 4096 == 0) interrupt_.check();
         const bool touches = first[table][i] != 0;
         if (touches && question_.touching == Touching::ignore) continue;
-        auto met = encounter_of<D>(seen_from_, {question_.now, question_.h}, there, there.row(i),
-                                   rule.pair<D>(own.row(0), there.row(i), seen_from_.t));
-        if (met.begin > met.end) continue;
-        const double far = (met.x.abs() - met.extents.half).maxCoeff() - met.extents.radius;
+        auto encounter = encounter_of<D>(reference_motion_, {question_.now, question_.h}, there, there.row(i),
+                                         rule.pair<D>(own.row(0), there.row(i), reference_motion_.t));
+        if (encounter.begin > encounter.end) continue;
+        const double far = (encounter.x.abs() - encounter.extents.half).maxCoeff() - encounter.extents.radius;
         std::shared_ptr<const OutlinePair> pair;
         if (outlines) pair = std::make_shared<OutlinePair>(own_outline, there, i);
-        const auto known = at_first<D>(met, touches, at_start[table][i] != 0);
-        if (needs_close_look(met, touches)) {
+        const auto known = at_first<D>(encounter, touches, at_start[table][i] != 0);
+        if (needs_exact_state(encounter, touches)) {
           const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(i)};
-          look_closely(met, touched_.first(record_at_first(), intruder), delayed);
+          take_exact_state(encounter, exact_.initial_state(record_at_first(), intruder), delays());
         }
-        ordered.push_back({far, table, near_[table]->ids[i], {met, known, std::move(pair)}});
+        ordered.push_back({far, table, near_[table]->ids[i], {encounter, known, std::move(pair)}});
       }
     }
     std::sort(ordered.begin(), ordered.end(), [](const Ordered& a, const Ordered& b) {
       return std::tie(a.nearness, a.table, a.id) < std::tie(b.nearness, b.table, b.id);
     });
-    std::vector<MetIntruder<D>> met;
-    for (Ordered& one : ordered) met.push_back(std::move(one.met));
-    return ClearRanges<D>(seen_from_, change_, std::move(met), interrupt_).between(asked_.lo, asked_.hi);
+    std::vector<IntruderCertificate<D>> certificates;
+    for (Ordered& one : ordered) certificates.push_back(std::move(one.certificate));
+    return ClearRanges<D>(reference_motion_, change_, std::move(certificates), interrupt_)
+        .between(queried_.lo, queried_.hi);
   }
 
-  /// Whom the object touches, at some moment, if it never leaves the place of its start.
-  std::vector<Intruder> touched_at_start() {
-    static const std::vector<Intruder> nobody;
+  /// The intruders that the object touches at any time if it remains at its start.
+  std::vector<Intruder> touching_at_rest() {
     OwnMotion resting = stored_;
-    resting.t = seen_from_.t, resting.until = std::numeric_limits<double>::infinity();
+    resting.t = reference_motion_.t, resting.until = std::numeric_limits<double>::infinity();
     resting.v = resting.a = resting.force = {};
-    return touched_.by(Touched::with_motion(question_.own->layout, question_.record, resting), &nobody);
+    return exact_.touching(ExactAvoidance::with_motion(question_.own->layout, question_.record, resting),
+                           &no_intruders_);
   }
 
-  /// Of a delay it is known of who rests alone: whenever that starts, the other is where it was.
+  /// For a delay only the state of a resting intruder is known: it has the same position at every start.
   template <int D>
-  typename MetIntruder<D>::AtFirst at_first(const Encounter<D>& met, bool touches,
-                                            bool touches_at_start) const {
-    using AtFirst = typename MetIntruder<D>::AtFirst;
-    if (asked_.manoeuvre == Manoeuvre::delay) {
-      const bool rests = (met.v == 0).all() && (met.ev == 0).all() && !met.bends() && !met.extents.grows;
+  typename IntruderCertificate<D>::AtFirst at_first(const Encounter<D>& encounter, bool touches,
+                                                    bool touches_at_start) const {
+    using AtFirst = typename IntruderCertificate<D>::AtFirst;
+    if (delays()) {
+      const bool rests = (encounter.v == 0).all() && (encounter.ev == 0).all() && !encounter.bends() &&
+                         !encounter.extents.grows;
       return rests && !touches_at_start ? AtFirst::apart : AtFirst::unknown;
     }
     if (touches) return AtFirst::touches;
-    return met.begin > 0 || turns_ ? AtFirst::unknown : AtFirst::apart;
+    return encounter.begin > 0 || turns_ ? AtFirst::unknown : AtFirst::apart;
   }
 
-  /// Clear ranges and what lies between them.
+  /// Rows of the clear ranges and of the blocked ones between them.
   void tile(const std::vector<KRange>& clear) {
-    double from = asked_.lo;
+    double from = queried_.lo;
     for (const KRange& range : clear) {
       if (range.from > from) add_row(false, from, range.from);
       add_row(true, range.from, range.to);
       from = range.to;
     }
-    if (from < asked_.hi || clear.empty()) add_row(false, from, asked_.hi);
+    if (from < queried_.hi || clear.empty()) add_row(false, from, queried_.hi);
   }
 
   void add_row(bool clear, double from, double to) {
     const double k = from > 0 ? from : to < 0 ? to : 0;
-    rows_.push_back({asked_.manoeuvre, clear, from, to, k, {}, {}, {}});
+    rows_.push_back({queried_.manoeuvre, clear, from, to, k, {}, {}, {}});
     if (question_.wants_motion) rows_.back().record = record_at(k);
   }
 
-  /// Of a blocked row both ends, of a clear one those that it shares with a blocked one.
+  /// Names the blockers of both ends of blocked rows, and of the ends that clear rows share with them.
   void find_ends() {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       AvoidRow& row = rows_[i];
@@ -243,19 +243,19 @@ class Manoeuvring {
     }
   }
 
-  /// Who is touched first, as changes go from one end of a blocked row towards the other.
+  /// The first blocker, as changes go from one end of a blocked row towards the other.
   std::optional<Blocker> blocker(double end, double other, bool end_is_clear) {
     const auto at = [&](double k) -> std::optional<Blocker> {
       if (!can_be_stored(motion_at(k))) return std::nullopt;
-      const std::vector<Intruder> touched = touched_by(k);
-      return touched.empty() ? std::nullopt : touched_.first_of(record_at(k), touched);
+      const std::vector<Intruder> touching = touching_at(k);
+      return touching.empty() ? std::nullopt : exact_.first_touching(record_at(k), touching);
     };
     if (!end_is_clear)
       if (auto found = at(end)) return found;
-    const double room = std::abs(other - end), way = other > end ? 1 : -1;
+    const double room = std::abs(other - end), direction = other > end ? 1 : -1;
     bool passed_0 = end == 0 || (end > 0) == (other > 0);
-    for (double step = (asked_.hi - asked_.lo) * 0x1p-42; step < room; step *= 2) {
-      const double k = end + way * step;
+    for (double step = (queried_.hi - queried_.lo) * 0x1p-42; step < room; step *= 2) {
+      const double k = end + direction * step;
       if (!passed_0 && (k > 0) != (end > 0)) {
         passed_0 = true;
         if (auto found = at(0)) return found;
@@ -267,15 +267,16 @@ class Manoeuvring {
     return std::nullopt;
   }
 
+  const std::vector<Intruder> no_intruders_{};
   const AvoidQuestion& question_;
   const OwnMotion &stored_, &base_;
-  AskedChanges asked_;
+  QueriedChanges queried_;
   Change change_;
-  const OwnMotion seen_from_;
-  bool turns_;  ///< an outline of its own
+  const OwnMotion reference_motion_;
+  bool turns_;  ///< the own outline rotates with the course
   Interrupt& interrupt_;
-  Touched::Scenes near_;
-  Touched touched_;
+  ExactAvoidance::Scenes near_;
+  ExactAvoidance exact_;
   std::vector<AvoidRow> rows_;
 };
 
@@ -286,14 +287,14 @@ std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt)
   require_valid(question);
   std::vector<AvoidRow> rows;
   if (question.own->size() == 0) return rows;
-  const OwnMotion stored = Touched::motion_in(question.own->layout, question.record);
+  const OwnMotion stored = ExactAvoidance::motion_in(question.own->layout, question.record);
   if (life_of(stored.t, stored.until, {question.now, question.h}).none) return rows;
   const OwnMotion base = motion_from(stored, std::max(question.now, stored.t));
-  for (const AskedChanges& asked : asked_changes(question, stored, base)) {
-    std::vector<AvoidRow> some = Manoeuvring(question, stored, base, asked, interrupt).rows();
+  for (const QueriedChanges& queried : queried_changes(question, stored, base)) {
+    std::vector<AvoidRow> some = ManoeuvreRows(question, stored, base, queried, interrupt).rows();
     std::move(some.begin(), some.end(), std::back_inserter(rows));
   }
   return rows;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

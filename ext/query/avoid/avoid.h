@@ -1,23 +1,22 @@
-// Which changes keep one object clear of everybody? predictive_avoid as a library call: intruders, ranges
-// proven clear, the exact word where one change is asked about, rows.
+// The changes that keep one object clear of all others: predictive_avoid as a library call.
 //
 //   for (const AvoidRow& row : avoid({.own = ship, .record = numbers, .others = ships, .now = 600, .h = 600,
 //                                     .within = 200}, interrupt))
 //     if (row.clear) use(row.manoeuvre, row.k_from, row.k_to, row.record);
 //
-// Guarantee: the rows of a manoeuvre tile [lo, hi], clear and blocked by turns; a shared end is the clear
-// row's.
-//   - No change of a clear row touches anybody during the horizon: proven for every double of it, for the
-//     numbers as they are stored, and for velocities within 4 units in the last place of those.
-//   - k = 0, and a question with lo = hi, is decided both ways by exact contact of the stored row.
+// Guarantee: the rows of a manoeuvre tile [lo, hi]; clear and blocked rows alternate, and a shared end
+// belongs to the clear row.
+//   - No change of a clear row touches any object during the horizon. This is proven for every double of the row,
+//     for the numbers as they are stored, and for velocities within 4 units in the last place of those.
+//   - Exact contact of the stored row decides k = 0 and a query with lo = hi, both ways.
 //   - A clear range wider than 10^-6 of [lo, hi] is found if it stays clear for velocities within 64 units in
-//     the last place, and ends no farther than that from a change that touches; usually 10^-12. What is
-//     blocked is not proven clear, no more (docs/avoidance.md: limits).
-// No rows: nobody has this id, does not exist during the horizon, has no course, or has started (delay).
-// Answers do not depend on index, order, threads, CPU or objects out of reach.
+//     the last place. It ends within 10^-6 of [lo, hi] of a change that touches; usually 10^-12. A blocked range
+//     is only not proven clear (docs/avoidance.md: limits).
+// No rows: no object has this id, or it does not exist during the horizon, has no course, or has started
+// (delay). Answers do not depend on index, order, threads, CPU or objects out of reach.
 //
-// Cost: a look into the tree, then some 50 ns for each object that any change could meet, and some
-// microseconds for each end of a row. Memory: a row of numbers for each of those objects.
+// Cost: one query of the tree, then some 50 ns per object that any change could touch, and some microseconds
+// per end of a row. Memory: one row of numbers per such object.
 #pragma once
 
 #include <vector>
@@ -25,9 +24,9 @@
 #include "base/error.h"
 #include "query/avoid/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
-/// Throws Error for what require_valid() and asked_changes() refuse.
+/// Throws Error for what require_valid() and queried_changes() refuse.
 std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

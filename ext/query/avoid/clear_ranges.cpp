@@ -5,90 +5,91 @@
 #include <limits>
 #include <numeric>
 
-#include "contact/growing/blocked_end.h"
-#include "contact/growing/parting.h"
+#include "contact/clearance/blocked_range_end.h"
+#include "contact/clearance/separation_increase.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
-/// In degrees: hardly anybody near is beside all courses of a wider one.
+/// In degrees: hardly any near object is clear of all courses of a wider arc.
 constexpr double widest_arc = 45;
-/// In doubt, of one intruder.
+/// Undecided, of one intruder.
 constexpr std::size_t many_parts = 64;
-/// Whose parts are kept, a kilobyte each.
-constexpr std::size_t most_parted = 1 << 15;
+/// How many intruders keep their parts, a kilobyte each.
+constexpr std::size_t max_split = 1 << 15;
 
 }  // namespace
 
 template <int D>
 ClearRanges<D>::ClearRanges(const OwnMotion& base, const Change& change,
-                            std::vector<MetIntruder<D>> intruders, Interrupt& interrupt)
+                            std::vector<IntruderCertificate<D>> intruders, Interrupt& interrupt)
     : base_(base), change_(change), intruders_(std::move(intruders)), step_(interrupt) {}
 
 template <int D>
 std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
   width_ = hi - lo;
-  least_change_ = least_change(base_, change_, lo, hi);
+  min_change_ = min_change(base_, change_, lo, hi);
   clear_.clear();
   const std::size_t all = intruders_.size();
   open_.resize(all);
   std::iota(open_.begin(), open_.end(), 0U);
   const int parts =
       change_.manoeuvre == Manoeuvre::turn ? static_cast<int>(std::ceil(width_ / widest_arc)) : 1;
-  const auto part_begin = [&](int part) { return lo + part * (width_ / parts); };
+  const auto part_start = [&](int part) { return lo + part * (width_ / parts); };
   for (int part = 0; part < parts; ++part)
-    search(part_begin(part), part + 1 < parts ? part_begin(part + 1) : hi, 0, all, nowhere);
+    search(part_start(part), part + 1 < parts ? part_start(part + 1) : hi, 0, all, nowhere);
   return std::move(clear_);
 }
 
-/// The usual end is found in some hundred looks; a graze takes hundred thousands.
+/// The usual end is found in some hundred evaluations; a grazing path takes hundreds of thousands.
 template <int D>
 double ClearRanges<D>::narrowest() const {
   constexpr std::uint64_t usual = 1 << 20;
-  return std::max(least_change_, width_ * (looks_ < usual       ? 0x1p-40
-                                           : looks_ < 4 * usual ? 0x1p-22
-                                                                : 0x1p-12));
+  return std::max(min_change_, width_ * (evaluations_ < usual       ? 0x1p-40
+                                         : evaluations_ < 4 * usual ? 0x1p-22
+                                                                    : 0x1p-12));
 }
 
 template <int D>
 std::pair<std::uint32_t, std::uint32_t> ClearRanges<D>::parts_of(std::uint32_t intruder) {
   const auto found = parts_.find(intruder);
   if (found != parts_.end()) return found->second;
-  std::vector<MetIntruder<D>> parts = intruders_[intruder].parts();
+  std::vector<IntruderCertificate<D>> parts = intruders_[intruder].parts();
   const auto begin = static_cast<std::uint32_t>(intruders_.size());
-  for (MetIntruder<D>& part : parts) intruders_.push_back(std::move(part));
+  for (IntruderCertificate<D>& part : parts) intruders_.push_back(std::move(part));
   return parts_[intruder] = {begin, static_cast<std::uint32_t>(intruders_.size())};
 }
 
 template <int D>
-Judgement ClearRanges<D>::judged(const MetIntruder<D>& intruder, const Range& range) {
-  std::uint64_t looks = 0;
-  const Judgement judgement = intruder.judge(range.ways, range.from, range.to, looks);
-  step_.costly(static_cast<std::uint32_t>(16 * (1 + looks)));
-  if (!range.is_first) looks_ += looks;
-  return judgement;
+ClearanceVerdict ClearRanges<D>::certify(const IntruderCertificate<D>& intruder, const Range& range) {
+  std::uint64_t evaluations = 0;
+  const ClearanceVerdict verdict = intruder.certify(range.family, range.from, range.to, evaluations);
+  step_.costly(static_cast<std::uint32_t>(16 * (1 + evaluations)));
+  if (!range.is_first) evaluations_ += evaluations;
+  return verdict;
 }
 
 template <int D>
-Judgement ClearRanges<D>::judged_apart(const MetIntruder<D>& intruder, const Range& range) {
-  for (const MetIntruder<D>& part : intruder.parts()) {
-    Judgement judgement = judged(part, range);
-    if (judgement == Judgement::open && part.is_worth_parting(range.ways))
-      judgement = judged_apart(part, range);
-    if (judgement != Judgement::clear) return judgement;
+ClearanceVerdict ClearRanges<D>::certify_parts(const IntruderCertificate<D>& intruder, const Range& range) {
+  for (const IntruderCertificate<D>& part : intruder.parts()) {
+    ClearanceVerdict verdict = certify(part, range);
+    if (verdict == ClearanceVerdict::open && part.is_worth_splitting(range.family))
+      verdict = certify_parts(part, range);
+    if (verdict != ClearanceVerdict::clear) return verdict;
   }
-  return Judgement::clear;
+  return ClearanceVerdict::clear;
 }
 
 template <int D>
 bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::size_t first) {
-  Judgement judgement = judged(intruders_[intruder], range);
-  const bool parted = judgement == Judgement::open && intruders_[intruder].is_worth_parting(range.ways);
-  const bool kept = parted && (parts_.size() < most_parted || parts_.count(intruder) > 0);
-  if (parted && !kept) judgement = judged_apart(intruders_[intruder], range);
-  if (judgement == Judgement::open && !kept) open_.push_back(intruder);
-  if (!kept) return judgement == Judgement::blocked;
+  ClearanceVerdict verdict = certify(intruders_[intruder], range);
+  const bool is_split =
+      verdict == ClearanceVerdict::open && intruders_[intruder].is_worth_splitting(range.family);
+  const bool kept = is_split && (parts_.size() < max_split || parts_.count(intruder) > 0);
+  if (is_split && !kept) verdict = certify_parts(intruders_[intruder], range);
+  if (verdict == ClearanceVerdict::open && !kept) open_.push_back(intruder);
+  if (!kept) return verdict == ClearanceVerdict::blocked;
   const auto [begin, end] = parts_of(intruder);
   for (std::uint32_t part = begin; part < end; ++part) {
     if (open_.size() - first >= many_parts)
@@ -101,11 +102,11 @@ bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::siz
 
 template <int D>
 void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size_t end, double near) {
-  const Range range{from, to, begin == 0, changed_ways<D>(base_, change_, from, to)};
+  const Range range{from, to, begin == 0, trajectory_family<D>(base_, change_, from, to)};
   const std::size_t first_open = open_.size();
   for (std::size_t i = begin; i < end; ++i) {
     if (!blocks(open_[i], range, open_.size())) continue;
-    std::swap(open_[i], open_[begin]);  // who blocks here probably does so next to it
+    std::swap(open_[i], open_[begin]);  // it probably blocks the next range too
     open_.resize(first_open);
     return;
   }
@@ -124,10 +125,10 @@ void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size
 
 template <int D>
 void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t end, double near) {
-  const double least = narrowest(), aside = 0.25 * least;
+  const double min_width = narrowest(), aside = 0.25 * min_width;
   const auto found = guessed_end(from, to, begin, end);
-  // Beside an end that is known already another may be noise: it must leave less to search.
-  const double margin = near == nowhere ? 0 : std::max(4 * least, 0.125 * (to - from));
+  // Beside a known end another guess may be noise: it must reduce the range.
+  const double margin = near == nowhere ? 0 : std::max(4 * min_width, 0.125 * (to - from));
   if (found && from + margin < *found - aside && *found + aside < to - margin) {
     search(from, *found - aside, begin, end, *found);
     search(*found - aside, *found + aside, begin, end, *found);
@@ -135,7 +136,8 @@ void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t 
     return;
   }
   double middle = from + 0.5 * (to - from);
-  const double first = std::max(std::abs(from - near), least), last = std::max(std::abs(to - near), least);
+  const double first = std::max(std::abs(from - near), min_width),
+               last = std::max(std::abs(to - near), min_width);
   if (near <= from && last > 8 * first) middle = near + std::sqrt(first) * std::sqrt(last);
   if (near >= to && first > 8 * last) middle = near - std::sqrt(first) * std::sqrt(last);
   if (!(from < middle && middle < to)) return;
@@ -143,22 +145,22 @@ void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t 
   search(middle, to, begin, end, near);
 }
 
-/// The end that the intruder in front makes, if it makes one.
+/// The end that the first open intruder causes, if it causes one.
 template <int D>
 std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::size_t begin,
                                                   std::size_t end) const {
   constexpr std::size_t few = 2;
-  const MetIntruder<D>& intruder = intruders_[open_[begin]];
+  const IntruderCertificate<D>& intruder = intruders_[open_[begin]];
   if (end - begin > few || intruder.has_parts()) return std::nullopt;
-  const auto clearance_at = [&](double k) {
-    return intruder.touches_first() ? contact::parting_of<D>(intruder.met(), base_, change_, k)
-                                    : contact::gap_of<D>(intruder.met_at(k), base_, change_, k);
+  const auto distance_at = [&](double k) {
+    return intruder.touches_first() ? opening_rate_of<D>(intruder.encounter(), base_, change_, k)
+                                    : gap_of<D>(intruder.encounter_at(k), base_, change_, k);
   };
-  return contact::end_between(clearance_at, from, to, 0.25 * narrowest());
+  return end_between(distance_at, from, to, 0.25 * narrowest());
 }
 
 template class ClearRanges<1>;
 template class ClearRanges<2>;
 template class ClearRanges<3>;
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,29 +1,29 @@
-// Which changes of a range are clear of all intruders? Ranges of k, proven by certificate and halving.
+// The ranges of changes that are clear of all intruders: certificates and bisection.
 //
-//   ClearRanges<2> search(base, change, met, interrupt);
+//   ClearRanges<2> search(base, change, certificates, interrupt);
 //   for (const KRange& range : search.between(-180, 180)) …
 //
-// Guarantee: every double of an answered range is clear (contact/growing/separation.h), with its ends; the
-// ranges rise and are apart. What lies between them is not proven clear.
+// Guarantee: every double of a returned range is clear (contact/clearance/separation.h), including its ends.
+// The ranges are in ascending order and disjoint. What is between them is not proven clear.
 //
-// All intruders together go down by halves: a range that is certainly clear of one of them is so for both
-// halves, and one that touches anybody is left alone, so that each intruder is looked at only where it
-// matters: near the ends that it makes. A range too narrow to halve (2^-40 of all, or what rounding hides) is
-// not clear. Where more is in doubt than usual, as along a path that grazes, narrow ranges are given up
-// earlier: 2^-22 of all after a million looks, 2^-12 after four. What has parts is looked at part by part
-// once that is worth it; so that it takes no more memory than some ten thousand of them, more are made anew
-// each time. Cost: one certificate an intruder, some 100 for each end. Memory: four bytes for each intruder
-// on the way down.
+// One bisection serves all intruders. A range that is certainly clear of an intruder is so for both halves,
+// so that intruder is left out of them. A range blocked by any intruder is not bisected. So each intruder is
+// tested only near the ends that it causes. A range too narrow to bisect (2^-40 of all, or what rounding
+// hides) is not clear. If more ranges than usual are undecided, as along a grazing path, narrow ranges are
+// given up earlier: at 2^-22 of all after a million evaluations, at 2^-12 after four million. Intruders of
+// several parts are tested per part once that is worth its cost. Some ten thousand sets of parts are kept in
+// memory; further ones are made again at each use.
+// Cost: one certificate per intruder, some 100 per end. Memory: four bytes per undecided intruder and level.
 #pragma once
 
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "base/steps.h"
-#include "query/avoid/met_intruder.h"
+#include "base/interrupt_steps.h"
+#include "query/avoid/intruder_certificate.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct KRange {
   double from, to;
@@ -32,8 +32,8 @@ struct KRange {
 template <int D>
 class ClearRanges {
  public:
-  /// The intruders in the order in which they are looked at: near ones first.
-  ClearRanges(const OwnMotion& base, const Change& change, std::vector<MetIntruder<D>> intruders,
+  /// The intruders are tested in their order: the nearest should be first.
+  ClearRanges(const OwnMotion& base, const Change& change, std::vector<IntruderCertificate<D>> intruders,
               Interrupt& interrupt);
 
   /// Requires: lo < hi.
@@ -43,34 +43,34 @@ class ClearRanges {
   struct Range {
     double from, to;
     bool is_first;
-    ChangedWays<D> ways;
+    TrajectoryFamily<D> family;
   };
-  /// `near`: an end that is known, beside the range, or infinite.
+  /// `near`: a known end beside the range, or infinite.
   void search(double from, double to, std::size_t begin, std::size_t end, double near);
-  /// Counts what it costs.
-  Judgement judged(const MetIntruder<D>& intruder, const Range& range);
-  /// Of its parts the first that is not clear; they are not kept.
-  Judgement judged_apart(const MetIntruder<D>& intruder, const Range& range);
-  /// Whether nothing of the range is clear of an intruder; what is left in doubt of it is open, from the
-  /// `first` of it on. Where many of its parts are, no more are looked at: shorter ranges tell.
+  /// The verdict on one intruder; counts its cost.
+  ClearanceVerdict certify(const IntruderCertificate<D>& intruder, const Range& range);
+  /// The first verdict of its parts that is not clear; the parts are not kept.
+  ClearanceVerdict certify_parts(const IntruderCertificate<D>& intruder, const Range& range);
+  /// Whether the intruder blocks all of the range. Its undecided parts are appended to open_, from index
+  /// `first` on. If many are undecided, the rest is not tested: narrower ranges decide.
   bool blocks(std::uint32_t intruder, const Range& range, std::size_t first);
-  /// Where its parts are among the intruders: made once.
+  /// The positions of its parts in intruders_; they are made once.
   std::pair<std::uint32_t, std::uint32_t> parts_of(std::uint32_t intruder);
-  /// In two: at the end that an intruder makes, if one is guessed; near a known end, where ever less room is
-  /// in doubt, at the mean of the distances from it as numbers of digits; else in the middle.
+  /// Splits a range: at the end that an intruder causes, if one is guessed. Near a known end, it splits at
+  /// the geometric mean of the distances from that end; else in the middle.
   void cut(double from, double to, std::size_t begin, std::size_t end, double near);
   std::optional<double> guessed_end(double from, double to, std::size_t begin, std::size_t end) const;
   double narrowest() const;
 
   const OwnMotion& base_;
   Change change_;
-  std::vector<MetIntruder<D>> intruders_;  ///< then parts of them
+  std::vector<IntruderCertificate<D>> intruders_;  ///< followed by parts of them
   std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> parts_;
   Steps step_;
-  double width_ = 0, least_change_ = 0;
-  std::uint64_t looks_ = 0;          ///< beyond the first at each intruder
-  std::vector<std::uint32_t> open_;  ///< of each range on the way down, its intruders in doubt
+  double width_ = 0, min_change_ = 0;
+  std::uint64_t evaluations_ = 0;    ///< not counting the first at each intruder
+  std::vector<std::uint32_t> open_;  ///< a stack: the undecided intruders of each enclosing range
   std::vector<KRange> clear_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

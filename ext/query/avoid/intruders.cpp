@@ -1,14 +1,14 @@
 #include "query/avoid/intruders.h"
 
 #include "base/axes.h"
-#include "index/tpr_tree/window_walk.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "query/join/question.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
-/// Around what turns with its course, whichever that is.
+/// The extents of the object; if its outline rotates with its course, those of all rotations.
 template <int D>
 Extents<D> extents_of_changed(const AvoidQuestion& question, const Change& change, const Bodies& own) {
   Extents<D> extents = extents_of<D>(own, 0);
@@ -18,7 +18,7 @@ Extents<D> extents_of_changed(const AvoidQuestion& question, const Change& chang
   return extents;
 }
 
-/// A box around all changed motions, and when any of them is there.
+/// A box around all changed motions, and when any of them exists.
 template <int D>
 MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, const Change& change,
                         const MotionSet<D>& all, const Vec<D>& margin) {
@@ -28,11 +28,10 @@ MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, co
   Bounds<D> bounds;
   for (int axis = 0; axis < D; ++axis) {
     const double x = base.x[static_cast<std::size_t>(axis)];
-    bounds.x_lower[axis] = x + (all.place.least(axis) + extents.lower[axis] - margin[axis]);
-    bounds.x_upper[axis] = x + (all.place.greatest(axis) + extents.upper[axis] + margin[axis]);
-    bounds.v_lower[axis] = all.velocity.least(axis), bounds.v_upper[axis] = all.velocity.greatest(axis);
-    bounds.a_lower[axis] = all.acceleration.least(axis),
-    bounds.a_upper[axis] = all.acceleration.greatest(axis);
+    bounds.x_lower[axis] = x + (all.place.min(axis) + extents.lower[axis] - margin[axis]);
+    bounds.x_upper[axis] = x + (all.place.max(axis) + extents.upper[axis] + margin[axis]);
+    bounds.v_lower[axis] = all.velocity.min(axis), bounds.v_upper[axis] = all.velocity.max(axis);
+    bounds.a_lower[axis] = all.acceleration.min(axis), bounds.a_upper[axis] = all.acceleration.max(axis);
   }
   const auto pad = [](const Vec<D>& value) { return Vec<D>(value.abs() * rounding_pad + smallest_pad); };
   Vec<D> size = pad(bounds.x_lower) + pad(bounds.x_upper) + pad(reach_of(extents) + margin);
@@ -43,10 +42,10 @@ MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, co
   bounds.v_upper = upper_end<D>(bounds.v_upper, pad(bounds.v_upper));
   bounds.a_lower = lower_end<D>(bounds.a_lower, pad(bounds.a_lower));
   bounds.a_upper = upper_end<D>(bounds.a_upper, pad(bounds.a_upper));
-  const auto moment = [&](double after, double outward) {
+  const auto time = [&](double after, double outward) {
     return base.t + after + outward * rounding_pad * (std::abs(base.t) + std::abs(after));
   };
-  const double begin = moment(all.begin, -1), end = std::isfinite(all.end) ? moment(all.end, 1) : all.end;
+  const double begin = time(all.begin, -1), end = std::isfinite(all.end) ? time(all.end, 1) : all.end;
   if (grows(own.layout)) {
     const Vec<D> growth = growth_of<D>(own.layout.shape, own.row(0), own.at);
     bounds = with_growth<D>(bounds, growth, base.t - value_or(own.row(0), own.at.t, 0));
@@ -75,7 +74,7 @@ void walk_tree(NodeSource& tree, const MovingBox<D>& box, const Horizon& horizon
     }
 }
 
-/// The same objects as of a tree: those whose own boxes meet the box.
+/// The same objects as from a tree: those whose boxes meet the box.
 template <int D>
 void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
                 std::optional<std::int64_t> itself, Interrupt& interrupt, Scene& near) {
@@ -85,7 +84,7 @@ void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
   for (std::size_t i = 0; i < bodies.count; ++i) {
     if (i % 1024 == 0) interrupt.check();
     const MovingBox<D> other = moving_box<D>(bodies, i, horizon, Vec<D>::Zero());
-    TimeSpan span = shared_span(other, box);
+    SharedInterval span = shared_span(other, box);
     if (all.ids[i] != itself && !span.is_empty() && narrow_to_contact(other, box, span))
       append_row(near, bodies.row(i), all.ids[i]);
   }
@@ -94,14 +93,14 @@ void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
 }  // namespace
 
 std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnMotion& base,
-                                       const Change& change, const AskedChanges& asked,
-                                       const Searched& others, std::optional<std::int64_t> itself,
+                                       const Change& change, const QueriedChanges& queried,
+                                       const SearchTarget& others, std::optional<std::int64_t> itself,
                                        const Contact::Reach& reach, Interrupt& interrupt) {
   auto near = std::make_shared<Scene>();
   near->name = others.name, near->layout = others.layout();
   const Horizon horizon{question.now, question.h};
   with_axes(near->layout.axes, [&]<int D>(Axes<D>) {
-    const MotionSet<D> all = motions_between<D>(base, change, asked.lo, asked.hi);
+    const MotionSet<D> all = motions_between<D>(base, change, queried.lo, queried.hi);
     const Vec<D> margin = 2 * margin_of<D>(reach);  // of both together
     const MovingBox<D> box = box_around<D>(question, base, change, all, margin);
     if (others.scene)
@@ -113,4 +112,4 @@ std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnM
   return near;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,10 +1,11 @@
-// Stage one of avoidance: whom can the object touch, whichever change it makes? All changed motions together
-// are what an entry of the tree is, ranges of places, velocities and accelerations, so the tree is asked with
-// them as it is about one object.
+// Stage one of avoidance: all objects that the object can touch with any change of the range.
 //
-// Guarantee: everybody whom any change can touch during the horizon, once, and others: from a scene the same
-// as from a tree. Cost: the nodes that meet the moving box around all changes; a scene is looked at whole,
-// and must not be of outlines.
+// All changed motions together are bounds of positions, velocities and accelerations, like an entry of the
+// tree. So one query of the tree finds the intruders.
+//
+// Guarantee: every object that any change can touch during the horizon, once, and possibly others; a scene
+// and a tree give the same. Cost: the nodes that meet the moving box around all changes. A scene is read
+// completely, and must not have outlines.
 #pragma once
 
 #include <memory>
@@ -14,12 +15,12 @@
 #include "motion/motion_set.h"
 #include "query/avoid/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
-/// `itself`: of whom an object of this id is left out. `reach`: contact's.
+/// `itself`: the object of this id is left out. `reach`: that of the contact.
 std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnMotion& base,
-                                       const Change& change, const AskedChanges& asked,
-                                       const Searched& others, std::optional<std::int64_t> itself,
+                                       const Change& change, const QueriedChanges& queried,
+                                       const SearchTarget& others, std::optional<std::int64_t> itself,
                                        const Contact::Reach& reach, Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

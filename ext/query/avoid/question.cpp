@@ -3,14 +3,14 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/shown.h"
+#include "base/number_text.h"
+#include "query/input_checks.h"
 #include "query/join/question.h"
-#include "query/require.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
-/// Halves of it must be doubles.
+/// Half the width of a range must be a finite double.
 void require_width(double lo, double hi) {
   if (!std::isfinite(hi - lo))
     throw Error("hi - lo must be a finite number: lo is " + shown(lo) + ", hi is " + shown(hi) +
@@ -30,7 +30,7 @@ void require_range(const AvoidQuestion& question) {
   require_order("lo", *lo, "hi", *hi);
   require_width(*lo, *hi);
   if (question.how == Manoeuvre::turn && (*lo < -360 || *hi > 360))
-    throw Error("a turn is asked in degrees from -360 to 360: lo is " + shown(*lo) + ", hi is " + shown(*hi));
+    throw Error("a turn is given in degrees from -360 to 360: lo is " + shown(*lo) + ", hi is " + shown(*hi));
 }
 
 void require_range_given(const AvoidQuestion& question, const char* example) {
@@ -39,14 +39,14 @@ void require_range_given(const AvoidQuestion& question, const char* example) {
                 "' has no range of its own: give lo and hi, as in " + example);
 }
 
-/// That the table can hold what the manoeuvre changes.
+/// The table must have the columns that the manoeuvre changes.
 void require_columns(const AvoidQuestion& question) {
   const Layout& layout = question.own->layout;
   const std::string& name = question.own->name;
   const auto how = question.how;
   if (!how) return;
   if (*how == Manoeuvre::turn && layout.axes < 2)
-    throw Error("a turn needs x and y: " + name + " has one axis; ask 'speed'");
+    throw Error("a turn needs x and y: " + name + " has one axis; write 'speed'");
   if (*how == Manoeuvre::climb) {
     require_range_given(question, "'climb', -5, 5");
     if (layout.axes < 3) throw Error("'climb' changes vz: " + name + " has no z");
@@ -69,14 +69,14 @@ void require_no_meshes(const AvoidQuestion& question) {
   const auto require = [](const std::string& name, const Layout& layout) {
     if (layout.shape == Shape::mesh)
       throw Error("predictive_avoid does not answer for meshes, which " + name +
-                  " has: declare hz beside shape for prisms, or ask about a table with r around each");
+                  " has: declare hz beside shape for prisms, or query a table with r around each");
   };
   require(question.own->name, question.own->layout);
   if (question.also) require(question.also->name, question.also->layout());
 }
 
-/// What a join of the two would refuse.
-void require_join(const AvoidQuestion& question, const Searched& others) {
+/// Throws what a join of the two tables throws.
+void require_join(const AvoidQuestion& question, const SearchTarget& others) {
   auto none = std::make_shared<Scene>();
   none->name = others.name, none->layout = others.layout();
   JoinQuestion join{.a = question.own, .b = none};
@@ -128,18 +128,18 @@ bool turns_with_course(const AvoidQuestion& question, Manoeuvre manoeuvre) {
   return manoeuvre == Manoeuvre::turn && question.own->layout.has_heading && question.form;
 }
 
-std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const OwnMotion& stored,
-                                        const OwnMotion& base) {
+std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnMotion& stored,
+                                            const OwnMotion& base) {
   const double m = speed_of(base);
-  std::vector<AskedChanges> asked;
+  std::vector<QueriedChanges> queried;
   const auto add = [&](Manoeuvre manoeuvre, double lo, double hi) {
-    asked.push_back({manoeuvre, question.lo.value_or(lo), question.hi.value_or(hi)});
-    require_width(asked.back().lo, asked.back().hi);
+    queried.push_back({manoeuvre, question.lo.value_or(lo), question.hi.value_or(hi)});
+    require_width(queried.back().lo, queried.back().hi);
   };
   const bool moves = m > 0 && std::isfinite(m);
   if (!question.how && question.own->layout.axes > 1) add(Manoeuvre::turn, -180, 180);
   if (!question.how && moves) add(Manoeuvre::speed, -m, m);
-  if (!question.how) return asked;
+  if (!question.how) return queried;
   switch (*question.how) {
     case Manoeuvre::turn:
       add(Manoeuvre::turn, -180, 180);
@@ -157,7 +157,7 @@ std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const Own
       add(Manoeuvre::delay, 0, 0);
       break;
   }
-  return asked;
+  return queried;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,5 +1,4 @@
-// What is asked about measures to avoid collision, and what does a row of the answer hold? The words in which
-// the stages of avoid.h and SQL's function speak of it.
+// The inputs and rows of a query for manoeuvres that avoid contact, and the checks of the inputs.
 #pragma once
 
 #include <memory>
@@ -9,46 +8,46 @@
 
 #include "motion/manoeuvre.h"
 #include "query/scene.h"
-#include "query/searched.h"
+#include "query/search_target.h"
 
-namespace foresee::query {
+namespace foresee {
 
-/// What is asked of who touches the object already when the change is made.
+/// What is required of objects that touch already when the change is made.
 enum class Touching : std::uint8_t {
-  part,   ///< the distance of the centres never shrinks while they touch, and they do not touch again
+  part,   ///< the distance of the centres never decreases while they touch, and they do not touch again
   ignore  ///< nothing
 };
 
 struct AvoidQuestion {
-  std::shared_ptr<const Scene> own;       ///< the object that changes, or nobody
-  std::vector<double> record;             ///< its numbers as they are stored; empty: nobody
-  std::shared_ptr<const Form> form = {};  ///< the outline that it has; null: none
-  Searched others;                        ///< own's table: an object with own's id is own itself
-  std::optional<Searched> also = {};
+  std::shared_ptr<const Scene> own;       ///< the object that changes, or no object
+  std::vector<double> record;             ///< its numbers as they are stored; empty: no object
+  std::shared_ptr<const Form> form = {};  ///< its outline, or null
+  SearchTarget others;                    ///< own's table: an object with own's id is own itself
+  std::optional<SearchTarget> also = {};
   double now = 0;
   bool now_given = false;
   double h = 0;
   double within = 0;
   std::optional<double> within_z = {};
-  std::optional<Manoeuvre> how = {};       ///< none: turn and speed; on one axis speed
-  std::optional<double> lo = {}, hi = {};  ///< none: what the manoeuvre has by default
+  std::optional<Manoeuvre> how = {};       ///< default: turn and speed; on one axis speed
+  std::optional<double> lo = {}, hi = {};  ///< default: those of the manoeuvre
   Touching touching = Touching::part;
   bool wants_motion = true;  ///< record
   bool wants_ends = true;    ///< below, above
 };
 
-/// Who is touched at an end of a row.
+/// The object that is touched at an end of a row.
 struct Blocker {
   std::int64_t id;
   int table;  ///< 0: others, 1: also
-  double t;   ///< predictive_join's, of the first change that certainly touches
+  double t;   ///< as of predictive_join, for the first change that certainly touches
 };
 
 struct AvoidRow {
   Manoeuvre manoeuvre;
   bool clear;
   double k_from, k_to, k;
-  std::vector<double> record;  ///< to be stored for k; empty where it is not wanted
+  std::vector<double> record;  ///< to be stored for k; empty if it is not wanted
   std::optional<Blocker> below, above;
 };
 
@@ -56,21 +55,22 @@ struct AvoidRow {
 Manoeuvre manoeuvre_of(std::string_view name);
 Touching touching_of(std::string_view name);
 
-/// Throws Error for all that is wrong with a question whoever the object is: numbers that are no limits, a
-/// range that the manoeuvre cannot have, columns that the table does not declare, shapes without a distance.
+/// Throws Error for everything that is wrong for any object: numbers that are not limits, shapes without a
+/// distance, a range that the manoeuvre cannot have. Also for columns that the table does not declare.
 void require_valid(const AvoidQuestion& question);
 
-/// Whether what the object looks like turns too.
+/// Whether the outline of the object rotates with its course.
 bool turns_with_course(const AvoidQuestion& question, Manoeuvre manoeuvre);
 
-/// A manoeuvre and the changes asked about.
-struct AskedChanges {
+/// A manoeuvre and the range of changes that is queried.
+struct QueriedChanges {
   Manoeuvre manoeuvre;
   double lo, hi;
 };
-/// Those of a valid question about an object of this motion, and the same as of the change; none where the
-/// object has no course for them, or has started. Throws Error for a delay that would begin before now.
-std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const OwnMotion& stored,
-                                        const OwnMotion& base);
+/// The manoeuvres and ranges of a valid `question`. `stored`, `base`: the object's motion, and the same at
+/// the change. Empty if the object has no course for them, or has started. Throws Error for a delay to before
+/// now.
+std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnMotion& stored,
+                                            const OwnMotion& base);
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-namespace foresee::query {
+namespace foresee {
 
 ContactStage::ContactStage(const JoinQuestion& question, Interrupt& interrupt)
     : question_(question), interrupt_(interrupt), contact_(contact_of(question)) {
-  contact_->heed(interrupt);
+  contact_->set_interrupt(interrupt);
 }
 
-// The exact arithmetic may take some ten microseconds a pair, so a batch is asked in slices that can be
+// Exact arithmetic may take tens of microseconds per pair, so a batch is decided in slices that can be
 // interrupted.
 template <class Work>
 void ContactStage::in_slices(std::size_t count, Work work) {
@@ -20,47 +20,47 @@ void ContactStage::in_slices(std::size_t count, Work work) {
   }
 }
 
-void ContactStage::ask(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
-                       Hits& hits) {
+void ContactStage::query(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
+                         Hits& hits) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  const bool all_times = slab.from == -inf && slab.before == inf && question_.asks_about_all_times();
+  const bool all_times = slab.from == -inf && slab.before == inf && question_.queries_all_times();
   const bool times_matter = !all_times || question_.wants.contact || question_.order != JoinOrder::any;
   const std::size_t before = hits.pairs.size();
-  // Where some are left out or not reached, only the others need an end.
+  // Where some hits may be left out or never read, write() computes the ends of the others only.
   hits.with_ends = all_times && question_.order == JoinOrder::any && question_.wants.ends;
   if (candidates.touching() && !hits.with_ends) {
-    if (asks_about_begin(slab)) take_touching(batch, hits);
+    if (queries_start(slab)) take_touching(batch, hits);
     return;
   }
-  keep_asked_pairs(batch);
+  keep_queried_pairs(batch);
   in_slices(batch.size(), [&](std::size_t begin, std::size_t count) {
     const auto pairs = std::span(batch).subspan(begin, count);
     if (times_matter)
-      contact_->first_contacts(pairs, hits.with_ends ? TimesWanted::both : TimesWanted::begins, hits.pairs,
+      contact_->first_contacts(pairs, hits.with_ends ? TimesWanted::both : TimesWanted::starts, hits.pairs,
                                hits.times);
     else
       contact_->decide(pairs, hits.pairs);
   });
   hits.times.resize(hits.pairs.size());
-  if (!all_times) keep_asked_times(slab, before, hits);
+  if (!all_times) keep_queried_times(slab, before, hits);
 }
 
-bool ContactStage::asks_about_begin(const TimeSlab& slab) const {
+bool ContactStage::queries_start(const TimeSlab& slab) const {
   const double now = question_.now;
-  return slab.horizon.now == now && slab.holds(now) && question_.asked_t.holds(now) &&
-         question_.asked_dt.holds(0);
+  return slab.horizon.now == now && slab.holds(now) && question_.queried_t.holds(now) &&
+         question_.queried_dt.holds(0);
 }
 
 void ContactStage::take_touching(std::vector<Pair>& batch, Hits& hits) const {
   const double now = question_.now;
-  keep_asked_pairs(batch);
+  keep_queried_pairs(batch);
   hits.pairs.insert(hits.pairs.end(), batch.begin(), batch.end());
   hits.times.resize(hits.pairs.size(), {now, now, 0, 0});
 }
 
 namespace {
 
-/// Of each pair the smaller id first. Which it is cannot be foretold, so there is no branch.
+/// Puts the smaller id of each pair first. Without a branch, which would be mispredicted.
 void order_by_id(const std::vector<std::int64_t>& ids, std::vector<Pair>& pairs) {
   for (Pair& pair : pairs) {
     const std::uint32_t a = pair.a, b = pair.b;
@@ -71,7 +71,7 @@ void order_by_id(const std::vector<std::int64_t>& ids, std::vector<Pair>& pairs)
 
 }  // namespace
 
-void ContactStage::keep_asked_pairs(std::vector<Pair>& batch) const {
+void ContactStage::keep_queried_pairs(std::vector<Pair>& batch) const {
   const Scene& a = *question_.a;
   const Scene& b = question_.b ? *question_.b : a;
   if (question_.b == question_.a) std::erase_if(batch, [](Pair pair) { return pair.a == pair.b; });
@@ -79,7 +79,7 @@ void ContactStage::keep_asked_pairs(std::vector<Pair>& batch) const {
     if (!question_.b) order_by_id(a.ids, batch);
     return;
   }
-  // Within one scene the id asked for may stand in the other column of a pair: then it is another question's.
+  // Within one scene the requested id may stand in the other column; that pair belongs to another query.
   std::erase_if(batch, [&](Pair pair) {
     return (!question_.b && a.ids[pair.a] >= b.ids[pair.b]) ||
            (question_.only_a && a.ids[pair.a] != *question_.only_a) ||
@@ -87,11 +87,11 @@ void ContactStage::keep_asked_pairs(std::vector<Pair>& batch) const {
   });
 }
 
-void ContactStage::keep_asked_times(const TimeSlab& slab, std::size_t first, Hits& hits) const {
+void ContactStage::keep_queried_times(const TimeSlab& slab, std::size_t first, Hits& hits) const {
   std::size_t kept = first;
   for (std::size_t i = first; i < hits.pairs.size(); ++i) {
     const ContactTimes& times = hits.times[i];
-    if (!slab.holds(times.t) || !question_.asked_t.holds(times.t) || !question_.asked_dt.holds(times.dt))
+    if (!slab.holds(times.t) || !question_.queried_t.holds(times.t) || !question_.queried_dt.holds(times.dt))
       continue;
     hits.pairs[kept] = hits.pairs[i];
     hits.times[kept++] = times;
@@ -138,18 +138,18 @@ bool ContactStage::would_only_write(const Candidates& candidates) const {
 void ContactStage::answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
                           std::vector<JoinRow>& rows) {
   if (would_only_write(candidates)) {
-    if (asks_about_begin(slab)) write_touching(batch, rows);
+    if (queries_start(slab)) write_touching(batch, rows);
     return;
   }
   hits_.clear();
-  ask(candidates, batch, slab, hits_);
+  query(candidates, batch, slab, hits_);
   write(hits_, rows);
 }
 
 namespace {
 
-/// Rows of pairs that all have the same times; within one scene the smaller id first. Which that is cannot be
-/// foretold, so there is no branch, and in words that compilers do not turn into one.
+/// Rows of pairs that all have the same times; within one scene the smaller id first. A branch would be
+/// mispredicted; the expression is one that compilers do not turn into a branch.
 template <bool within>
 void write_rows(std::span<const Pair> pairs, const std::int64_t* ids_a, const std::int64_t* ids_b,
                 const ContactTimes& times, JoinRow* rows) {
@@ -174,4 +174,4 @@ void ContactStage::write_touching(std::span<const Pair> pairs, std::vector<JoinR
     write_rows<true>(pairs, ids, ids, times, rows.data() + before);
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,21 +1,21 @@
-// The exact stage of a join: which candidates of a slab are rows of the answer, and what stands in them?
+// Exact stage of a join: decides which candidates of a time slab touch, and fills the rows of the result.
 //
 //   ContactStage stage(question, interrupt);
-//   stage.answer(candidates, batch, slab, rows);         // at once, or where hits are sorted in between:
-//   stage.ask(candidates, batch, slab, hits);            // contact, and all that the question leaves out
+//   stage.answer(candidates, batch, slab, rows);         // in one step; where hits are sorted in between:
+//   stage.query(candidates, batch, slab, hits);            // contact, and the conditions of `question`
 //   stage.write(hits, rows);                             // ids, times, closest approach
 //
-// Of a batch that touches for certain when the slab begins nothing is asked.
+// A batch that certainly touches when the slab starts needs no contact test.
 //
-// Keeps scratch space: used by one thread at a time; several may share a question.
+// Keeps scratch space: used by one thread at a time; several may share a `JoinQuestion`.
 #pragma once
 
 #include "index/candidates.h"
 #include "query/join/time_slabs.h"
 
-namespace foresee::query {
+namespace foresee {
 
-/// Pairs that touch, in the question's columns, and when.
+/// Pairs that touch, each in the order of the columns a and b, and their contact times.
 struct Hits {
   std::vector<Pair> pairs;
   std::vector<ContactTimes> times;
@@ -26,44 +26,44 @@ struct Hits {
 
 class ContactStage {
  public:
-  /// For this question's pairs (contact_of). Both must outlive the stage. Throws Error for shapes without a
-  /// distance.
+  /// For the pairs of `question` (contact_of). Both arguments must outlive the stage. Throws Error for shapes
+  /// without a distance.
   ContactStage(const JoinQuestion& question, Interrupt& interrupt);
 
   Contact::Reach reach() const { return contact_->reach(); }
 
-  /// Appends those of the last batch that are hits and that `slab` holds to `hits`, in order; the batch is
-  /// lost. Ends may be left for write(). Times are computed where they are read or decide, and where it is
-  /// not certain what they are.
-  void ask(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
+  /// Appends the pairs of the last batch that touch, and whose time `slab` holds, to `hits`, in order; the
+  /// batch is overwritten. Ends may be left to write(). Times are computed only where they are read, decide
+  /// whether a pair is a hit, or are not certain yet.
+  void query(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
 
-  /// Appends a row for each hit, in order, with the columns that the question wants.
+  /// Appends a row for each hit, in order, with the columns of JoinQuestion::wants.
   void write(Hits& hits, std::vector<JoinRow>& rows);
 
-  /// Both.
+  /// query() and write() in one step.
   void answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
               std::vector<JoinRow>& rows);
 
-  /// Whether answer() would do no more with the last batch than write_touching().
+  /// Whether answer() would do nothing with the last batch but write_touching().
   bool would_only_write(const Candidates& candidates) const;
-  /// Whether pairs that touch when the slab begins are rows of it, and not of an earlier one.
-  bool asks_about_begin(const TimeSlab& slab) const;
-  /// Appends their rows.
+  /// Whether pairs that touch when the slab starts are rows of this slab, not of an earlier one.
+  bool queries_start(const TimeSlab& slab) const;
+  /// Appends the rows of pairs that touch at `now`.
   void write_touching(std::span<const Pair> pairs, std::vector<JoinRow>& rows) const;
 
  private:
-  /// work(begin, count) for all of them, slice by slice in order; heeds an interrupt before each.
+  /// Calls work(begin, count) for slices of [0, count), in order; checks for an interrupt before each.
   template <class Work>
   void in_slices(std::size_t count, Work work);
-  /// Appends the asked pairs of a batch that touches for certain at `now`; the batch is lost.
+  /// Appends the queried pairs of a batch that certainly touches at `now`; the batch is overwritten.
   void take_touching(std::vector<Pair>& batch, Hits& hits) const;
-  /// Leaves the pairs that the question asks about, in order and in its columns: the ids asked for, no object
+  /// Keeps the queried pairs, in order and with the objects in their columns: the requested ids, no object
   /// with itself, and within one scene the smaller id first.
-  void keep_asked_pairs(std::vector<Pair>& batch) const;
-  /// Of the hits from number `first` on leaves those whose times the slab holds and the question asks about,
-  /// in order.
-  void keep_asked_times(const TimeSlab& slab, std::size_t first, Hits& hits) const;
-  /// The same hits, with the ends of their contacts.
+  void keep_queried_pairs(std::vector<Pair>& batch) const;
+  /// Keeps, of the hits from number `first` on, those whose times the slab and the queried times hold, in
+  /// order.
+  void keep_queried_times(const TimeSlab& slab, std::size_t first, Hits& hits) const;
+  /// Computes the ends of the contacts of all hits.
   void add_ends(Hits& hits);
 
   const JoinQuestion& question_;
@@ -74,4 +74,4 @@ class ContactStage {
   std::vector<ClosestApproach> approaches_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -13,20 +13,20 @@
 #include "query/join/tile_scenes.h"
 #include "query/tile/ownership.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr const char* test_names[paper_stage_count] = {"projection overlap", "centre point", "time interval",
                                                        "trajectory intersection"};
 
-/// In a tile: pairs of the objects that it needs.
-std::uint64_t pairs_asked_about(const JoinQuestion& question) {
+/// All queried pairs; in a tile, the pairs of the objects that it needs.
+std::uint64_t queried_pairs(const JoinQuestion& question) {
   const auto pairs = [&](std::uint64_t a, std::uint64_t b) { return question.b ? a * b : a * (a - 1) / 2; };
   if (question.own) return pairs(question.own->needed_a, question.own->needed_b);
   return pairs(question.a->size(), question.b ? question.b->size() : 0);
 }
 
-/// A question's stages, and what they have counted so far.
+/// The stages of one join, and their counts so far.
 class Explanation {
  public:
   Explanation(const JoinQuestion& question, Interrupt& interrupt)
@@ -37,15 +37,15 @@ class Explanation {
         contact_(contact_of(question, true)),
         refinement_(has(Shape::outline) || has(Shape::mesh) ? contact_of(question) : nullptr),
         plan_(plan_join(question, contact_->reach())) {
-    if (refinement_) refinement_->heed(interrupt);
+    if (refinement_) refinement_->set_interrupt(interrupt);
     open_axes();
-    candidates_count_.before = pairs_asked_about(question);
+    candidates_count_.before = queried_pairs(question);
   }
 
   void run() {
     for (std::vector<Pair> pairs; next_candidates(pairs); pairs.clear()) {
       stages_->prune(pairs);
-      ask_exactly(pairs);
+      decide_exactly(pairs);
     }
   }
 
@@ -64,7 +64,7 @@ class Explanation {
 
  private:
   bool has(Shape shape) const { return a_.layout.shape == shape || b_.layout.shape == shape; }
-  bool to_the_letter() const { return plan_.method == JoinMethod::gpcd; }
+  bool uses_paper_grid() const { return plan_.method == JoinMethod::gpcd; }
 
   void open_axes() {
     with_axes(a_.layout.axes, [&]<int D>(Axes<D>) { open<D>(); });
@@ -77,7 +77,7 @@ class Explanation {
     const Bodies a = a_.bodies(), b = b_.bodies();
     const bool between = question_.b != nullptr;
     const double begin = thread_seconds();
-    if (to_the_letter())
+    if (uses_paper_grid())
       candidates_ = owned(make_paper_grid<D>(a, b, between, horizon, margin, interrupt_));
     else
       candidates_ = join_candidates(question_, plan_.method, horizon, contact_->reach(), interrupt_);
@@ -92,15 +92,15 @@ class Explanation {
   bool next_candidates(std::vector<Pair>& pairs) {
     const double begin = thread_seconds();
     const bool more = candidates_->next(pairs);
-    // A table joined with itself as two: no object meets itself.
+    // A table joined with itself as two sides: an object and itself are not a pair.
     if (question_.a == question_.b) std::erase_if(pairs, [](const Pair& pair) { return pair.a == pair.b; });
     candidates_count_.after += pairs.size();
     candidates_count_.seconds += thread_seconds() - begin;
     return more;
   }
 
-  /// In slices that can be interrupted: a pair may take some ten microseconds.
-  void ask_exactly(const std::vector<Pair>& pairs) {
+  /// In slices that can be interrupted: a pair may take tens of microseconds.
+  void decide_exactly(const std::vector<Pair>& pairs) {
     const double begin = thread_seconds();
     for (std::size_t i = 0; i < pairs.size(); i += slice) {
       interrupt_.check();
@@ -111,7 +111,7 @@ class Explanation {
         continue;
       }
       const std::size_t before = hits_.size();
-      contact_->first_contacts(some, TimesWanted::begins, hits_, times_);
+      contact_->first_contacts(some, TimesWanted::starts, hits_, times_);
       exact_count_.after += hits_.size() - before;
       for (const ContactTimes& times : times_) touching_ += times.dt == 0;
       times_.clear();
@@ -122,14 +122,14 @@ class Explanation {
     hits_.clear();
   }
 
-  /// Of the pairs whose boxes touch, those whose outlines or meshes do. No index vouches for these.
+  /// Counts the pairs whose outlines or meshes touch, of those whose boxes do. An index certifies boxes only.
   void refine() {
     const double begin = thread_seconds();
     std::vector<Pair> touching;
     for (std::size_t i = 0; i < hits_.size(); i += slice) {
       interrupt_.check();
       refinement_->first_contacts(std::span(hits_).subspan(i, std::min(slice, hits_.size() - i)),
-                                  TimesWanted::begins, touching, times_);
+                                  TimesWanted::starts, touching, times_);
       times_.clear();
     }
     refinement_count_.before += hits_.size();
@@ -137,13 +137,13 @@ class Explanation {
     refinement_count_.seconds += thread_seconds() - begin;
   }
 
-  /// `step`: of docs/gpcd.md.
+  /// `step`: the name of the step in docs/gpcd.md.
   static ExplainRow row(const char* stage, const char* step, const StageCount& count,
                         const std::string& detail) {
     return {stage, count.before, count.after, count.seconds, detail.empty() ? step : detail + "; " + step};
   }
 
-  /// It keeps all.
+  /// The count of a refinement that is left out: it keeps all pairs.
   StageCount left_out() const { return {.before = exact_count_.after, .after = exact_count_.after}; }
 
   std::string exact_detail() const {
@@ -170,7 +170,7 @@ class Explanation {
 
   std::string test_detail(PaperStage stage) const {
     std::string detail;
-    if (!to_the_letter())
+    if (!uses_paper_grid())
       detail = std::string("left out: '") + name_of(plan_.method) +
                "' goes from candidates to exact time; measured here";
     if (stage != PaperStage::centre_point) return detail;
@@ -195,11 +195,11 @@ class Explanation {
 
 }  // namespace
 
-std::vector<ExplainRow> explain_join(const JoinQuestion& asked, Interrupt& interrupt) {
+std::vector<ExplainRow> explain_join(const JoinQuestion& queried, Interrupt& interrupt) {
   const FloatEnvironment environment;
-  JoinQuestion question = in_tile(asked, interrupt);
+  JoinQuestion question = in_tile(queried, interrupt);
   question.only_a = question.only_b = {};
-  question.asked_t = question.asked_dt = {};
+  question.queried_t = question.queried_dt = {};
   Explanation explanation(question, interrupt);
   if (question.a->size() == 0 || (question.b && question.b->size() == 0)) return {};
   if (question.own && (question.own->needed_a == 0 || question.own->needed_b == 0)) return {};
@@ -207,4 +207,4 @@ std::vector<ExplainRow> explain_join(const JoinQuestion& asked, Interrupt& inter
   return explanation.rows();
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -10,12 +10,12 @@
 #include "query/join/sorted_hits.h"
 #include "query/join/tile_scenes.h"
 
-namespace foresee::query {
+namespace foresee {
 
-/// A question and how far it is answered.
+/// The state of a join: its query, plan and open slab.
 struct Join::Progress {
-  Progress(JoinQuestion asked, Interrupt& interrupt)
-      : question(with_space(in_tile(std::move(asked), interrupt))),
+  Progress(JoinQuestion queried, Interrupt& interrupt)
+      : question(with_space(in_tile(std::move(queried), interrupt))),
         interrupt(interrupt),
         stage(question, interrupt),
         plan(plan_join(question, stage.reach())),
@@ -27,17 +27,17 @@ struct Join::Progress {
     question.space->trim();
   }
 
-  /// The question, with a space of its own if it brings none.
+  /// The same query, with a grid space of its own if the caller gives none.
   static JoinQuestion with_space(JoinQuestion question) {
     if (!question.space) question.space = std::make_shared<GridSpace>();
     return question;
   }
 
-  /// The next slab, or the same one for what was left out of it.
+  /// Opens the next slab, or the same one again for the hits that were left out.
   bool open_slab() {
     if (!sorted.leaves_some_out()) slab = slabs.next();
     if (!slab) return false;
-    // What touches at `now` has one t.
+    // A slab of pairs that touch at `now` has a single t: already in order.
     sorts = question.order == JoinOrder::by_t ? slab->before > std::nextafter(question.now, HUGE_VAL)
                                               : question.order != JoinOrder::any;
     if (plan.with_helpers)
@@ -47,7 +47,7 @@ struct Join::Progress {
     return true;
   }
 
-  /// One batch, or the end of the slab: then the next one may have its space.
+  /// Processes one batch, or closes the slab, which frees its space for the next one.
   void advance() {
     if (helpers ? !advance_helpers() : !advance_alone()) {
       helpers.reset();
@@ -56,7 +56,7 @@ struct Join::Progress {
     }
   }
 
-  /// A batch's rows are given, or its hits added where the slab has to be sorted. False if there is none.
+  /// Gives the rows of a batch, or adds its hits if the slab has to be sorted. False at the end of the slab.
   bool advance_alone() {
     pairs.clear();
     if (!candidates->next(pairs)) return false;
@@ -66,12 +66,12 @@ struct Join::Progress {
       return true;
     }
     hits.clear();
-    stage.ask(*candidates, pairs, *slab, hits);
+    stage.query(*candidates, pairs, *slab, hits);
     sorted.add(hits, interrupt);
     return true;
   }
 
-  /// Some rows of a batch, or the next one.
+  /// Gives some rows of a batch, or reads the next batch. False at the end of the slab.
   bool advance_helpers() {
     given = batch.next(stage);
     if (!given.empty()) return true;
@@ -86,7 +86,7 @@ struct Join::Progress {
   JoinPlan plan;
   TimeSlabs slabs;
   std::optional<TimeSlab> slab;
-  std::unique_ptr<Candidates> candidates;  // of the slab, until it has no more, or
+  std::unique_ptr<Candidates> candidates;  // of the open slab, or else:
   std::unique_ptr<SlabHelpers> helpers;
   SlabBatch batch;
   bool sorts = false;
@@ -94,7 +94,7 @@ struct Join::Progress {
   std::vector<Pair> pairs;
   Hits hits;
   std::vector<JoinRow> rows;
-  std::span<const JoinRow> given;  // the rows of one next()
+  std::span<const JoinRow> given;  // the result of one next()
 };
 
 Join::Join(JoinQuestion question, Interrupt& interrupt)
@@ -121,4 +121,4 @@ std::span<const JoinRow> Join::next() {
   return p.given;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

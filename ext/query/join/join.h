@@ -1,4 +1,4 @@
-// Which pairs will meet, and when? predictive_join as a library call: candidates, contact, rows.
+// Predictive join: which pairs of objects come into contact, and when. predictive_join as a library call.
 //
 //   Join join({.a = ships, .now = 600, .h = 600, .within = 926}, interrupt);
 //   for (auto rows = join.next(); !rows.empty(); rows = join.next())
@@ -8,11 +8,11 @@
 // self-join a < b. A scene joined with itself as two sides (b == a) gives every such pair in both orders, and
 // never an object with itself. Columns that `wants` leaves out are not computed.
 //
-// Rows come in the order that is asked for. The grid answers long horizons in time slabs (time_slabs.h), and
-// questions for an order in slabs that begin short: whoever stops after the first rows does not pay for the
-// others. With helpers (slab_helpers.h) rows and their order are the same. Memory: the scenes, about a
-// hundred bytes an object, one batch of pairs, and 24 bytes for each row of a slab that has to be sorted, or
-// for some times as many as are read of it (likely_rows).
+// Rows come in the requested order. The grid answers long horizons in time slabs (time_slabs.h). For an
+// ordered result the first slabs are short, so a reader that stops early does not pay for the later rows.
+// With helpers (slab_helpers.h) rows and their order are the same. Memory: the scenes at about a hundred
+// bytes per object, one batch of pairs, and 24 bytes for each row of a slab that has to be sorted. If few
+// rows are likely to be read (likely_rows), only a multiple of that number is kept.
 #pragma once
 
 #include <memory>
@@ -21,18 +21,18 @@
 #include "base/error.h"
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
 class Join {
  public:
-  /// Throws Error for what require_valid() refuses and for shapes without a distance. `interrupt` must
-  /// outlive the join.
+  /// Throws Error where require_valid() does, and for shapes without a distance. `interrupt` must outlive the
+  /// join.
   Join(JoinQuestion question, Interrupt& interrupt);
   ~Join();
   Join(const Join&) = delete;
   Join& operator=(const Join&) = delete;
 
-  /// The next rows, some thousands at most; empty once there are none left. Valid until the next call.
+  /// The next rows, a few thousand at most; empty at the end. Valid until the next call.
   std::span<const JoinRow> next();
 
  private:
@@ -41,4 +41,4 @@ class Join {
   std::unique_ptr<Progress> progress_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

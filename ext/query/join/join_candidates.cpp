@@ -8,13 +8,13 @@
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/one_with_all.h"
 #include "index/paper_grid/paper_candidates.h"
-#include "index/tpr_tree/tree_join.h"
+#include "index/tpr_tree/search/tree_join.h"
 #include "query/tile/ownership.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
-/// A question about one id: that row with all rows of the other side; an unknown id has no pairs.
+/// For a query of one id: that row with all rows of the other side; an unknown id has no pairs.
 std::unique_ptr<Candidates> one_row(const Scene& scene, std::int64_t id, Side side, std::size_t others,
                                     Interrupt& interrupt) {
   const auto found = std::find(scene.ids.begin(), scene.ids.end(), id);
@@ -96,4 +96,4 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMe
   return question.own ? owned_candidates(std::move(all), question.own) : std::move(all);
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

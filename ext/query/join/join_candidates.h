@@ -1,21 +1,21 @@
-// Stage one of a join: which pairs are worth a look?
+// Candidate stage of a join: the pairs that an index or a scan yields for the exact stage.
 #pragma once
 
 #include "index/candidates.h"
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
-/// Every pair of `question` that can touch during `horizon`, once, and others (candidates.h), by `method`
-/// (not automatic): which others and in what order is all that depends on it. Only such as `own` owns.
-/// `reach` says how far swept boxes must grow together. `question` must outlive what is answered. Cost: the
-/// index is built here, candidates are found as they are pulled.
+/// Every queried pair that can touch during `horizon`, once, and others (candidates.h), by `method` (not
+/// automatic); the method decides only which others, and the order. Only pairs that `question.own` owns.
+/// `reach`: the distance by which the two swept boxes of a pair are inflated together. `question` must
+/// outlive the result. Cost: the index is built here, candidates are found as they are pulled.
 std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMethod method,
                                             const Horizon& horizon, const Contact::Reach& reach,
                                             Interrupt& interrupt);
 
-/// The same by the grid, in parts for question.helpers threads.
+/// The same by the grid, divided among `question.helpers` threads.
 std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
                                                       const Contact::Reach& reach, Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

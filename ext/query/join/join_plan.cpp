@@ -6,23 +6,23 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 // Nanoseconds, on the machine of docs/benchmarks.md; only their ratios matter.
 constexpr double scan_pair = 25;        // the exact stage for a pair far apart
-constexpr double grid_setup = 3000;     // a grid of no objects
-constexpr double grid_object = 80;      // its box, its places in the grid, being compared with few others
-constexpr double grid_meeting = 1.6;    // two swept boxes that meet, and what lies beside them
-constexpr double grid_repetition = 60;  // a pair in contact already is looked at again in every slab
+constexpr double grid_setup = 3000;     // an empty grid
+constexpr double grid_object = 80;      // its box, its places in the grid, and comparisons with a few others
+constexpr double grid_meeting = 1.6;    // two swept boxes that intersect, and the comparisons beside them
+constexpr double grid_repetition = 60;  // a pair in contact is tested again in every slab
 
-/// How many rows of a scene are looked at: one in so many, within limits.
+/// Size of the sample of a scene's rows: one row in `one_in`, within limits.
 struct SampleSize {
-  std::size_t one_in, least, most;
+  std::size_t one_in, min, max;
 };
 constexpr SampleSize usual_sample{256, 48, 256}, few{256, 16, 16}, many{16, 48, 4096};
 constexpr std::size_t slabs_max = 4096;
-constexpr double worth_helpers = 1e6;  // a slab of a millisecond; to start threads takes a tenth of that
+constexpr double worth_helpers = 1e6;  // a slab of one millisecond; starting threads takes a tenth of that
 
 double pairs_of(const JoinQuestion& question) {
   const double a = static_cast<double>(question.a->size());
@@ -33,12 +33,12 @@ double objects_of(const JoinQuestion& question) {
   return static_cast<double>(question.a->size() + (question.b ? question.b->size() : 0));
 }
 
-/// Swept boxes of some rows, one from each of so many equal parts, not at equal distances.
+/// Swept boxes of a stratified sample: one row from each of equal ranges, not at equal distances.
 template <int D>
 std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const Vec<D>& margin,
                               const SampleSize& size = usual_sample) {
   const std::size_t count = scene.size(),
-                    wanted = std::min(count, std::clamp(count / size.one_in, size.least, size.most));
+                    wanted = std::min(count, std::clamp(count / size.one_in, size.min, size.max));
   const Bodies bodies = scene.bodies();
   std::vector<Box<D>> boxes;
   boxes.reserve(wanted);
@@ -50,7 +50,7 @@ std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const 
   return boxes;
 }
 
-/// Which part of all pairs meets.
+/// Fraction of all pairs whose swept boxes intersect.
 template <int D>
 double share_that_meets(const JoinQuestion& question, const Horizon& horizon, const Vec<D>& margin) {
   const std::vector<Box<D>> a = sample_of<D>(*question.a, horizon, margin);
@@ -58,45 +58,44 @@ double share_that_meets(const JoinQuestion& question, const Horizon& horizon, co
   const std::vector<Box<D>> other =
       between ? sample_of<D>(*question.b, horizon, margin) : std::vector<Box<D>>{};
   const std::vector<Box<D>>& b = between ? other : a;
-  std::size_t asked = 0, meetings = 0;
+  std::size_t queried = 0, meetings = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = between ? 0 : i + 1; j < b.size(); ++j) ++asked, meetings += a[i].meets(b[j]);
-  return asked == 0 ? 0 : static_cast<double>(meetings) / static_cast<double>(asked);
+    for (std::size_t j = between ? 0 : i + 1; j < b.size(); ++j) ++queried, meetings += a[i].meets(b[j]);
+  return queried == 0 ? 0 : static_cast<double>(meetings) / static_cast<double>(queried);
 }
 
-/// Which part of all pairs meets at one moment: a few rows against many, for a few giants may touch more than
-/// all others together, and a sample of both sides misses them.
+/// Fraction of all pairs whose boxes intersect at one instant, from a few rows against many. A few giants may
+/// touch more objects than all others together, and a small sample of both sides misses them.
 template <int D>
-double share_that_touches(const JoinQuestion& question, double moment, const Vec<D>& margin) {
+double share_that_touches(const JoinQuestion& question, double time, const Vec<D>& margin) {
   const bool between = question.b && question.b != question.a;
-  const Horizon instant{moment, 0};
+  const Horizon instant{time, 0};
   const std::vector<Box<D>> a = sample_of<D>(*question.a, instant, margin, few);
   const std::vector<Box<D>> b = sample_of<D>(between ? *question.b : *question.a, instant, margin, many);
   std::size_t meetings = 0;
   for (const Box<D>& box : b)
     for (const Box<D>& other : a) meetings += box.meets(other);
-  const double asked = static_cast<double>(a.size() * b.size());
-  if (asked == 0) return 0;
-  // With themselves, as far as the samples share rows.
-  const double same = between ? 0 : asked / static_cast<double>(question.a->size());
-  return std::max(0.0, static_cast<double>(meetings) - same) / asked;
+  const double queried = static_cast<double>(a.size() * b.size());
+  if (queried == 0) return 0;
+  // The expected number of rows in both samples: each meets itself.
+  const double same = between ? 0 : queried / static_cast<double>(question.a->size());
+  return std::max(0.0, static_cast<double>(meetings) - same) / queried;
 }
 
-/// The middle one of so many equal parts of the horizon.
+/// The middle one of `parts` equal parts of the queried span.
 Horizon middle_part(const JoinQuestion& question, double begin, double length, std::size_t parts) {
   const double part = length / static_cast<double>(parts);
   return {question.now + (begin + (length - part) / 2), part};
 }
 
-/// What the moments asked about look like as a horizon: seconds from now, near enough for a plan. No length
-/// where there is none.
-struct AskedSpan {
+/// The queried times in seconds from now, as accurate as a plan needs. Length 0 if no time is queried.
+struct QueriedSpan {
   double begin, length;
 };
 
-AskedSpan span_of(const JoinQuestion& question) {
-  const double begin = std::max({0.0, question.asked_dt.least, question.asked_t.least - question.now});
-  const double end = std::min({question.h, question.asked_dt.most, question.asked_t.most - question.now});
+QueriedSpan span_of(const JoinQuestion& question) {
+  const double begin = std::max({0.0, question.queried_dt.min, question.queried_t.min - question.now});
+  const double end = std::min({question.h, question.queried_dt.max, question.queried_t.max - question.now});
   return {begin, std::max(0.0, end - begin)};
 }
 
@@ -105,17 +104,17 @@ struct SlabChoice {
   double cost;
 };
 
-/// About how many pairs touch at one moment.
-double expected_contacts(const JoinQuestion& question, const Contact::Reach& reach, double moment) {
+/// Estimated number of pairs that touch at one instant.
+double expected_contacts(const JoinQuestion& question, const Contact::Reach& reach, double time) {
   return with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
-    return pairs_of(question) * share_that_touches<D>(question, moment, margin_of<D>(reach));
+    return pairs_of(question) * share_that_touches<D>(question, time, margin_of<D>(reach));
   });
 }
 
-/// More slabs while that makes the grid cheaper. Each costs its objects again, so it is soon seen where more
-/// cannot pay.
+/// Increases the number of slabs while the grid gets cheaper. Every slab pays for the objects again, so the
+/// lower bound on the cost soon ends the search.
 SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reach) {
-  const AskedSpan span = span_of(question);
+  const QueriedSpan span = span_of(question);
   const auto meetings = [&](std::size_t parts) {
     return expected_meetings(question, reach, middle_part(question, span.begin, span.length, parts));
   };
@@ -145,14 +144,14 @@ JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach) {
   const FloatEnvironment environment;
   const bool automatic = question.method == JoinMethod::automatic;
   const double scan = scan_pair * pairs_of(question);
-  if (question.only_a || question.only_b) return {JoinMethod::scan, "one object is looked at", 1};
-  if (!automatic && question.method != JoinMethod::grid) return {question.method, "as asked", 1};
+  if (question.only_a || question.only_b) return {JoinMethod::scan, "a query of one object", 1};
+  if (!automatic && question.method != JoinMethod::grid) return {question.method, "as requested", 1};
   if (automatic && scan <= grid_setup + grid_object * objects_of(question))
-    return {JoinMethod::scan, "a look at each of so few pairs costs less than a grid", 1};
+    return {JoinMethod::scan, "to test each of so few pairs costs less than a grid", 1};
   const SlabChoice grid = choose_slabs(question, reach);
   const bool with_helpers =
       question.helpers > 0 && grid.cost >= worth_helpers * static_cast<double>(grid.slabs);
-  const char* why = automatic ? "there are too many pairs to look at each" : "as asked";
+  const char* why = automatic ? "there are too many pairs to test each" : "as requested";
   return {JoinMethod::grid, why, grid.slabs, with_helpers};
 }
 
@@ -163,7 +162,7 @@ TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question) {
   const double step = plan.slabs > 1 ? length / static_cast<double>(plan.slabs) : endless;
   if (question.order == JoinOrder::any) return {question, {step, step}};
   constexpr double first_share = 1.0 / 64;
-  return {question, {step, std::min(step, length * first_share), question.asked_dt.least <= 0}};
+  return {question, {step, std::min(step, length * first_share), question.queried_dt.min <= 0}};
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,34 +1,33 @@
-// How is a join best answered? The method that 'auto' takes, and the slabs that the grid cuts its horizon
-// into.
+// Cost-based plan of a join: the method that 'auto' selects, and the number of time slabs of the grid.
 //
-// Each way has a cost in nanoseconds, from few numbers that docs/architecture.md explains: how many objects,
-// how many pairs, and how many pairs of swept boxes meet, at one instant and during a slab. The last two are
-// counted in a sample of some dozen to some hundred objects, so they follow crowds, giants and fast objects.
-// The plan changes no row, only the time that rows take.
+// The cost of each method, in nanoseconds, follows from a few numbers (docs/architecture.md). These are the
+// objects, the pairs, and the pairs whose swept boxes intersect, at one instant and during a slab. The last
+// two are counted in a sample of some dozen to some hundred objects, so they reflect crowds, giants and fast
+// objects. The plan changes no row, only the time to compute the rows.
 #pragma once
 
 #include <cstddef>
 
 #include "query/join/time_slabs.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct JoinPlan {
-  JoinMethod method;  ///< never automatic
-  const char* why;    ///< for people
-  std::size_t slabs;  ///< of equal length, where the order of rows does not matter; 1 but for the grid
-  bool with_helpers = false;  ///< a slab is enough work to be shared with threads
+  JoinMethod method;          ///< never automatic
+  const char* why;            ///< the reason, for predictive_explain
+  std::size_t slabs;          ///< of equal length if rows need no order; 1 unless the method is grid
+  bool with_helpers = false;  ///< a slab is enough work for helper threads
 };
 
-/// The method asked for, or else the one that is expected to cost least; likewise the slabs. About one id
-/// always a scan. The same question gets the same plan. Cost: tens of thousands of comparisons of boxes for
-/// each number of slabs that is tried, however many objects there are.
+/// The requested method, or for 'auto' the one with the lowest estimated cost, and the cheapest number of
+/// slabs. A query of one id is always a scan. The same query gets the same plan. Cost: tens of thousands of
+/// comparisons of boxes for each number of slabs that is tried, however many objects there are.
 JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach);
 
-/// The plan's slabs for a question; in the order of t they begin short, so that the first rows come early.
+/// The plan's slabs. If rows come in the order of t, the first slabs are short, so that they come early.
 TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question);
 
-/// About how many pairs have swept boxes that meet during `horizon`: from a sample, the same every time.
+/// Estimated number of pairs whose swept boxes intersect during `horizon`, from a deterministic sample.
 double expected_meetings(const JoinQuestion& question, const Contact::Reach& reach, const Horizon& horizon);
 
-}  // namespace foresee::query
+}  // namespace foresee

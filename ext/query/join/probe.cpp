@@ -2,11 +2,11 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "index/tpr_tree/window_walk.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "query/join/question.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 void take(Scene& near, const Node& leaf, std::uint32_t slot) {
@@ -22,7 +22,7 @@ template <int D>
 void walk(const Scene& one, NodeSource& tree, const Horizon& horizon, const Contact::Reach& reach,
           Interrupt& interrupt, const std::function<bool(std::int64_t)>& keep, Scene& near) {
   const Bodies body = one.bodies();
-  // The object's box grows by one half of the reach, those in the tree by the other.
+  // The object's box is inflated by one half of the reach, those in the tree by the other.
   const Vec<D> margin = margin_of<D>(reach);
   WindowWalk<D> found(tree, moving_box<D>(body, 0, horizon, margin), horizon, margin, interrupt);
   for (LeafHits hits; found.next(hits);)
@@ -46,4 +46,4 @@ std::shared_ptr<const Scene> objects_near(const Scene& one, NodeSource& tree, co
   return near;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

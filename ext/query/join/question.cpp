@@ -3,10 +3,10 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/shown.h"
-#include "query/require.h"
+#include "base/number_text.h"
+#include "query/input_checks.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 std::string axes_of(const Scene& scene) {
@@ -68,9 +68,9 @@ void require_valid(const JoinQuestion& question) {
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines) {
   const Scene& a = *question.a;
   const Scene& b = question.b ? *question.b : a;
-  const ContactQuestion asked{
+  const ContactQuestion queried{
       {question.now, question.h}, question.within, question.within_z, rectangles_for_outlines};
-  return make_contact(a.bodies(), b.bodies(), asked, a.name, b.name);
+  return make_contact(a.bodies(), b.bodies(), queried, a.name, b.name);
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,5 +1,4 @@
-// What is asked of a join, and what does a row of its answer hold? The words in which join, plan, stages and
-// SQL's functions speak of it.
+// Parameters of a join, its rows and its exact contact test, shared by join, plan, stages and SQL functions.
 //
 //   JoinQuestion question{.a = ships, .b = ferries, .now = 600, .h = 600, .within = 926};
 //   require_valid(question);
@@ -14,11 +13,11 @@
 
 #include "contact/contact.h"
 #include "index/gpcd_grid/work_space.h"
-#include "query/margin.h"
 #include "query/scene.h"
+#include "query/sweep_margin.h"
 #include "query/tile/tile.h"
 
-namespace foresee::query {
+namespace foresee {
 
 enum class JoinMethod : std::uint8_t { automatic, grid, tree, scan, gpcd };
 
@@ -32,20 +31,20 @@ struct JoinWants {
   bool approach = true;  ///< t_cpa, dt_cpa, d_cpa
 };
 
-/// Both ends included. Rows outside are left out.
-struct AskedTimes {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
+/// Closed interval of times; rows outside are left out.
+struct QueriedTimes {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
 
-  bool holds(double time) const { return least <= time && time <= most; }
-  bool are_all() const { return least == AskedTimes{}.least && most == AskedTimes{}.most; }
+  bool holds(double time) const { return min <= time && time <= max; }
+  bool are_all() const { return min == QueriedTimes{}.min && max == QueriedTimes{}.max; }
 };
 
 inline constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();
 
 enum class JoinOrder : std::uint8_t {
   any,
-  by_t,  ///< rising
+  by_t,  ///< ascending
   by_dt,
   by_t_and_ids,  ///< by t, a, b
 };
@@ -63,32 +62,31 @@ struct JoinQuestion {
   std::optional<std::int64_t> only_a = {};  ///< only pairs whose column a has this id: linear in the objects
   std::optional<std::int64_t> only_b = {};
   std::optional<Tile> tile = {};  ///< only pairs that it owns
-  AskedTimes asked_t = {}, asked_dt = {};
+  QueriedTimes queried_t = {}, queried_dt = {};
   JoinOrder order = JoinOrder::any;
-  std::size_t likely_rows = all_rows;  ///< that will be read; of more, in an order, some are found twice
+  std::size_t likely_rows = all_rows;  ///< to be read; in an ordered join, reading more repeats work
   JoinWants wants = {};
-  std::size_t helpers = 0;                     ///< threads that the grid may use beside the caller's
+  std::size_t helpers = 0;                     ///< threads that the grid may use besides the caller's
   std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time
   std::shared_ptr<const Ownership> own =
       nullptr;  ///< of the tile, by in_tile() (tile_scenes.h); null: all pairs
 
-  bool asks_about_all_times() const { return asked_t.are_all() && asked_dt.are_all(); }
+  bool queries_all_times() const { return queried_t.are_all() && queried_dt.are_all(); }
 };
 
 struct JoinRow {
-  JoinRow() {}  // not even zeros in columns that are not wanted
+  JoinRow() {}  // leaves columns that are not wanted uninitialized
   std::int64_t a, b;
   ContactTimes contact;
   ClosestApproach approach;
 };
 
-/// Throws Error for h, within or within_z that is negative or not finite, for now that is not finite, for
-/// different axes, and for a tile that is empty or bounded on an axis that is not there.
+/// Throws Error if h, within or within_z is negative or not finite, now is not finite, or the axes of both
+/// scenes differ. Also if the tile is empty or has a bound on an axis that the scenes do not have.
 void require_valid(const JoinQuestion& question);
 
-/// The contact that decides this question's pairs: make_contact() with its scenes, which must outlive the
-/// contact, and its limits; or the same about the smallest boxes around outlines
-/// and meshes.
+/// The contact test for the pairs of `question`: make_contact() with its scenes, which must outlive it, and
+/// its distances. With `rectangles_for_outlines` the smallest boxes take the place of outlines and meshes.
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines = false);
 
-}  // namespace foresee::query
+}  // namespace foresee

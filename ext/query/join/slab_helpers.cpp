@@ -12,13 +12,13 @@
 #include "base/parallel.h"
 #include "query/join/join_candidates.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr std::size_t parts_ahead_per_thread = 16;
-constexpr std::size_t bytes_enough = 1 << 18;   // for a batch: handing one over costs some microseconds
-constexpr std::size_t bytes_at_once = 1 << 12;  // where it is waited for
-constexpr std::size_t bytes_ahead = 3 * bytes_enough;  // of a part
+constexpr std::size_t bytes_enough = 1 << 18;          // of a batch: handing one over costs microseconds
+constexpr std::size_t bytes_at_once = 1 << 12;         // of a batch that the reader waits for
+constexpr std::size_t bytes_ahead = 3 * bytes_enough;  // of a partition
 constexpr std::chrono::milliseconds between_checks{1};
 
 }  // namespace
@@ -26,14 +26,14 @@ constexpr std::chrono::milliseconds between_checks{1};
 struct SlabHelpers::Shared {
   struct Part {
     std::deque<SlabBatch> batches;
-    std::size_t bytes = 0;  // of those
+    std::size_t bytes = 0;  // of `batches`
     std::exception_ptr failure;
     bool done = false;
   };
 
-  Shared(const JoinQuestion& asked, const TimeSlab& part_of_time, bool sorted, const Contact::Reach& reach,
+  Shared(const JoinQuestion& queried, const TimeSlab& part_of_time, bool sorted, const Contact::Reach& reach,
          Interrupt& of_caller)
-      : question(asked),
+      : question(queried),
         slab(part_of_time),
         sorts(sorted),
         interrupt(of_caller),
@@ -50,7 +50,7 @@ struct SlabHelpers::Shared {
     threads.clear();
   }
 
-  /// What a helper does.
+  /// The body of a helper thread.
   void run(ContactStage& stage) noexcept {
     const FloatEnvironment environment;
     for (std::size_t i; take_part(i);) {
@@ -93,20 +93,20 @@ struct SlabHelpers::Shared {
     }
   }
 
-  /// Appends to the batch; false behind the end of the part.
+  /// Appends results to the batch; false at the end of the partition.
   bool answer_some(Candidates& part, ContactStage& stage, std::vector<Pair>& pairs, SlabBatch& batch) const {
     pairs.clear();
     if (!part.next(pairs)) return false;
     if (sorts)
-      stage.ask(part, pairs, slab, batch.hits);
+      stage.query(part, pairs, slab, batch.hits);
     else if (!stage.would_only_write(part))
       batch.add_rows([&](std::vector<JoinRow>& rows) { stage.answer(part, pairs, slab, rows); });
-    else if (stage.asks_about_begin(slab))
+    else if (stage.queries_start(slab))
       batch.add_touching(pairs);
     return true;
   }
 
-  /// Leaves in place of the batch one that has been read, for its memory. With the mutex held.
+  /// Moves the batch to the reader and reuses the memory of one that has been read. With the mutex held.
   void hand_over(std::size_t i, SlabBatch& batch) {
     parts[i].bytes += batch.bytes();
     parts[i].batches.push_back(std::move(batch));
@@ -118,7 +118,7 @@ struct SlabHelpers::Shared {
     batch.clear();
   }
 
-  /// What the caller does: false once there are no batches left.
+  /// Called by the reader: false once there are no batches left.
   bool next(SlabBatch& batch) {
     std::unique_lock lock(mutex);
     while (read < parts.size()) {
@@ -148,13 +148,13 @@ struct SlabHelpers::Shared {
     return false;
   }
 
-  /// Some of the caller's own part.
+  /// Answers some candidates of the caller's own partition.
   void work() {
     if (!own.part) own.part = candidates->part(own.number, interrupt);
     const bool more = answer_some(*own.part, own.stage, own.pairs, own.batch);
     if (!more) own.part.reset();
     const std::lock_guard lock(mutex);
-    // Whoever waits for this part is not made to wait for more.
+    // If the reader waits for this partition, a small batch is handed over.
     const std::size_t enough = own.number > read ? bytes_enough : bytes_at_once;
     if (own.batch.bytes() >= (more ? enough : 1)) hand_over(own.number, own.batch);
     if (!more) parts[own.number].done = true;
@@ -174,7 +174,7 @@ struct SlabHelpers::Shared {
   std::size_t taken = 0, read = 0;
   std::vector<SlabBatch> spares;
 
-  /// What the caller does while there is nothing to read.
+  /// The caller's own partition, on which it works while no batch is ready.
   struct Own {
     Own(const JoinQuestion& question, Interrupt& interrupt) : stage(question, interrupt) {}
     ContactStage stage;
@@ -184,8 +184,8 @@ struct SlabHelpers::Shared {
     SlabBatch batch;
   } own;
 
-  std::deque<ContactStage> stages;    // one a helper
-  std::vector<std::jthread> threads;  // last: ended first
+  std::deque<ContactStage> stages;    // one per helper
+  std::vector<std::jthread> threads;  // last member: joined first
 };
 
 SlabHelpers::SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, bool sorts,
@@ -210,4 +210,4 @@ bool SlabHelpers::next(SlabBatch& batch) {
   return shared_->next(batch);
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

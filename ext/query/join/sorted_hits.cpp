@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 
-namespace foresee::query {
+namespace foresee {
 
 void SortedHits::add(const Hits& hits, Interrupt& interrupt) {
   for (std::size_t i = 0; i < hits.pairs.size(); ++i) {
@@ -18,7 +18,7 @@ void SortedHits::add(const Hits& hits, Interrupt& interrupt) {
 bool SortedHits::precedes(const Found& l, const Found& r) const {
   if (l.t != r.t) return l.t < r.t;
   if (question_.order != JoinOrder::by_t_and_ids) {
-    if (l.dt != r.dt) return l.dt < r.dt;  // rounding keeps order: both rise
+    if (l.dt != r.dt) return l.dt < r.dt;  // rounding is monotonic: both ascend
     return l.pair.a != r.pair.a ? l.pair.a < r.pair.a : l.pair.b < r.pair.b;
   }
   const Scene& a = *question_.a;
@@ -63,4 +63,4 @@ void SortedHits::take(Hits& hits) {
   found_.clear(), sorted_ = given_ = 0;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

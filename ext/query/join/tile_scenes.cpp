@@ -5,15 +5,15 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "index/tpr_tree/sweep_walk.h"
+#include "index/tpr_tree/search/sweep_walk.h"
 #include "query/sweep/sweep.h"
 #include "query/tile/ownership.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr std::size_t objects_per_check = 4096;
-constexpr std::size_t worth_a_copy = 16;  // objects kept for each one that is left out
+constexpr std::size_t worth_a_copy = 16;  // at most so many objects kept for each one left out
 
 template <int D>
 SweepWalk<D> walk_of(NodeSource& tree, const JoinQuestion& question, Interrupt& interrupt) {
@@ -24,7 +24,7 @@ SweepWalk<D> walk_of(NodeSource& tree, const JoinQuestion& question, Interrupt& 
           interrupt};
 }
 
-/// Marks objects of a question; those far inside the tile without their exact box.
+/// Computes the marks of objects; for objects well inside the tile without their exact box.
 template <int D>
 class Marker {
  public:
@@ -42,9 +42,9 @@ class Marker {
   }
 
  private:
-  /// Whether a box around the box is: neither a turning point nor a smaller life makes it larger, what
-  /// swept_box() adds for rounding is less than 128 units of 2^-53 of what goes into it, and nothing
-  /// overflows there.
+  /// Whether a box around the swept box is inside the tile. Neither a turning point nor a shorter lifetime
+  /// makes the swept box larger. swept_box() adds less than 128 units of 2^-53 of its operands for rounding,
+  /// and nothing overflows below `largest`.
   bool is_plainly_inside(const Motion<D>& motion, const Extents<D>& extents) const {
     constexpr double rounding = 0x1p-46, largest = 1e300;
     const double reach = std::abs(horizon_.now - motion.t) + horizon_.h;
@@ -100,8 +100,8 @@ MarkedScene marked(const Scene& scene, const JoinQuestion& question, Interrupt& 
   return all;
 }
 
-/// Without what the tile does not need, where that is worth a copy of the rest. A tree's levels count rows,
-/// and forms are those of all rows: there all stay, and their marks say who is not needed.
+/// The scene without unneeded objects, if that is worth a copy of the others. Levels of a tree and forms
+/// refer to row numbers: such a scene keeps all rows, and marks exclude the unneeded ones.
 std::shared_ptr<const Scene> without_unneeded(std::shared_ptr<const Scene> scene, MarkedScene& marked) {
   const std::size_t unneeded = scene->size() - marked.needed;
   if (scene->levels || scene->forms || unneeded * worth_a_copy <= marked.needed) return scene;
@@ -162,4 +162,4 @@ JoinQuestion in_tile(JoinQuestion question, Interrupt& interrupt) {
   return question;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -9,15 +9,15 @@
 #include "base/float_environment.h"
 #include "contact/closest_approach.h"
 #include "contact/window_contact.h"
-#include "index/tpr_tree/nearest_walk.h"
-#include "query/require.h"
+#include "index/tpr_tree/search/nearest_walk.h"
+#include "query/input_checks.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The best k so far.
+/// The k nearest rows so far.
 class Best {
  public:
   explicit Best(std::int64_t k) : k_(static_cast<std::uint64_t>(k)) {}
@@ -32,8 +32,8 @@ class Best {
     std::push_heap(rows_.begin(), rows_.end(), before);
   }
 
-  /// Whatever is farther than this has no place. One double more than the last distance: what rounds to it
-  /// may still come before it by its id.
+  /// No object farther than this is a row. One double above the largest distance: an object whose distance
+  /// rounds to that may still precede it by its id.
   double reach() const {
     return rows_.size() == k_ ? std::nextafter(rows_.front().distance, infinity) : infinity;
   }
@@ -49,7 +49,7 @@ class Best {
   }
 
   std::uint64_t k_;
-  std::vector<NearestRow> rows_;  ///< a heap with the worst on top
+  std::vector<NearestRow> rows_;  ///< a heap with the last row on top
 };
 
 template <int D>
@@ -72,7 +72,7 @@ class Search {
       if (i % 256 == 0) interrupt_.check();
       const MovingBox<D> box =
           moving_box<D>(motion_of<D>(bodies, i), Extents<D>::none(), horizon_, Vec<D>::Zero());
-      if (box.span.is_empty() || least_distance(box, question, box.span) > best_.reach()) continue;
+      if (box.span.is_empty() || min_distance(box, question, box.span) > best_.reach()) continue;
       offer(scene.ids[i], bodies.row(i));
     }
     return std::move(best_).ranked();
@@ -104,7 +104,7 @@ class Search {
 
   void offer(std::int64_t id, const double* row) {
     const double* from = point_.bodies().row(0);
-    if (moments_of(setup_, from, row).none) return;
+    if (pair_lifetime_of(setup_, from, row).none) return;
     const ClosestApproach near = closest_approach_of<D>(setup_, from, row);
     best_.offer({id, near.d, near.t, near.dt});
   }
@@ -119,7 +119,7 @@ class Search {
 template <int D>
 std::vector<NearestRow> search(const NearestQuestion& question, Interrupt& interrupt) {
   Search<D> search(question, interrupt);
-  const Searched& objects = question.objects;
+  const SearchTarget& objects = question.objects;
   return objects.scene ? std::move(search).in_scene(*objects.scene)
                        : std::move(search).in_tree(*objects.tree);
 }
@@ -153,4 +153,4 @@ std::vector<NearestRow> nearest(const NearestQuestion& question, Interrupt& inte
                    [&]<int D>(Axes<D>) { return search<D>(question, interrupt); });
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

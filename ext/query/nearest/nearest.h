@@ -1,4 +1,5 @@
-// Which objects come nearest to a moving point, how near, and when? predictive_nearest as a library call.
+// Predictive k nearest neighbours: the objects that come closest to a moving point, with distance and time.
+// predictive_nearest as a library call.
 //
 //   const NearestQuestion question{
 //       .objects = {"ships", scene, nullptr}, .now = 600, .h = 300, .k = 10, .point = {5, 5}};
@@ -7,7 +8,7 @@
 // Guarantee: the k objects whose centre comes closest to the point during [now, now + h] while they exist, by
 // distance and then by id; fewer if fewer exist then. A distance is the real one rounded to the nearest
 // double, so the order never contradicts the real distances, and objects at equal distances come by id.
-// Cost: a tree reads nodes best first until no other can hold a nearer object; a scene is looked at whole.
+// Cost: a tree reads nodes best first until no other can hold a nearer object; a scene is scanned.
 #pragma once
 
 #include <array>
@@ -16,27 +17,27 @@
 
 #include "base/error.h"
 #include "contact/contact.h"
-#include "query/searched.h"
+#include "query/search_target.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct NearestQuestion {
-  Searched objects;
+  SearchTarget objects;
   double now = 0;
   double h = 0;
   std::int64_t k = 1;
-  std::array<std::optional<double>, 3> point = {};  ///< where the point is at `now`: one number an axis
+  std::array<std::optional<double>, 3> point = {};  ///< the place of the point at `now`, one number per axis
   std::array<double, 3> velocity = {};
 };
 
 struct NearestRow {
   std::int64_t id;
   double distance;
-  double t, dt;  ///< the moment at which it is that near, the earliest on ties; and measured from now
+  double t, dt;  ///< the time at which it is that close, the earliest on ties; dt counts from now
 };
 
-/// By rank. Throws Error for a wrong question: h negative or not finite; now, a coordinate or a velocity not
-/// finite; k < 1; a coordinate missing, or given for an axis that the objects do not have.
+/// Rows by rank. Throws Error if h is negative or not finite, if now, a coordinate or a velocity is not
+/// finite, or if k < 1. Also if a coordinate is missing, or given for an axis that the objects do not have.
 std::vector<NearestRow> nearest(const NearestQuestion& question, Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -3,16 +3,16 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "motion/position.h"
-#include "query/require.h"
+#include "query/input_checks.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 template <int D>
-bool place_object(const Bodies& bodies, std::size_t i, double moment, PositionRow& row) {
+bool place_object(const Bodies& bodies, std::size_t i, double time, PositionRow& row) {
   const Motion<D> motion = motion_of<D>(bodies, i);
-  if (!exists_at(motion, moment)) return false;
-  const State<D> state = state_at(motion, moment);
+  if (!exists_at(motion, time)) return false;
+  const State<D> state = state_at(motion, time);
   for (int axis = 0; axis < D; ++axis) {
     row.x[static_cast<std::size_t>(axis)] = state.x[axis];
     row.v[static_cast<std::size_t>(axis)] = state.v[axis];
@@ -22,24 +22,23 @@ bool place_object(const Bodies& bodies, std::size_t i, double moment, PositionRo
 
 }  // namespace
 
-std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i,
-                                       double moment) {
+std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i, double time) {
   PositionRow row{scene.ids[i], {}, {}};
   const bool exists =
-      with_axes(bodies.layout.axes, [&]<int D>(Axes<D>) { return place_object<D>(bodies, i, moment, row); });
+      with_axes(bodies.layout.axes, [&]<int D>(Axes<D>) { return place_object<D>(bodies, i, time, row); });
   return exists ? std::optional(row) : std::nullopt;
 }
 
-Positions::Positions(std::shared_ptr<const Scene> scene, double moment)
-    : scene_(std::move(scene)), bodies_(scene_->bodies()), moment_(moment) {
-  require_finite("at", moment);
+Positions::Positions(std::shared_ptr<const Scene> scene, double time)
+    : scene_(std::move(scene)), bodies_(scene_->bodies()), time_(time) {
+  require_finite("at", time);
 }
 
 std::optional<PositionRow> Positions::next() {
   const FloatEnvironment environment;
   while (next_ < bodies_.count)
-    if (const auto row = position_of(*scene_, bodies_, next_++, moment_)) return row;
+    if (const auto row = position_of(*scene_, bodies_, next_++, time_)) return row;
   return std::nullopt;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// Where is everything at a moment? predictive_position as a library call.
+// Positions and velocities of all objects at one time. predictive_position as a library call.
 //
 //   Positions positions(ships, 700);
 //   while (auto row = positions.next()) use(row->id, row->x[0]);
 //
-// Guarantee: every object that exists at the moment comes exactly once, in the scene's order; the others do
-// not come. Cost: one evaluation an object, when it is pulled.
+// Guarantee: every object that exists at that time comes exactly once, in the scene's order; the others do
+// not come. Cost: one evaluation per object, when it is pulled.
 #pragma once
 
 #include <array>
@@ -14,31 +14,30 @@
 
 #include "query/scene.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct PositionRow {
   std::int64_t id;
   std::array<double, 3> x, v;  ///< as many as the scene has axes
 };
 
-/// The scene's object number i at `moment`; nothing if it does not exist then.
+/// The scene's object number i at `time`; empty if it does not exist then.
 /// Requires: `bodies` are the scene's, and the floating-point environment is a FloatEnvironment.
-std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i,
-                                       double moment);
+std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i, double time);
 
 class Positions {
  public:
-  /// Throws Error unless `moment` is finite.
-  Positions(std::shared_ptr<const Scene> scene, double moment);
+  /// Throws Error unless `time` is finite.
+  Positions(std::shared_ptr<const Scene> scene, double time);
 
-  /// The next object; nothing once there are none left.
+  /// The next object; empty at the end.
   std::optional<PositionRow> next();
 
  private:
   std::shared_ptr<const Scene> scene_;
   Bodies bodies_;
-  double moment_;
+  double time_;
   std::size_t next_ = 0;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -6,21 +6,21 @@
 
 #include "base/error.h"
 #include "base/float_environment.h"
-#include "base/steps.h"
-#include "query/require.h"
+#include "base/interrupt_steps.h"
+#include "query/input_checks.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
-constexpr double most_moments = 9007199254740992;  // 2^53: up to there a double counts
+constexpr double max_times = 9007199254740992;  // 2^53: a double counts exactly up to it
 
-void require_valid(const TrackMoments& moments) {
-  require_finite("t0", moments.t0);
-  require_finite("t1", moments.t1);
-  require_order("t0", moments.t0, "t1", moments.t1);
-  require_positive("step", moments.step);
-  if (!(moments.t1 / moments.step - moments.t0 / moments.step < most_moments))
-    throw Error("step is too small: from t0 to t1 there may be fewer than 2^53 moments");
+void require_valid(const TrackTimes& instants) {
+  require_finite("t0", instants.t0);
+  require_finite("t1", instants.t1);
+  require_order("t0", instants.t0, "t1", instants.t1);
+  require_positive("step", instants.step);
+  if (!(instants.t1 / instants.step - instants.t0 / instants.step < max_times))
+    throw Error("step is too small: from t0 to t1 there may be fewer than 2^53 times");
 }
 
 std::vector<std::size_t> rows_by_id(const std::vector<std::int64_t>& ids, Interrupt& interrupt) {
@@ -33,24 +33,24 @@ std::vector<std::size_t> rows_by_id(const std::vector<std::int64_t>& ids, Interr
 
 }  // namespace
 
-Tracks::Tracks(std::shared_ptr<const Scene> scene, const TrackMoments& moments, Interrupt& interrupt)
+Tracks::Tracks(std::shared_ptr<const Scene> scene, const TrackTimes& instants, Interrupt& interrupt)
     : scene_(std::move(scene)),
       bodies_(scene_->bodies()),
-      moments_(moments),
+      instants_(instants),
       interrupt_(interrupt),
-      moment_(moments.t0) {
+      time_(instants.t0) {
   const FloatEnvironment environment;
-  require_valid(moments_);
+  require_valid(instants_);
   by_id_ = rows_by_id(scene_->ids, interrupt);
 }
 
-bool Tracks::to_next_moment() {
-  const double last = moment_;
-  while (moment_ == last && last < moments_.t1) {
+bool Tracks::to_next_time() {
+  const double last = time_;
+  while (time_ == last && last < instants_.t1) {
     interrupt_.check();
-    moment_ = std::min(std::fma(++i_, moments_.step, moments_.t0), moments_.t1);
+    time_ = std::min(std::fma(++i_, instants_.step, instants_.t0), instants_.t1);
   }
-  return moment_ != last;
+  return time_ != last;
 }
 
 std::optional<TrackRow> Tracks::next() {
@@ -59,13 +59,13 @@ std::optional<TrackRow> Tracks::next() {
   do {
     while (next_ < by_id_.size()) {
       interrupt_.check();
-      if (const auto row = position_of(*scene_, bodies_, by_id_[next_++], moment_))
-        return TrackRow{moment_, *row};
+      if (const auto row = position_of(*scene_, bodies_, by_id_[next_++], time_))
+        return TrackRow{time_, *row};
     }
     next_ = 0;
-  } while (to_next_moment());
+  } while (to_next_time());
   by_id_.clear();
   return std::nullopt;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

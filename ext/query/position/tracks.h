@@ -1,20 +1,20 @@
-// Where is everything, moment by moment? predictive_track as a library call.
+// Tracks: positions of all objects at regular times. predictive_track as a library call.
 //
 //   Tracks tracks(ships, {.t0 = 0, .t1 = 600, .step = 60}, interrupt);
 //   while (auto row = tracks.next()) draw(row->at.id, row->t, row->at.x);
 //
-// Guarantee: the rows of Positions at t0 + i * step, each moment rounded once, while that is below t1, and
-// then at t1; by time, then by id. Moments that round to the same double come once. Cost: one evaluation an
-// object and moment, when it is pulled; the ids are sorted once.
+// Guarantee: the rows of Positions at t0 + i * step, each time rounded once, while that is below t1, and then
+// at t1; by time, then by id. Times that round to the same double come once. Cost: one evaluation per object
+// and time, when it is pulled; the ids are sorted once.
 #pragma once
 
 #include <vector>
 
 #include "query/position/positions.h"
 
-namespace foresee::query {
+namespace foresee {
 
-struct TrackMoments {
+struct TrackTimes {
   double t0, t1, step;
 };
 
@@ -25,22 +25,22 @@ struct TrackRow {
 
 class Tracks {
  public:
-  /// Throws Error unless t0 <= t1 and step > 0 are finite and make fewer than 2^53 moments.
-  Tracks(std::shared_ptr<const Scene> scene, const TrackMoments& moments, Interrupt& interrupt);
+  /// Throws Error unless t0 <= t1 and step > 0 are finite and make fewer than 2^53 times.
+  Tracks(std::shared_ptr<const Scene> scene, const TrackTimes& instants, Interrupt& interrupt);
 
-  /// The next object, at this moment or the next one; nothing once there are none left.
+  /// The next object at the current time, or the first one at the next time; empty at the end.
   std::optional<TrackRow> next();
 
  private:
-  bool to_next_moment();
+  bool to_next_time();
 
   std::shared_ptr<const Scene> scene_;
   Bodies bodies_;
-  TrackMoments moments_;
+  TrackTimes instants_;
   Interrupt& interrupt_;
   std::vector<std::size_t> by_id_;  ///< row numbers
-  double i_ = 0, moment_;
+  double i_ = 0, time_;
   std::size_t next_ = 0;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -4,21 +4,21 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "index/tpr_tree/sweep_walk.h"
-#include "query/require.h"
+#include "index/tpr_tree/search/sweep_walk.h"
+#include "query/input_checks.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
-/// What every box meets that has the corners asked for.
+/// A box that intersects every box with queried corners.
 template <int D>
-Box<D> met_by_all(const std::vector<AskedCorners>& asked) {
+Box<D> met_by_all(const std::vector<QueriedCorners>& queried) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Box<D> box{Vec<D>::Constant(-inf), Vec<D>::Constant(inf)};
-  for (int axis = 0; axis < std::min(D, static_cast<int>(asked.size())); ++axis) {
-    const AskedCorners& corners = asked[static_cast<std::size_t>(axis)];
-    const double one = std::max(corners.lower_least, corners.upper_least),
-                 other = std::min(corners.lower_most, corners.upper_most);
+  for (int axis = 0; axis < std::min(D, static_cast<int>(queried.size())); ++axis) {
+    const QueriedCorners& corners = queried[static_cast<std::size_t>(axis)];
+    const double one = std::max(corners.lower_min, corners.upper_min),
+                 other = std::min(corners.lower_max, corners.upper_max);
     box.lower[axis] = std::min(one, other), box.upper[axis] = std::max(one, other);
   }
   return box;
@@ -38,7 +38,7 @@ void require_valid_sweep(const SweepQuestion& question) {
 class Sweep::Leaves {
  public:
   virtual ~Leaves() = default;
-  /// Appends the rows of one leaf; false once there is none left.
+  /// Appends the rows of one leaf; false at the end.
   virtual bool next(std::vector<SweepRow>& rows) = 0;
 };
 
@@ -49,8 +49,8 @@ class Sweep::LeavesOfAxes final : public Sweep::Leaves {
       : tree_(std::move(question.tree)),
         horizon_{question.now, question.h},
         margin_(sweep_margin<D>(question.within, question.within_z)),
-        asked_(met_by_all<D>(question.asked)),
-        walk_(*tree_, asked_, horizon_, margin_, interrupt),
+        queried_(met_by_all<D>(question.queried)),
+        walk_(*tree_, queried_, horizon_, margin_, interrupt),
         leaf_bodies_(tree_->layout()) {}
 
   bool next(std::vector<SweepRow>& rows) override {
@@ -59,7 +59,7 @@ class Sweep::LeavesOfAxes final : public Sweep::Leaves {
     const Bodies bodies = leaf_bodies_.of(*leaf);
     for (std::size_t i = 0; i < bodies.count; ++i) {
       const Box<D> box = swept_box<D>(bodies, i, horizon_, margin_);
-      if (box.is_empty() || !box.meets(asked_)) continue;
+      if (box.is_empty() || !box.meets(queried_)) continue;
       SweepRow& row = rows.emplace_back();
       row.id = leaf->keys[i];
       std::copy_n(box.lower.data(), D, row.lower.data());
@@ -72,7 +72,7 @@ class Sweep::LeavesOfAxes final : public Sweep::Leaves {
   std::shared_ptr<NodeSource> tree_;
   Horizon horizon_;
   Vec<D> margin_;
-  Box<D> asked_;
+  Box<D> queried_;
   SweepWalk<D> walk_;
   LeafBodies leaf_bodies_;
 };
@@ -95,4 +95,4 @@ std::span<const SweepRow> Sweep::next() {
   return rows_;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,15 +1,15 @@
-// Where can each object be during the horizon? predictive_sweep as a library call, and the boxes by which
-// tiles own pairs (query/tile).
+// Swept bounding boxes of all objects during a horizon. predictive_sweep as a library call; tiles own pairs
+// by these boxes (query/tile).
 //
 //   Sweep sweep({.tree = ships, .now = 600, .h = 600, .within = 926}, interrupt);
 //   for (auto rows = sweep.next(); !rows.empty(); rows = sweep.next())
 //     for (const SweepRow& row : rows) use(row.id, row.lower[0], row.upper[0]);
 //
-// Guarantee: every object that exists during [now, now + h] comes exactly once, with the box that
-// swept_box() gives for it and sweep_margin(): where two objects touch, their boxes meet, closed. A box
-// depends on the object's row and the question alone, whatever else the table holds. No corner is NaN; what
-// no double bounds is infinite. Bounds asked for leave out some or all of the objects outside, none of the
-// others. Cost: the nodes that can hold such objects. Memory: a leaf.
+// Guarantee: every object that exists during [now, now + h] comes exactly once, with the box of swept_box()
+// for sweep_margin(): where two objects touch, their closed boxes intersect. A box depends on the object's
+// row and the query alone, whatever else the table holds. No corner is NaN; a corner that no double bounds is
+// infinite. Bounds on the corners exclude some or all of the objects outside them, and no other. Cost: the
+// nodes that can hold such objects. Memory: one leaf.
 #pragma once
 
 #include <algorithm>
@@ -20,20 +20,49 @@
 #include <vector>
 
 #include "base/error.h"
-#include "query/margin.h"
-#include "query/sweep/leaf_bodies.h"
+#include "index/pages.h"
+#include "query/sweep_margin.h"
+#include "shape/bodies.h"
 
-namespace foresee::query {
+namespace foresee {
 
-/// By how much a box is grown on each side of every axis.
+// Decoder of leaves into bodies, one leaf after another.
+//
+//   LeafBodies bodies(tree.layout());
+//   while (auto leaf = walk.next()) swept_box<2>(bodies.of(*leaf), i, horizon, margin);
+
+class LeafBodies {
+ public:
+  explicit LeafBodies(const Layout& layout)
+      : layout_(layout),
+        record_size_(static_cast<std::size_t>(record_offsets(layout).size)),
+        row_size_(static_cast<std::size_t>(row_offsets(layout).size)) {}
+
+  /// Rows in the order of the leaf's keys; without forms. Valid until the next call, and while the leaf is
+  /// held.
+  Bodies of(const Node& leaf) {
+    if (record_size_ == row_size_) return {layout_, leaf.values.data(), leaf.size()};  // rows are records
+    rows_.resize(leaf.size() * row_size_);
+    for (std::size_t slot = 0; slot < leaf.size(); ++slot)
+      row_from_record(layout_, leaf.values.data() + slot * record_size_, rows_.data() + slot * row_size_);
+    return {layout_, rows_.data(), leaf.size()};
+  }
+
+ private:
+  Layout layout_;
+  std::size_t record_size_, row_size_;
+  std::vector<double> rows_;
+};
+
+/// The distance by which a box is inflated on each side of every axis.
 template <int D>
 Vec<D> sweep_margin(double within, std::optional<double> within_z) {
   return margin_of<D>({within, std::max(within, within_z.value_or(0))});
 }
 
-/// Between which numbers a box's corners are asked for, per axis: both ends included.
-struct AskedCorners {
-  double lower_least, lower_most, upper_least, upper_most;
+/// Closed ranges of the queried corners of a box on one axis.
+struct QueriedCorners {
+  double lower_min, lower_max, upper_min, upper_max;
 };
 
 struct SweepQuestion {
@@ -42,22 +71,22 @@ struct SweepQuestion {
   double h = 0;
   double within = 0;
   std::optional<double> within_z = {};
-  std::vector<AskedCorners> asked = {};  ///< of the first axes
+  std::vector<QueriedCorners> queried = {};  ///< for the first axes, in order
 };
 
 struct SweepRow {
   std::int64_t id;
-  std::array<double, 3> lower, upper;  ///< axes that are not declared: anything
+  std::array<double, 3> lower, upper;  ///< unspecified on axes that are not declared
 };
 
 class Sweep {
  public:
-  /// Throws Error for h, within or within_z that is negative or not finite, now that is not finite, and
-  /// within_z without a z. `interrupt` must outlive the sweep.
+  /// Throws Error if h, within or within_z is negative or not finite, if now is not finite, and for within_z
+  /// without an axis z. `interrupt` must outlive the sweep.
   Sweep(SweepQuestion question, Interrupt& interrupt);
   ~Sweep();
 
-  /// The rows of the next leaf that has any; empty once there is none left. Valid until the next call.
+  /// The rows of the next leaf that has any; empty at the end. Valid until the next call.
   std::span<const SweepRow> next();
 
  private:
@@ -69,4 +98,4 @@ class Sweep {
   std::vector<SweepRow> rows_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,6 +1,6 @@
 #include "query/tile/ownership.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 class OwnedCandidates final : public Candidates {
@@ -11,7 +11,7 @@ class OwnedCandidates final : public Candidates {
         a_(ownership_->a.data()),
         b_(ownership_->b.empty() ? a_ : ownership_->b.data()) {}
 
-  /// Which candidates are owned cannot be foretold, so there is no branch.
+  /// Without a branch on ownership, which would be mispredicted.
   bool next(std::vector<Pair>& out) override {
     std::size_t kept = out.size();
     const std::size_t before = kept;
@@ -61,4 +61,4 @@ std::unique_ptr<DividedCandidates> owned_candidates(std::unique_ptr<DividedCandi
   return std::make_unique<OwnedParts>(std::move(all), std::move(ownership));
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

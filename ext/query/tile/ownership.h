@@ -1,8 +1,9 @@
-// Which candidates does a join's tile own? One byte an object, one operation a candidate.
+// Filter of candidates by the tile of a join that owns them: one byte per object, one operation per
+// candidate.
 //
 //   auto candidates = owned_candidates(make_gpcd_grid<2>(boxes, nullptr, interrupt), ownership);
 //
-// Guarantee: of the pairs that the inner candidates give, exactly those that the tile owns come, in order.
+// Guarantee: returns exactly the inner candidates that the tile owns, in their order.
 #pragma once
 
 #include <memory>
@@ -11,12 +12,12 @@
 #include "index/candidates.h"
 #include "query/tile/tile.h"
 
-namespace foresee::query {
+namespace foresee {
 
-/// How the tile sees the objects of both sides, by row number.
+/// Marks of the objects of both sides, by row number.
 struct Ownership {
   std::vector<TileMarks> a, b;             ///< b: empty where both sides are one scene
-  std::size_t needed_a = 0, needed_b = 0;  ///< objects
+  std::size_t needed_a = 0, needed_b = 0;  ///< number of needed objects
 
   bool owns(const Pair& pair) const {
     const TileMarks other = b.empty() ? a[pair.b] : b[pair.b];
@@ -29,4 +30,4 @@ std::unique_ptr<Candidates> owned_candidates(std::unique_ptr<Candidates> all,
 std::unique_ptr<DividedCandidates> owned_candidates(std::unique_ptr<DividedCandidates> all,
                                                     std::shared_ptr<const Ownership> ownership);
 
-}  // namespace foresee::query
+}  // namespace foresee

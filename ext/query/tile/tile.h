@@ -1,16 +1,16 @@
-// Which pairs does a rectangle own? The rule by which a join is cut into tiles that others run.
+// Tile of a partitioned join: a rectangle that owns pairs by their reference point, so tiles run separately.
 //
 //   const Tile tile{.x0 = 0, .x1 = 10, .y0 = 0, .y1 = 10};
 //   tile.marks(box)  // of one object; a pair whose marks, or-ed, are Tile::owned is the tile's
 //
-// The reference point of a pair is the low corner of what its boxes (query/sweep) share, on x and y: the
-// greater of both low ends. A tile owns the pair if that lies in [x0, x1) x [y0, y1). Comparisons of doubles
-// are exact and tiles are half-open, so of tiles that cover the plane without overlap exactly one owns a
-// pair.
+// The reference point of a pair is the low corner of the intersection of its boxes (query/sweep) in x and y:
+// the greater of both low ends. A tile owns the pair if that lies in [x0, x1) x [y0, y1). Comparisons of
+// doubles are exact and tiles are half-open, so of tiles that cover the plane without overlap exactly one
+// owns a pair.
 //
-// A tile needs the objects whose boxes meet it, closed: both of a pair that it owns are among them, since
-// their boxes share the reference point. Proof in docs/scale.md. After Tsitsigkos, Lampropoulos, Bouros,
-// Mamoulis, Terrovitis: A Two-layer Partitioning for Non-point Spatial Data (ICDE 2021).
+// A tile needs the objects whose closed boxes intersect it. Both objects of an owned pair are among them,
+// since their boxes share the reference point. Proof in docs/scale.md. After Tsitsigkos, Lampropoulos,
+// Bouros, Mamoulis, Terrovitis: A Two-layer Partitioning for Non-point Spatial Data (ICDE 2021).
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,16 @@
 
 #include "motion/box.h"
 
-namespace foresee::query {
+namespace foresee {
 
-/// A bit each of an object seen from a tile.
+/// A set of bits that describes one object relative to a tile.
 using TileMarks = std::uint8_t;
 
 struct Tile {
-  static constexpr TileMarks begins_in_x = 1;  ///< its low end is at or behind x0
-  static constexpr TileMarks begins_in_y = 2;
+  static constexpr TileMarks starts_in_x = 1;  ///< its low end is >= x0
+  static constexpr TileMarks starts_in_y = 2;
   static constexpr TileMarks unneeded = 4;
-  static constexpr TileMarks owned = begins_in_x | begins_in_y;
+  static constexpr TileMarks owned = starts_in_x | starts_in_y;
 
   // Infinite: no bound, so that the outermost tiles own infinite corners too.
   double x0 = -std::numeric_limits<double>::infinity(), x1 = std::numeric_limits<double>::infinity();
@@ -35,7 +35,7 @@ struct Tile {
 
   friend bool operator==(const Tile&, const Tile&) = default;
 
-  /// Of an object with this box; one that is nowhere is not needed.
+  /// The marks of an object with this box; an object with an empty box is not needed.
   template <int D>
   TileMarks marks(const Box<D>& box) const {
     bool meets = box.lower[0] < x1 && box.upper[0] >= x0, in_y = true;
@@ -43,11 +43,11 @@ struct Tile {
       meets &= box.lower[1] < y1 && box.upper[1] >= y0;
       in_y = box.lower[1] >= y0;
     }
-    return static_cast<TileMarks>((box.lower[0] >= x0 ? begins_in_x : 0) | (in_y ? begins_in_y : 0) |
+    return static_cast<TileMarks>((box.lower[0] >= x0 ? starts_in_x : 0) | (in_y ? starts_in_y : 0) |
                                   (meets ? 0 : unneeded));
   }
 
-  /// What the tile needs has boxes that meet this.
+  /// The closed tile: the box of every needed object intersects it.
   template <int D>
   Box<D> closed() const {
     constexpr double inf = std::numeric_limits<double>::infinity();
@@ -58,4 +58,4 @@ struct Tile {
   }
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -6,12 +6,12 @@
 #include "base/float_environment.h"
 #include "query/join/contact_stage.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr std::size_t batch_size = 1024;
 
-/// Pairs that somebody brings: there is nothing to look for.
+/// Stands for pairs that the caller gives: no search.
 class NoCandidates final : public Candidates {
  public:
   bool next(std::vector<Pair>&) override { return false; }
@@ -39,4 +39,4 @@ std::vector<JoinRow> pair_contacts(const JoinQuestion& question, std::span<const
   return rows;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

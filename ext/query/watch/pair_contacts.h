@@ -1,11 +1,11 @@
-// When do these pairs touch? The exact stage of a join without a search for candidates.
+// Contact times of given pairs: the exact stage of a join without a search for candidates.
 //
 //   question.wants = {.contact = true, .ends = true, .approach = false};
 //   for (const JoinRow& row : pair_contacts(question, pairs, interrupt)) use(row.a, row.b, row.contact.t);
 //
-// Guarantee: a row for each pair that touches during [now, now + h], with the very numbers that the join
-// gives; the others are left out. Rows come in the order of the pairs, within one scene the smaller id first.
-// Cost: some hundred nanoseconds a pair.
+// Guarantee: a row for each pair that touches during [now, now + h], with the same numbers as the join gives;
+// the others are left out. Rows come in the order of the pairs, within one scene the smaller id first.
+// Cost: some hundred nanoseconds per pair.
 #pragma once
 
 #include <span>
@@ -14,10 +14,10 @@
 #include "base/error.h"
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
-/// `pairs`: row numbers of the question's scenes. Throws Error as Join does.
+/// `pairs`: row numbers in the scenes of `question`. Throws Error as Join does.
 std::vector<JoinRow> pair_contacts(const JoinQuestion& question, std::span<const Pair> pairs,
                                    Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

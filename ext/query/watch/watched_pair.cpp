@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
-/// Both are held: the row stays where it says the same.
+/// Requires: both are held. The stored row stays if it states the same.
 PairChange compare_held(const WatchedPair& before, const WatchedPair& after, const WatchClock& clock) {
   PairChange change{.row = after};
-  const double told = clock.shown(before.told), now = clock.shown(after.t);
-  const bool moved = told != now && !(std::abs(told - now) <= clock.tolerance);
+  const double before_t = clock.shown(before.told), now = clock.shown(after.t);
+  const bool moved = before_t != now && !(std::abs(before_t - now) <= clock.tolerance);
   if (moved) change.op = '~';
   change.row.told = moved ? after.t : before.told;
   const bool same_time = clock.shown(before.t) == now;
@@ -21,7 +21,7 @@ PairChange compare_held(const WatchedPair& before, const WatchedPair& after, con
 
 }  // namespace
 
-PairChange compare(const WatchedPair* before, const WatchedPair* after, const WatchClock& clock) {
+PairChange change_between(const WatchedPair* before, const WatchedPair* after, const WatchClock& clock) {
   if (!after) return {.op = before->held ? '-' : '\0', .erases = true, .row = *before};
   if (before && before->held && after->held) return compare_held(*before, *after, clock);
   PairChange change{.row = *after};
@@ -35,4 +35,4 @@ PairChange compare(const WatchedPair* before, const WatchedPair* after, const Wa
   return change;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

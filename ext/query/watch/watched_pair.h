@@ -1,33 +1,32 @@
-// What does a watch know of a pair, and what does it tell when that changes?
+// State of a pair that a watch keeps, and the change that is logged when that state is computed again.
 //
-//   const PairChange change = compare(&before, &after, {.clock = 1260, .tolerance = 0});
+//   const PairChange change = change_between(&before, &after, {.clock = 1260, .tolerance = 0});
 //   if (change.op) log(change.op, change.row.t);       // '+' new, '~' its time moved, '-' gone
 //   if (change.writes) write(change.row);              // else the row that is stored stays true
 //
-// A pair's time is the begin of its first contact that ends at or after the clock. A time at or before the
-// clock means that they touch, whichever it is: shown is the later of the two. So time that passes changes no
-// row. Of a pair that begins beyond the horizon the watch knows, but tells nothing: it waits.
+// A pair's time is the start of its first contact that ends at or after the clock. A time at or before the
+// clock means that the pair touches, whichever time it is: shown is the later of the two. So the passage of
+// time changes no row. A pair whose contact starts beyond the horizon is stored but not reported: it waits.
 //
-// `due` is when the clock makes the row a question: of what waits the begin of its contact, else some moment
-// not after the end of it, or never where it lasts beyond all that the watch has looked at. Too early costs a
-// question, too late would be a wrong answer; a later end is therefore written only where the row is due.
+// `due` is the clock at which the pair has to be computed again. For a pair that waits it is the start of the
+// contact. Else it is some time not after the end of the contact, or never if the contact lasts beyond all
+// that the watch has computed. A `due` that is too early costs one computation; one that is too late would
+// give a wrong result. A later end is therefore written only when the row is due.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 
-#include "base/rooms.h"
+namespace foresee {
 
-namespace foresee::query {
-
-/// A look further finds the end.
+/// The end of the contact lies beyond all that was computed: only a longer horizon finds it.
 inline constexpr double never_due = std::numeric_limits<double>::infinity();
 
 struct WatchedPair {
   std::int64_t a = 0, b = 0;
   double t = 0;
   double due = 0;
-  double told = 0;    ///< the time that readers know, within the tolerance
+  double told = 0;    ///< the reported time, within the tolerance
   bool held = false;  ///< else it waits
 };
 
@@ -39,14 +38,14 @@ struct WatchClock {
 };
 
 struct PairChange {
-  char op = 0;          ///< '+', '~', '-'; 0: nothing to tell
-  bool writes = false;  ///< `row` takes the place of the stored one
-  bool erases = false;  ///< the stored row goes
+  char op = 0;          ///< '+', '~', '-'; 0: nothing to report
+  bool writes = false;  ///< `row` replaces the stored one
+  bool erases = false;  ///< the stored row is deleted
   WatchedPair row = {};
 };
 
-/// The change from `before` to `after`, each null where the watch does not know the pair; both as of this
-/// clock. At least one is not null.
-PairChange compare(const WatchedPair* before, const WatchedPair* after, const WatchClock& clock);
+/// The change from `before` to `after`, both as of this clock; null where the watch does not store the pair.
+/// At least one is not null.
+PairChange change_between(const WatchedPair* before, const WatchedPair* after, const WatchClock& clock);
 
-}  // namespace foresee::query
+}  // namespace foresee

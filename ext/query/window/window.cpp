@@ -1,12 +1,139 @@
 #include "query/window/window.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
+#include "base/axes.h"
 #include "base/float_environment.h"
-#include "query/require.h"
+#include "index/tpr_tree/search/window_walk.h"
+#include "query/input_checks.h"
 
-namespace foresee::query {
+namespace foresee {
+
+namespace {
+
+constexpr std::uint32_t batch_size = 256;
+
+class AllOfScene final : public ObjectCandidates {
+ public:
+  AllOfScene(std::shared_ptr<const Scene> scene, Interrupt& interrupt)
+      : scene_(std::move(scene)), bodies_(scene_->bodies()), interrupt_(interrupt) {}
+
+  const Bodies& bodies() const override { return bodies_; }
+  std::int64_t id(std::uint32_t row) const override { return scene_->ids[row]; }
+
+  bool next(CandidateBatch& batch) override {
+    interrupt_.check();
+    batch.clear();
+    const auto count = static_cast<std::uint32_t>(scene_->size());
+    batch.doubtful.resize(std::min(batch_size, count - next_));
+    std::iota(batch.doubtful.begin(), batch.doubtful.end(), next_);
+    next_ += static_cast<std::uint32_t>(batch.doubtful.size());
+    return !batch.empty();
+  }
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+  Bodies bodies_;
+  Interrupt& interrupt_;
+  std::uint32_t next_ = 0;
+};
+
+template <int D>
+Vec<D> vector_of(const std::array<double, 3>& values) {
+  return Eigen::Map<const Vec<D>>(values.data());
+}
+
+/// Reads one leaf after another; the rows of a batch are decoded into one buffer.
+template <int D>
+class WindowOfTree final : public ObjectCandidates {
+ public:
+  WindowOfTree(std::shared_ptr<NodeSource> tree, const WindowFaces& faces, bool is_zone,
+               const Horizon& horizon, Interrupt& interrupt)
+      : tree_(std::move(tree)),
+        interrupt_(interrupt),
+        is_zone_(is_zone),
+        walk_(*tree_,
+              moving_window<D>(vector_of<D>(faces.lower), vector_of<D>(faces.upper),
+                               vector_of<D>(faces.velocity), horizon),
+              horizon, Vec<D>::Zero(), interrupt),
+        reader_(tree_->layout()),
+        lower_(vector_of<D>(faces.lower)),
+        upper_(vector_of<D>(faces.upper)),
+        now_(horizon.now) {
+    const Layout& layout = tree_->layout();
+    rows_.resize(batch_size * static_cast<std::size_t>(row_offsets(layout).size));
+    ids_.resize(batch_size);
+    bodies_ = Bodies(layout, rows_.data(), batch_size);
+    if (tree_->forms()) forms_.attach_to(bodies_);
+  }
+
+  const Bodies& bodies() const override { return bodies_; }
+  std::int64_t id(std::uint32_t row) const override { return ids_[row]; }
+
+  bool next(CandidateBatch& batch) override {
+    const FloatEnvironment environment;
+    batch.clear();
+    std::uint32_t row = 0;
+    for (; row < batch_size; ++row) {
+      if (slot_ == hits_.slots.size()) {
+        slot_ = 0;
+        if (!walk_.next(hits_)) break;
+      }
+      const std::uint32_t slot = hits_.slots[slot_++];
+      const double* record = reader_.record(*hits_.leaf, slot);
+      ids_[row] = hits_.leaf->keys[slot];
+      row_from_record(bodies_.layout, record, rows_.data() + row * static_cast<std::size_t>(bodies_.at.size));
+      (is_inside(record) ? batch.inside : batch.doubtful).push_back(row);
+    }
+    if (FormSource* const source = tree_->forms()) {
+      bodies_.count = row;
+      forms_.assign(bodies_, *source, interrupt_);
+    }
+    return !batch.empty();
+  }
+
+ private:
+  /// Whether the object is certainly inside the window at `now`. It is if its centre is within the faces; for
+  /// an outline or a mesh, which need not contain its centre, the box must be within them.
+  [[gnu::flatten]] bool is_inside(const double* record) const {
+    const Motion<D> motion = reader_.motion(record);
+    if (is_zone_ || now_ < motion.t || motion.until < now_) return false;
+    const Extents<D> extents =
+        is_stored_apart(bodies_.layout.shape) ? reader_.extents(record) : Extents<D>::none();
+    const Bounds<D> all = bounds_at<D>(motion, extents, now_);
+    return (lower_ <= all.x_lower && all.x_upper <= upper_).all();
+  }
+
+  std::shared_ptr<NodeSource> tree_;
+  Interrupt& interrupt_;
+  bool is_zone_;
+  WindowWalk<D> walk_;
+  LeafHits hits_;
+  std::size_t slot_ = 0;
+  LeafReader<D> reader_;
+  Vec<D> lower_, upper_;  ///< the faces at `now`
+  double now_;
+  std::vector<double> rows_;
+  std::vector<std::int64_t> ids_;
+  Bodies bodies_;
+  RowForms forms_;  ///< of the rows of this batch, if the layout has outlines or meshes
+};
+
+}  // namespace
+
+std::unique_ptr<ObjectCandidates> window_candidates(const SearchTarget& objects, const WindowFaces& faces,
+                                                    bool is_zone, const Horizon& horizon,
+                                                    Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  if (objects.scene) return std::make_unique<AllOfScene>(objects.scene, interrupt);
+  return with_axes(objects.layout().axes, [&]<int D>(Axes<D>) -> std::unique_ptr<ObjectCandidates> {
+    return std::make_unique<WindowOfTree<D>>(objects.tree, faces, is_zone, horizon, interrupt);
+  });
+}
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -20,7 +147,7 @@ void require_axis(const WindowFaces& faces, int axis) {
   require_finite(("wv" + letter).c_str(), faces.velocity[j]);
 }
 
-/// What the objects do not have must be left out.
+/// Throws Error for a bound or a velocity on an axis that the objects do not have.
 void require_no_axis(const WindowQuestion& question, int axis) {
   const auto j = static_cast<std::size_t>(axis);
   const std::string letter(1, "xyz"[axis]);
@@ -43,7 +170,7 @@ void require_only_zone(const WindowQuestion& question) {
   }
 }
 
-/// Of what may touch the window: a zone lies within its box.
+/// Faces around all that may touch the window: for a zone those of its bounding box.
 WindowFaces faces_around(const WindowQuestion& question) {
   WindowFaces faces = question.faces;
   if (!question.zone) return faces;
@@ -76,7 +203,7 @@ Window::Window(WindowQuestion question, Interrupt& interrupt)
       candidates_(window_candidates(question_.objects, faces_around(question_), question_.zone != nullptr,
                                     {question_.now, question_.h}, interrupt)),
       contact_(make_window_contact(window_, candidates_->bodies(), {question_.now, question_.h})) {
-  contact_->heed(interrupt);
+  contact_->set_interrupt(interrupt);
 }
 
 std::span<const WindowRow> Window::next() {
@@ -88,8 +215,8 @@ std::span<const WindowRow> Window::next() {
     for (const std::uint32_t row : batch_.doubtful) pairs_.push_back({0, row});
     take_inside();
     const WindowWants& wants = question_.wants;
-    if (wants.begins || wants.ends)
-      contact_->first_contacts(pairs_, wants.ends ? TimesWanted::both : TimesWanted::begins, hits_, times_);
+    if (wants.starts || wants.ends)
+      contact_->first_contacts(pairs_, wants.ends ? TimesWanted::both : TimesWanted::starts, hits_, times_);
     else
       contact_->decide(pairs_, hits_);
     times_.resize(hits_.size());
@@ -98,7 +225,7 @@ std::span<const WindowRow> Window::next() {
   return rows_;
 }
 
-/// What is inside at `now` touches from then on; only an end needs to be computed.
+/// Adds the objects inside the window at `now`: they touch from then on, and only an end has to be computed.
 void Window::take_inside() {
   const double now = question_.now, nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::uint32_t row : batch_.inside)
@@ -108,4 +235,4 @@ void Window::take_inside() {
       rows_.push_back({candidates_->id(row), {.t = now, .t_end = nan, .dt = 0, .dt_end = nan}});
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

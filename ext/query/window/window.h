@@ -1,37 +1,70 @@
-// Which objects touch a moving window, and when? predictive_window as a library call.
+// Predictive window query: the objects that touch a moving window, and when. predictive_window as a library
+// call.
 //
 //   Window window({.objects = {"ships", scene, nullptr}, .now = 600, .h = 300,
 //                  .faces = {.lower = {0, 0, -infinity}, .upper = {100, 100, infinity}}}, interrupt);
 //   for (auto rows = window.next(); !rows.empty(); rows = window.next())
 //     for (const WindowRow& row : rows) use(row.id, row.contact.t);
 //
-// Guarantee: every object whose shape touches the closed window at a moment of [now, now + h] at which it
-// exists comes exactly once, whatever is searched; decision and times are exact (contact/window_contact.h).
-// Rows come in no particular order. Times are computed only where `wants` asks for them. Cost: a tree reads
-// the nodes that can meet the window; a scene is looked at whole. Memory: some hundred rows.
+// Guarantee: every object whose shape touches the closed window during [now, now + h] while it exists comes
+// exactly once. Scene and tree give the same rows. Decision and times are exact (contact/window_contact.h).
+// Rows come in no particular order. Times are computed only where `wants` requests them. Cost: a tree reads
+// the nodes that can intersect the window; a scene is scanned. Memory: some hundred rows.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "base/error.h"
 #include "contact/window_contact.h"
-#include "query/window/object_candidates.h"
+#include "query/search_target.h"
 
-namespace foresee::query {
+namespace foresee {
+
+// Candidate stage of a window query: objects of a scene or of a tree, divided into those that contact must
+// decide and those that certainly touch the window.
+
+/// Row numbers, a few hundred at most.
+struct CandidateBatch {
+  std::vector<std::uint32_t> doubtful;  ///< decided by the contact test
+  std::vector<std::uint32_t> inside;    ///< exist at `now` and touch the window then
+
+  bool empty() const { return doubtful.empty() && inside.empty(); }
+  void clear() { doubtful.clear(), inside.clear(); }
+};
+
+class ObjectCandidates {
+ public:
+  virtual ~ObjectCandidates() = default;
+
+  /// The rows of the latest batch; the same object for all batches.
+  virtual const Bodies& bodies() const = 0;
+
+  /// Replaces `batch` by the next one; false once there are no candidates left.
+  virtual bool next(CandidateBatch& batch) = 0;
+
+  /// The id of a row of the latest batch.
+  virtual std::int64_t id(std::uint32_t row) const = 0;
+};
+
+/// Every object that can touch the window during the horizon, once, and others. `is_zone`: the window is a
+/// zone that the faces enclose, so a point between the faces need not be in the window.
+std::unique_ptr<ObjectCandidates> window_candidates(const SearchTarget& objects, const WindowFaces& faces,
+                                                    bool is_zone, const Horizon& horizon,
+                                                    Interrupt& interrupt);
 
 struct WindowWants {
-  bool begins = true;  ///< t, dt
+  bool starts = true;  ///< t, dt
   bool ends = true;    ///< t_end, dt_end
 };
 
 struct WindowQuestion {
-  Searched objects;
+  SearchTarget objects;
   double now = 0;
   double h = 0;
-  WindowFaces faces = {};  ///< infinite: no bound
-  std::shared_ptr<const CutOutline> zone =
-      nullptr;  ///< in place of the faces across x and y; moves with them
+  WindowFaces faces = {};                               ///< infinite: no bound
+  std::shared_ptr<const SharedOutline> zone = nullptr;  ///< replaces the faces in x and y; moves with them
   WindowWants wants = {};
 };
 
@@ -42,12 +75,12 @@ struct WindowRow {
 
 class Window {
  public:
-  /// Throws Error for a wrong question: h negative or not finite; now or a velocity not finite; a lower bound
-  /// above its upper one; a bound or velocity on an axis that the objects do not have; a zone on one axis, or
-  /// together with a bound in x or y. `interrupt` must outlive the window.
+  /// Throws Error if h is negative or not finite, if now or a velocity is not finite, or if a lower bound is
+  /// above its upper one. Also for a bound or velocity on an axis that the objects do not have, and for a
+  /// zone on one axis or together with a bound in x or y. `interrupt` must outlive the window.
   Window(WindowQuestion question, Interrupt& interrupt);
 
-  /// The next rows, some hundreds at most; empty once there are none left. Valid until the next call.
+  /// The next rows, a few hundred at most; empty at the end. Valid until the next call.
   std::span<const WindowRow> next();
 
  private:
@@ -64,4 +97,4 @@ class Window {
   std::vector<WindowRow> rows_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,6 +1,6 @@
 #include "shape/mesh/mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 Extents<3> Mesh::extents() const {
   const Vec<3> first = place_of(corners_[0]);
@@ -11,4 +11,4 @@ Extents<3> Mesh::extents() const {
   return around;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,13 +1,13 @@
-// What is a shape in space around the position of its object? Triangles between corners: a surface, or the
-// solid that a closed surface encloses.
+// Triangle mesh around an object's position: a surface, or the solid that a closed surface encloses.
 //
 //   Mesh roof(Mesh::Kind::surface, false, {{0, 0, 3}, {4, 0, 3}, {0, 5, 4}}, {{0, 1, 2}});
 //
-// Triangles may run either way round, touch and cross. A solid is what an odd number of its triangles lie
-// around: with its surface, which is closed as each of its edges is one of exactly two triangles. The
-// position need not lie within. A mesh holds what was written and never changes: many rows and statements
-// share one. Whether its triangles are some, and whether it is closed, says mesh_check.h; all else here may
-// rely on it.
+// Triangles may run either way round, touch and intersect. A surface is closed if each edge belongs to
+// exactly two triangles. The solid is the set of points that an odd number of its triangles enclose, and
+// includes its surface (even-odd rule). The position need not lie within.
+//
+// A mesh holds what was written and is immutable: many rows and statements share one. mesh_check.h checks
+// that the triangles have an area and that a solid is closed; all else here may rely on it.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 #include "motion/box.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// Finite, and never -0.
 struct SpaceCorner {
@@ -30,23 +30,23 @@ inline Vec<3> place_of(const SpaceCorner& corner) {
   return Vec<3>(corner.x, corner.y, corner.z);
 }
 
-/// Places of its corners among those of the mesh.
+/// Indices of its corners among those of the mesh.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// As many triangles a mesh may have.
-constexpr std::size_t most_triangles = 65536;
+/// The maximum number of triangles of a mesh.
+constexpr std::size_t max_triangles = 65536;
 
 class Mesh {
  public:
   enum class Kind : std::uint8_t {
-    surface,  ///< TIN Z: what is below it does not touch it
+    surface,  ///< TIN Z: has no inside; an object below it does not touch it
     solid,    ///< POLYHEDRALSURFACE Z: closed
     parts     ///< MULTIPOLYGON Z: a solid if it is closed, else a surface
   };
 
   Mesh() = default;
-  /// `closed`: each edge is one of exactly two triangles. Requires: each corner is of a triangle, and there
-  /// is a triangle. No corner comes twice, unless a turn has made two one (mesh_check.h).
+  /// `closed`: each edge belongs to exactly two triangles. Requires: at least one triangle; each corner
+  /// belongs to one. No two corners are equal, unless a rotation has merged them (mesh_check.h).
   Mesh(Kind kind, bool closed, std::vector<SpaceCorner> corners, std::vector<Triangle> triangles)
       : kind_(kind), closed_(closed), corners_(std::move(corners)), triangles_(std::move(triangles)) {}
 
@@ -54,11 +54,11 @@ class Mesh {
   bool is_solid() const { return closed_ && kind_ != Kind::surface; }
   std::span<const SpaceCorner> corners() const { return corners_; }
   std::span<const Triangle> triangles() const { return triangles_; }
-  /// The same triangles between other corners, as many.
+  /// The same triangles with new coordinates of the corners. Requires: as many corners.
   Mesh with_corners(std::vector<SpaceCorner> corners) const {
     return Mesh(kind_, closed_, std::move(corners), triangles_);
   }
-  /// The smallest box around it, seen from the position.
+  /// The bounding box relative to the position.
   Extents<3> extents() const;
 
   friend bool operator==(const Mesh&, const Mesh&) = default;
@@ -70,4 +70,4 @@ class Mesh {
   std::vector<Triangle> triangles_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -5,15 +5,15 @@
 
 #include "base/error.h"
 #include "base/float_environment.h"
-#include "base/shown.h"
-#include "shape/mesh/mesh_writer.h"
+#include "base/number_text.h"
+#include "shape/mesh/mesh_text.h"
 #include "shape/outline/orientation.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
-/// Whether they lie on one line: then so do their shadows on all three planes.
+/// Whether the corners are collinear: then their projections to all three planes are.
 bool on_one_line(const SpaceCorner& a, const SpaceCorner& b, const SpaceCorner& c) {
   return orientation({a.x, a.y}, {b.x, b.y}, {c.x, c.y}) == 0 &&
          orientation({a.y, a.z}, {b.y, b.z}, {c.y, c.z}) == 0 &&
@@ -65,8 +65,8 @@ void check_mesh(const Mesh& mesh) {
 void check_turned(const Mesh& mesh, const Mesh& turned, double heading) {
   if (std::fmod(heading, 90) == 0) return;
   const auto fail = [&](const std::string& what) {
-    throw Error("turned by " + base::shown(heading) + " degrees its " + what +
-                ": they are closer than a double tells");
+    throw Error("turned by " + shown(heading) + " degrees its " + what +
+                ": they are closer than doubles resolve");
   };
   if (const auto equal = equal_corners_of(turned.corners()))
     fail("corners " + shown_edge(mesh, (*equal)[0], (*equal)[1]) + " become one");
@@ -74,4 +74,4 @@ void check_turned(const Mesh& mesh, const Mesh& turned, double heading) {
     fail(shown_face(mesh, *flat) + " has no area between its corners");
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

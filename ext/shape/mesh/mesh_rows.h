@@ -1,18 +1,18 @@
-// Who knows what the rows of a table look like that have meshes?
+// Interface to the meshes of a table's rows, as contact reads them.
 #pragma once
 
 #include "shape/mesh/triangle_tree.h"
-#include "shape/own_pieces.h"
+#include "shape/scratch_pieces.h"
 
-namespace foresee::shape {
+namespace foresee {
 
-/// Who knows the meshes of a table's rows. Asked by several threads at a time.
+/// The rotated meshes of rows. Thread-safe.
 class MeshRows {
  public:
   virtual ~MeshRows() = default;
-  /// The triangles of this row's mesh as it lies, which live as long as this, or are in `own`; null: it has
-  /// none, and is the point or ball that its radius says.
-  virtual const TriangleTree* triangles(std::size_t row, OwnPieces<TriangleTree>& own) const = 0;
+  /// The triangles of this row's rotated mesh; they live as long as this, or in `own`. Null: the row has no
+  /// mesh, and is a point or a ball of its radius.
+  virtual const TriangleTree* triangles(std::size_t row, ScratchPieces<TriangleTree>& own) const = 0;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
-/// Which corners hang together? Each names another of its part, or itself.
+/// Union-find over corners: connected components of the mesh. Each corner names another of its component, or
+/// itself.
 class Parts {
  public:
   explicit Parts(std::size_t corners) : next_(corners) { std::iota(next_.begin(), next_.end(), 0); }
@@ -21,14 +22,14 @@ class Parts {
   std::vector<std::uint32_t> next_;
 };
 
-/// A corner or an edge, seen from a triangle.
+/// A corner or an edge of one triangle.
 struct Side {
-  std::uint32_t from, to, place;  ///< place: 3 times the triangle, and the number of its side
+  std::uint32_t from, to, place;  ///< place: 3 * triangle + number of the side
 
   friend auto operator<=>(const Side&, const Side&) = default;
 };
 
-/// Each belongs to the triangle that comes first.
+/// Assigns each corner or edge to the first triangle that has it.
 void own_first(std::vector<Side>& sides, int first_bit, std::vector<std::uint8_t>& owned) {
   std::sort(sides.begin(), sides.end());
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -88,7 +89,7 @@ TriangleTree::TriangleTree(const Mesh& mesh)
   links->owned = owned_of(links->triangles);
   links->part_corners = part_corners_of(links->triangles, corners_.size());
   tree_ = tree_of(links->triangles, corners_);
-  plates_ = Plates(tree_, links->triangles, corners_);
+  discs_ = BoundingDiscs(tree_, links->triangles, corners_);
   links_ = std::move(links);
 }
 
@@ -96,7 +97,7 @@ TriangleTree::TriangleTree(const TriangleTree& known, const Mesh& turned)
     : links_(known.links_),
       corners_(turned.corners().begin(), turned.corners().end()),
       tree_(tree_of(links_->triangles, corners_)),
-      plates_(known.plates_, known.corners_, tree_, corners_),
+      discs_(known.discs_, known.corners_, tree_, corners_),
       solid_(known.solid_) {}
 
-}  // namespace foresee::shape
+}  // namespace foresee

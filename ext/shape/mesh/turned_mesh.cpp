@@ -1,9 +1,9 @@
 #include "shape/mesh/turned_mesh.h"
 
 #include "base/float_environment.h"
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 Mesh turned(const Mesh& mesh, double heading) {
   const FloatEnvironment environment;
@@ -17,4 +17,4 @@ Mesh turned(const Mesh& mesh, double heading) {
   return mesh.with_corners(std::move(corners));
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

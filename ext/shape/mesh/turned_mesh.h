@@ -1,16 +1,16 @@
-// Where does a mesh lie that is turned? As a flat outline does (outline/turn.h), in x and y; z stays.
+// Rotates a mesh about the z axis, with correctly rounded coordinates (outline/outline_rotation.h).
 //
-//   Mesh as_it_lies = turned(building, 37.5);         // degrees clockwise from the y axis, around the z axis
+//   Mesh rotated = turned(building, 37.5);         // degrees clockwise from the y axis, around the z axis
 //
-// Cost: a microsecond a mesh, some 40 ns a corner.
+// Cost: a microsecond per mesh, some 40 ns per corner.
 #pragma once
 
 #include "shape/mesh/mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 
-/// The same triangles between the turned corners. Throws Error where a corner is beyond the largest double.
-/// Whether its triangles are some still, mesh_check.h tells. Requires: -360 <= heading <= 360.
+/// The same triangles between the rotated corners. Throws Error if a corner is beyond the largest double. The
+/// result may be invalid: check it (mesh_check.h). Requires: -360 <= heading <= 360.
 Mesh turned(const Mesh& mesh, double heading);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,18 +1,18 @@
-// What do the meshes of many rows look like, as they lie?
+// The rotated meshes of many rows, shared by rows of the same mesh and heading.
 //
 //   const TurnedMeshes meshes(drones, source, interrupt);               // looks every number up
-//   OwnPieces<TriangleTree> own;
+//   ScratchPieces<TriangleTree> own;
 //   if (const TriangleTree* hull = meshes.triangles(row, own)) …             // turned by the row's heading
 //
-// Cost (turned_forms.h): a look-up a row; later a microsecond a heading and some 200 ns a corner, once as a
-// rule.
+// Cost (turned_forms.h): a look-up per row; on demand a microsecond per heading and some 200 ns per corner,
+// as a rule once.
 #pragma once
 
-#include "shape/mesh/cut_mesh.h"
 #include "shape/mesh/mesh_rows.h"
+#include "shape/mesh/shared_mesh.h"
 #include "shape/turned_forms.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class TurnedMeshes final : public MeshRows {
  public:
@@ -25,13 +25,13 @@ class TurnedMeshes final : public MeshRows {
   void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
     forms_.assign(bodies, source, interrupt);
   }
-  const TriangleTree* triangles(std::size_t row, OwnPieces<TriangleTree>& own) const override {
+  const TriangleTree* triangles(std::size_t row, ScratchPieces<TriangleTree>& own) const override {
     return forms_.pieces(row, own);
   }
   std::size_t memory() const { return forms_.memory(); }
 
  private:
-  TurnedForms<CutMesh> forms_;
+  TurnedForms<SharedMesh> forms_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -12,7 +12,7 @@ bool before(const SpaceCorner& a, const SpaceCorner& b) {
   return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
-/// By place, those of equal corners in their own order.
+/// Indices of the corners, sorted by coordinates and then by index.
 std::vector<std::uint32_t> sorted_places(std::span<const SpaceCorner> corners) {
   std::vector<std::uint32_t> places(corners.size());
   std::iota(places.begin(), places.end(), 0);
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> sorted_places(std::span<const SpaceCorner> corners) {
   return places;
 }
 
-/// Of each corner, the first place of one that is equal.
+/// For each corner, the first index of an equal one.
 std::vector<std::uint32_t> first_equals(std::span<const SpaceCorner> corners) {
   const std::vector<std::uint32_t> places = sorted_places(corners);
   std::vector<std::uint32_t> firsts(corners.size());
@@ -34,11 +34,11 @@ std::vector<std::uint32_t> first_equals(std::span<const SpaceCorner> corners) {
   return firsts;
 }
 
-/// An edge as one of the triangles names it.
+/// An edge of one triangle.
 struct NamedEdge {
-  std::uint32_t least, greatest, place;  ///< place: 3 times the triangle, and the number of its edge
+  std::uint32_t lower, upper, place;  ///< the two corners; place: 3 * triangle + number of the edge
 
-  bool joins_same(const NamedEdge& other) const { return least == other.least && greatest == other.greatest; }
+  bool joins_same(const NamedEdge& other) const { return lower == other.lower && upper == other.upper; }
   friend auto operator<=>(const NamedEdge&, const NamedEdge&) = default;
 };
 
@@ -47,8 +47,8 @@ std::vector<NamedEdge> sorted_edges(std::span<const Triangle> triangles) {
   edges.reserve(3 * triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const auto [least, greatest] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
-      edges.push_back({least, greatest, 3 * t + i});
+      const auto [lower, upper] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
+      edges.push_back({lower, upper, 3 * t + i});
     }
   std::sort(edges.begin(), edges.end());
   return edges;
@@ -96,4 +96,4 @@ std::optional<std::array<std::uint32_t, 2>> equal_corners_of(std::span<const Spa
   return std::nullopt;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

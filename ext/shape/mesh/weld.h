@@ -1,11 +1,11 @@
-// Which mesh are these triangles? Equal corners become one, and so what hangs together is known.
+// Welds a triangle soup into a mesh: equal corners become one, so that the triangles are connected.
 //
 //   Mesh tent = welded(Mesh::Kind::surface, {{0, 0, 0}, {4, 0, 0}, {2, 5, 3},
 //                                            {4, 0, 0}, {0, 0, 0}, {2, -5, 3}});
 //   tent.corners().size() == 4
 //
-// Corners are numbered in the order in which triangles name them, so that equal triangles in the same order
-// are equal meshes. Cost: n log n, some 200 ns a triangle.
+// Corners are numbered in the order of their first use, so that equal triangles in the same order give equal
+// meshes. Cost: n log n, some 200 ns per triangle.
 #pragma once
 
 #include <optional>
@@ -14,21 +14,21 @@
 
 #include "shape/mesh/mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 
-/// Three corners a triangle; -0 becomes 0. Requires: finite numbers, a triangle.
+/// `corners`: three per triangle; -0 becomes 0. Requires: finite numbers, at least one triangle.
 Mesh welded(Mesh::Kind kind, std::vector<SpaceCorner> corners);
 
-/// An edge between corners of a mesh, and how many triangles have it.
+/// An edge between two corners of a mesh, and the number of triangles that have it.
 struct MeshEdge {
   std::uint32_t from, to;
   std::size_t triangles;
 };
 
-/// The first edge that is not one of exactly two triangles; none: the triangles are closed.
+/// The first edge that does not belong to exactly two triangles; empty: the surface is closed.
 std::optional<MeshEdge> open_edge_of(std::span<const Triangle> triangles);
 
-/// Two corners that are equal, the first that are; none in a welded mesh.
+/// The first two corners that are equal; empty for a welded mesh.
 std::optional<std::array<std::uint32_t, 2>> equal_corners_of(std::span<const SpaceCorner> corners);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foresee::shape {
+namespace foresee {
 
 template <int D>
 BoxTree<D>::BoxTree(std::span<const Box<D>> boxes)
@@ -17,27 +17,27 @@ BoxTree<D>::BoxTree(std::span<const Box<D>> boxes)
 
 namespace {
 
-/// Deals the boxes to the leaves, from the root downwards.
+/// Assigns boxes to leaves, from the root downwards.
 template <int D>
-class Dealer {
+class LeafAssignment {
  public:
-  explicit Dealer(std::span<const Box<D>> boxes)
-      : boxes_(boxes), dealt_(boxes.size()), order_(boxes.size()), leaves_(2 * boxes.size() - 1, 1) {
-    std::iota(dealt_.begin(), dealt_.end(), 0);
+  explicit LeafAssignment(std::span<const Box<D>> boxes)
+      : boxes_(boxes), assigned_(boxes.size()), order_(boxes.size()), leaves_(2 * boxes.size() - 1, 1) {
+    std::iota(assigned_.begin(), assigned_.end(), 0);
     for (std::size_t node = boxes.size() - 1; node-- > 0;)
       leaves_[node] = leaves_[2 * node + 1] + leaves_[2 * node + 2];
   }
 
   std::vector<std::uint32_t> order() && {
-    deal(0, dealt_.begin());
+    assign(0, assigned_.begin());
     return std::move(order_);
   }
 
  private:
   using Place = std::vector<std::uint32_t>::iterator;
 
-  /// The boxes from `first` on, as many as the node has leaves. As deep as the tree is.
-  void deal(std::size_t node, Place first) {
+  /// Assigns the boxes from `first` on, as many as the node has leaves. Recursive, as deep as the tree.
+  void assign(std::size_t node, Place first) {
     const std::size_t first_leaf = boxes_.size() - 1;
     if (node >= first_leaf) {
       order_[node - first_leaf] = *first;
@@ -49,8 +49,8 @@ class Dealer {
       const double at_a = middle_of(a)[axis], at_b = middle_of(b)[axis];
       return at_a < at_b || (at_a == at_b && a < b);
     });
-    deal(2 * node + 1, first);
-    deal(2 * node + 2, middle);
+    assign(2 * node + 1, first);
+    assign(2 * node + 2, middle);
   }
 
   int widest_axis(Place first, Place last) const {
@@ -64,16 +64,16 @@ class Dealer {
   Vec<D> middle_of(std::uint32_t box) const { return boxes_[box].lower / 2 + boxes_[box].upper / 2; }
 
   std::span<const Box<D>> boxes_;
-  std::vector<std::uint32_t> dealt_;  ///< boxes, those of each node side by side
+  std::vector<std::uint32_t> assigned_;  ///< indices of boxes, those of each node adjacent
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> leaves_;  ///< below each node
+  std::vector<std::uint32_t> leaves_;  ///< number of leaves below each node
 };
 
 }  // namespace
 
 template <int D>
 std::vector<std::uint32_t> tree_order(std::span<const Box<D>> boxes) {
-  return Dealer<D>(boxes).order();
+  return LeafAssignment<D>(boxes).order();
 }
 
 template class BoxTree<2>;
@@ -81,4 +81,4 @@ template class BoxTree<3>;
 template std::vector<std::uint32_t> tree_order<2>(std::span<const Box<2>>);
 template std::vector<std::uint32_t> tree_order<3>(std::span<const Box<3>>);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "shape/outline/orientation.h"
 #include "shape/outline/triangulation.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -17,7 +17,7 @@ void grow(Box<2>& box, const Corner& corner) {
   box.lower = box.lower.min(at), box.upper = box.upper.max(at);
 }
 
-/// Rings of sides: at first triangles, then what of them is convex together.
+/// Rings of sides: triangles at first, which merge() joins to convex pieces.
 class SideRings {
  public:
   SideRings(std::span<const Corner> corners, std::vector<TriangleSide> sides)
@@ -27,8 +27,8 @@ class SideRings {
         next_[first + i] = first + (i + 1) % 3, last_[first + i] = first + (i + 2) % 3;
   }
 
-  /// Takes back each cut that parts what is convex together. One look at each is enough: pieces only grow,
-  /// and a corner at which two are not convex together does not become one at which they are.
+  /// Removes each cut between two pieces whose union is convex. One test per cut is enough: pieces only grow,
+  /// and a corner at which the union of two is not convex remains such a corner.
   void merge() {
     for (std::uint32_t side = 0; side < sides_.size(); ++side) {
       const std::uint32_t twin = sides_[side].twin;
@@ -36,7 +36,7 @@ class SideRings {
       if (!convex_without(side, twin) || !convex_without(twin, side)) continue;
       splice(last_[side], next_[twin]);
       splice(last_[twin], next_[side]);
-      next_[side] = next_[twin] = taken_back;
+      next_[side] = next_[twin] = removed;
     }
   }
 
@@ -46,7 +46,7 @@ class SideRings {
     std::vector<Box<2>> boxes;
     std::vector<bool> seen(sides_.size());
     for (std::uint32_t first = 0; first < sides_.size(); ++first) {
-      if (next_[first] == taken_back || seen[first]) continue;
+      if (next_[first] == removed || seen[first]) continue;
       firsts.push_back(first);
       boxes.push_back(Box<2>::empty());
       for_ring(first, [&](std::uint32_t side) { seen[side] = true, grow(boxes.back(), corner(side)); });
@@ -63,12 +63,12 @@ class SideRings {
   }
 
  private:
-  static constexpr std::uint32_t taken_back = TriangleSide::none;
+  static constexpr std::uint32_t removed = TriangleSide::none;
 
   const Corner& corner(std::uint32_t side) const { return corners_[sides_[side].corner]; }
 
-  /// Whether the ring turns left, or goes straight on, where `side` begins, when it goes on along the ring of
-  /// its twin instead.
+  /// Whether the merged ring, without `side` and `twin`, turns left or goes straight on at the start of
+  /// `side`.
   bool convex_without(std::uint32_t side, std::uint32_t twin) const {
     return orientation(corner(last_[side]), corner(side), corner(next_[next_[twin]])) >= 0;
   }
@@ -84,7 +84,7 @@ class SideRings {
 
   std::span<const Corner> corners_;
   std::vector<TriangleSide> sides_;
-  std::vector<std::uint32_t> next_, last_;  ///< in the ring of each side
+  std::vector<std::uint32_t> next_, last_;  ///< neighbours of each side in its ring
 };
 
 /// Whether each ring runs counterclockwise.
@@ -104,7 +104,7 @@ std::shared_ptr<const ConvexPieces::Cut> cut_of(const Outline& outline) {
   return std::make_shared<const ConvexPieces::Cut>(std::move(cut));
 }
 
-/// One ring without cuts, the other way round if `reversed`.
+/// The cut of a single convex ring: one piece, with its corners in reverse order if `reversed`.
 std::shared_ptr<const ConvexPieces::Cut> uncut(std::size_t corners, bool reversed) {
   ConvexPieces::Cut made;
   made.corners.resize(corners);
@@ -148,4 +148,4 @@ ConvexPieces turned_pieces(const ConvexPieces& pieces, const Outline& turned) {
   return convex_pieces(turned);
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,20 +1,20 @@
-// Of which convex pieces is an outline the union? Contact is decided between these.
+// Convex decomposition of an outline into pieces, between which contact is decided.
 //
-//   const ConvexPieces pieces = convex_pieces(outline);            // cut once an outline
-//   const ConvexPieces as_it_lies = turned_pieces(pieces, turned(outline, 37.5));
+//   const ConvexPieces pieces = convex_pieces(outline);            // once per outline
+//   const ConvexPieces rotated = turned_pieces(pieces, turned(outline, 37.5));
 //   for (std::size_t p = 0; p < pieces.count(); ++p)
 //     pieces.corners(p), pieces.inner(p), pieces.bounds(p);
 //
-// Every piece is a ring of three corners or more, counterclockwise, that turns left or goes straight on at
-// each: by exact signs. Pieces meet only at their boundaries, and together they are the region, no more and
-// no less: every corner is one of the outline's. An edge of a piece is inner where it is a cut: what leaves
-// the piece through it is in another one. Holes, parts, and rings that touch need no care by who reads
-// pieces.
+// Every piece is a counterclockwise ring of at least three corners that turns left or goes straight on at
+// each corner, by exact signs. Pieces meet only at their boundaries, and their union is exactly the region;
+// every corner is one of the outline's. An edge of a piece is inner if it is a cut: a path that leaves the
+// piece through it enters another piece. Readers of pieces need no special cases for holes, parts, or rings
+// that touch.
 //
-// Cut by one sweep that triangulates (S. Hertel, K. Mehlhorn, "Fast triangulation of the plane with respect
-// to simple polygons", Information and Control 64, 1985), then cuts are taken back while what they part is
-// convex together, which leaves at most four times as few pieces as there can be. Cost: n log n, about half a
-// microsecond a corner; turned_pieces() a tenth of that.
+// One sweep triangulates (S. Hertel, K. Mehlhorn, "Fast triangulation of the plane with respect to simple
+// polygons", Information and Control 64, 1985). Then each cut between two pieces with a convex union is
+// removed, which gives at most four times the minimal number of pieces. Cost: n log n, about half a
+// microsecond per corner; turned_pieces() takes a tenth of that.
 #pragma once
 
 #include <cstddef>
@@ -26,21 +26,21 @@
 #include "shape/outline/box_tree.h"
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class ConvexPieces {
  public:
-  /// Which corners make which pieces: the same for all headings of an outline.
+  /// The corners of each piece, by index: the same for all headings of an outline.
   struct Cut {
-    std::vector<std::uint32_t> corners;  ///< of all pieces, by their places in the outline
-    std::vector<std::uint8_t> inner;     ///< whether the edge from each to the next of its piece is a cut
-    std::vector<std::uint32_t> ends;     ///< where each piece ends among them
-    std::vector<bool> counterclockwise;  ///< how the rings of the outline run
-    std::size_t outline_corners = 0;     ///< as many has the outline
+    std::vector<std::uint32_t> corners;  ///< of all pieces, by their indices in the outline
+    std::vector<std::uint8_t> inner;     ///< whether the edge from each corner to the next is a cut
+    std::vector<std::uint32_t> ends;     ///< end index of each piece in `corners`
+    std::vector<bool> counterclockwise;  ///< per ring of the outline
+    std::size_t outline_corners = 0;     ///< number of corners of the outline
   };
 
   ConvexPieces() = default;
-  /// Requires: the places in `cut` are of `corners`, and its pieces in an order for a tree.
+  /// Requires: `cut` has indices of `corners`, and its pieces are in an order for a tree.
   ConvexPieces(std::shared_ptr<const Cut> cut, std::span<const Corner> corners);
 
   std::size_t count() const { return cut_ ? cut_->ends.size() : 0; }
@@ -55,7 +55,7 @@ class ConvexPieces {
   /// Item p of the tree is piece p.
   const BoxTree<2>& tree() const { return tree_; }
   const std::shared_ptr<const Cut>& cut() const { return cut_; }
-  /// Bytes, without the cut.
+  /// In bytes, without the cut.
   std::size_t memory() const { return sizeof *this + corners_.size() * sizeof(Corner) + tree_.memory(); }
 
  private:
@@ -70,10 +70,10 @@ class ConvexPieces {
 /// Requires: a valid outline (validity.h).
 ConvexPieces convex_pieces(const Outline& outline);
 
-/// The pieces of `turned`, which is the outline of `pieces` turned and valid. Cut alike where every piece is
-/// still convex and every ring still runs the same way round: then the pieces wind once round each point
-/// within and round no other, as the rings do of which they are the sum. Else, as rounding has moved a corner
-/// across an edge, cut anew.
+/// The pieces of `turned`, the outline of `pieces` after a rotation. Requires: it is valid. The same cut is
+/// used if every piece is still convex and every ring keeps its direction. Then the pieces have winding
+/// number 1 around each point of the region and 0 elsewhere, because the rings, whose sum they are, do.
+/// Otherwise rounding has moved a corner across an edge, and the outline is cut again.
 ConvexPieces turned_pieces(const ConvexPieces& pieces, const Outline& turned);
 
-}  // namespace foresee::shape
+}  // namespace foresee

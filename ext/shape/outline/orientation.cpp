@@ -5,7 +5,7 @@
 #include "numbers/double_double.h"
 #include "numbers/dyadic.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -13,7 +13,7 @@ int sign_of(double number) {
   return (number > 0) - (number < 0);
 }
 
-/// Whether products of two such differences are exact as the sum of two doubles.
+/// Whether a product of two such differences is exact as a sum of two doubles.
 bool exact_in_products(const DoubleDouble& gap) {
   const double size = std::abs(gap.high);
   return gap.low == 0 && (size == 0 || (size > 0x1p-450 && size < 0x1p450));
@@ -26,7 +26,7 @@ int close_turn_sign(const Corner& a, const Corner& b, const Corner& c, const Cor
   const DoubleDouble bx = difference(d.x, c.x), by = difference(d.y, c.y);
   if (exact_in_products(ax) && exact_in_products(ay) && exact_in_products(bx) && exact_in_products(by)) {
     const DoubleDouble left = product(ax.high, by.high), right = product(ay.high, bx.high);
-    // Equal products have equal parts, and greater ones no smaller high parts.
+    // Equal products have equal parts; a greater product has a high part that is not smaller.
     return left.high != right.high ? sign_of(left.high - right.high) : sign_of(left.low - right.low);
   }
   return ((Dyadic(b.x) - Dyadic(a.x)) * (Dyadic(d.y) - Dyadic(c.y)) -
@@ -56,4 +56,4 @@ int convex_direction(std::span<const Corner> ring) {
   return reversals == 2 ? direction : 0;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,11 +1,11 @@
-// On which side of a line does a corner lie? The exact sign, at the cost of doubles.
+// Exact orientation predicate: on which side of a line a corner lies, mostly at the cost of doubles.
 //
 //   orientation({0, 0}, {1, 0}, {0, 1}) == 1          // left; -1: right; 0: on the line
 //
-// A staircase, as in J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
-// predicates" (Discrete & Computational Geometry 18, 1997): doubles with an error bound tell nearly always;
-// where the differences are exact, as between whole numbers, so are two products in twice the precision; what
-// is left goes to exact numbers. Cost: 2 ns, 10 ns, half a microsecond.
+// Three stages, as in J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+// predicates" (Discrete & Computational Geometry 18, 1997). Doubles with an error bound nearly always decide.
+// If the differences are exact, as between integers, two products in double-double decide. Exact numbers
+// decide the rest. Cost: 2 ns, 10 ns, half a microsecond.
 #pragma once
 
 #include <cmath>
@@ -13,9 +13,9 @@
 
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
-/// What turn_sign() says where doubles with an error bound do not tell.
+/// The slow path of turn_sign(), where doubles with an error bound do not decide.
 int close_turn_sign(const Corner& a, const Corner& b, const Corner& c, const Corner& d);
 
 /// Whether the direction from c to d turns left (1) or right (-1) of that from a to b, or neither (0): the
@@ -41,12 +41,11 @@ inline bool before(const Corner& a, const Corner& b) {
   return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
-/// Whether the ring runs counterclockwise: as it does at its first corner from the left. Requires: two
-/// corners or more.
+/// Whether the ring is counterclockwise, decided at its leftmost corner. Requires: at least two corners.
 bool is_counterclockwise(std::span<const Corner> ring);
 
-/// Whether the ring is convex, encloses more than a line, and runs so round: 1 counterclockwise, -1
-/// clockwise; 0 if it is no such ring. Corners may lie on the line between their neighbours.
+/// The direction of a convex ring with an area: 1 counterclockwise, -1 clockwise; 0 for any other ring.
+/// Corners may lie on the line between their neighbours.
 int convex_direction(std::span<const Corner> ring);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,9 +1,9 @@
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 void Outline::begin_part() {
-  part_begins_.push_back(static_cast<std::uint32_t>(rings()));
+  part_starts_.push_back(static_cast<std::uint32_t>(rings()));
   begin_hole();
 }
 
@@ -35,4 +35,4 @@ Extents<2> Outline::extents() const {
   return around;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,20 +1,20 @@
-// Who knows what the rows of a table look like that have outlines?
+// Interface to the outlines of a table's rows, as contact reads them.
 #pragma once
 
 #include <cstddef>
 
 #include "shape/outline/convex_pieces.h"
-#include "shape/own_pieces.h"
+#include "shape/scratch_pieces.h"
 
-namespace foresee::shape {
+namespace foresee {
 
-/// Who knows the outlines of a table's rows. Asked by several threads at a time.
+/// The convex pieces of rows' rotated outlines. Thread-safe.
 class OutlineRows {
  public:
   virtual ~OutlineRows() = default;
-  /// The pieces of this row's outline as it lies, which live as long as this, or are in `own`; null: it has
-  /// none, and is the point, disc or cylinder that its sizes say.
-  virtual const ConvexPieces* pieces(std::size_t row, OwnPieces<ConvexPieces>& own) const = 0;
+  /// The pieces of this row's rotated outline; they live as long as this, or in `own`. Null: the row has no
+  /// outline, and is a point, disc or cylinder of its sizes.
+  virtual const ConvexPieces* pieces(std::size_t row, ScratchPieces<ConvexPieces>& own) const = 0;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

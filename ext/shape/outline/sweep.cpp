@@ -4,14 +4,14 @@
 #include <iterator>
 #include <numeric>
 
-namespace foresee::shape {
+namespace foresee {
 
 SweepEdges::SweepEdges(const Outline& outline) {
   edges_.reserve(outline.corners().size());
   last_.reserve(outline.corners().size());
   for (std::size_t r = 0; r < outline.rings(); ++r) {
     const std::span<const Corner> ring = outline.ring(r);
-    const auto begin = static_cast<std::uint32_t>(outline.ring_begin(r));
+    const auto begin = static_cast<std::uint32_t>(outline.ring_start(r));
     const auto size = static_cast<std::uint32_t>(ring.size());
     for (std::uint32_t i = 0; i < size; ++i) {
       const std::uint32_t next = i + 1 == size ? 0 : i + 1;
@@ -24,7 +24,7 @@ SweepEdges::SweepEdges(const Outline& outline) {
   }
 }
 
-/// At the place from which both are crossed.
+/// Compares at the place from which the sweep line crosses both edges.
 bool SweepLine::Below::operator()(const Crossed& one, const Crossed& other) const {
   const SweepEdge &a = (*edges)[one.edge], &b = (*edges)[other.edge];
   if (before(b.left, a.left)) {
@@ -45,7 +45,7 @@ bool SweepLine::holds(Place crossed, const Corner& place) const {
   return edge.right == place || orientation(edge.left, edge.right, place) == 0;
 }
 
-void SweepLine::look(Meeting& m) {
+void SweepLine::find_meeting(Meeting& m) {
   m.arriving.clear();
   m.leaving.clear();
   first_ = line_.end();
@@ -87,4 +87,4 @@ std::vector<std::uint32_t> sweep_order(const SweepEdges& edges) {
   return order;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -4,24 +4,24 @@
 
 #include "shape/outline/sweep.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
 constexpr std::uint32_t none = TriangleSide::none;
 
-/// Corners joined upwards, each to the next by an edge of the outline or by a cut. What is left of the region
-/// is to the right, and at no corner but the ends could a triangle be cut off.
+/// A chain of corners, ordered upwards, each joined to the next by an edge of the outline or by a cut. The
+/// rest of the region is to its right; only at its ends may a triangle still be cut off.
 struct Chain {
-  std::uint32_t front = none, back = none;  ///< places among the links
-  std::uint32_t last = none;                ///< that which came last: seen from all that is to come next
+  std::uint32_t front = none, back = none;  ///< indices of links
+  std::uint32_t last = none;                ///< the newest link: visible from every corner that may come next
 };
 
 class Triangulator {
  public:
   explicit Triangulator(const Outline& outline)
       : corners_(outline.corners()), edges_(outline), hole_(outline.rings(), true), gaps_(edges_.size()) {
-    for (std::size_t part = 0; part < outline.parts(); ++part) hole_[outline.part_begin(part)] = false;
+    for (std::size_t part = 0; part < outline.parts(); ++part) hole_[outline.part_start(part)] = false;
     sides_.reserve(3 * (corners_.size() + 2 * outline.rings()));
     sweep(edges_, [this](const Meeting& m) { meet(m); });
   }
@@ -33,7 +33,7 @@ class Triangulator {
   struct Link {
     std::uint32_t corner;
     std::uint32_t down, up;
-    std::uint32_t cut;  ///< what joins it to the next one up; none: an edge of the outline
+    std::uint32_t cut;  ///< the cut to the next link up; none: an edge of the outline
   };
 
   bool region_above(EdgeNumber edge) const {
@@ -54,7 +54,7 @@ class Triangulator {
       }
   }
 
-  /// Gaps between edges that arrive end here; those beside them go on, as one if nothing leaves.
+  /// Gaps between arriving edges end here; the gaps beside them continue, merged if no edge leaves.
   void arrive(const Meeting& m, std::uint32_t corner) {
     for (const EdgeNumber edge : m.arriving)
       if (region_above(edge)) add_front(gaps_[edge], corner, none);
@@ -67,8 +67,8 @@ class Triangulator {
       gaps_[m.leaving.back()] = above;
   }
 
-  /// The chain in two, where it came last: the lower stays, the upper is returned. A cut from there to
-  /// `corner` ends the one and begins the other.
+  /// Splits the chain at its newest link: keeps the lower half in `chain`, returns the upper one. A cut from
+  /// that link to `corner` is the end of the lower half and the start of the upper.
   Chain split(Chain& chain, std::uint32_t corner) {
     const std::uint32_t at = chain.last, cut = add_cut(none);
     const std::uint32_t copy = add_link(links_[at].corner, none, links_[at].up, links_[at].cut);
@@ -80,7 +80,7 @@ class Triangulator {
     return upper;
   }
 
-  /// One chain of two: the last corner of the lower is the first of the upper.
+  /// Appends `upper` to `lower`: the last corner of the lower is the first of the upper.
   void join(Chain& lower, const Chain& upper) {
     Link& at = links_[lower.back];
     at.up = links_[upper.front].up, at.cut = links_[upper.front].cut;
@@ -88,7 +88,7 @@ class Triangulator {
     lower.back = upper.back;
   }
 
-  /// `cut` joins the corner to the front, or an edge of the outline does.
+  /// Adds a corner in front, joined by `cut` or by an edge of the outline.
   void add_front(Chain& chain, std::uint32_t corner, std::uint32_t cut) {
     std::uint32_t front = chain.front;
     for (; front != chain.back; front = links_[front].up) {
@@ -115,7 +115,7 @@ class Triangulator {
     return orientation(corners_[a], corners_[b], corners_[c]);
   }
 
-  /// The triangle a, b, c, of which a b and c a are known. The cut that b c is.
+  /// Adds the triangle a, b, c, whose sides a b and c a are known. Returns the new cut b c.
   std::uint32_t cut_off(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t cut_ab,
                         std::uint32_t cut_ca) {
     const auto side = static_cast<std::uint32_t>(sides_.size());
@@ -136,7 +136,7 @@ class Triangulator {
     return static_cast<std::uint32_t>(cuts_.size() - 1);
   }
 
-  /// The link above knows it; that below is for the caller.
+  /// Adds a link and connects the one above to it; the caller connects the one below.
   std::uint32_t add_link(std::uint32_t corner, std::uint32_t down, std::uint32_t up, std::uint32_t cut) {
     links_.push_back({corner, down, up, cut});
     const auto link = static_cast<std::uint32_t>(links_.size() - 1);
@@ -146,10 +146,10 @@ class Triangulator {
 
   std::span<const Corner> corners_;
   const SweepEdges edges_;
-  std::vector<bool> hole_;           ///< by ring
-  std::vector<Chain> gaps_;          ///< by the edge below
+  std::vector<bool> hole_;           ///< per ring
+  std::vector<Chain> gaps_;          ///< per edge below the gap
   std::vector<Link> links_;          ///< of all chains
-  std::vector<std::uint32_t> cuts_;  ///< the side that lies along each, or none yet
+  std::vector<std::uint32_t> cuts_;  ///< the side along each cut, or none yet
   std::vector<TriangleSide> sides_;
 };
 
@@ -159,4 +159,4 @@ std::vector<TriangleSide> triangulation(const Outline& outline) {
   return Triangulator(outline).sides();
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,18 +1,18 @@
-// What do the outlines of many rows look like, as they lie?
+// The rotated outlines of many rows, shared by rows of the same outline and heading.
 //
 //   const TurnedOutlines outlines(ships, source, interrupt);      // looks every number up
-//   OwnPieces<ConvexPieces> own;
+//   ScratchPieces<ConvexPieces> own;
 //   if (const ConvexPieces* hull = outlines.pieces(row, own)) …        // turned by the row's heading
 //
-// Cost (turned_forms.h): a look-up a row; later a microsecond a heading, some 50 ns a corner and 200 where it
-// is not convex, once as a rule.
+// Cost (turned_forms.h): a look-up per row; on demand a microsecond per heading and some 50 ns per corner,
+// 200 if the outline is not convex, as a rule once.
 #pragma once
 
-#include "shape/outline/cut_outline.h"
 #include "shape/outline/outline_rows.h"
+#include "shape/outline/shared_outline.h"
 #include "shape/turned_forms.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class TurnedOutlines final : public OutlineRows {
  public:
@@ -25,13 +25,13 @@ class TurnedOutlines final : public OutlineRows {
   void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
     forms_.assign(bodies, source, interrupt);
   }
-  const ConvexPieces* pieces(std::size_t row, OwnPieces<ConvexPieces>& own) const override {
+  const ConvexPieces* pieces(std::size_t row, ScratchPieces<ConvexPieces>& own) const override {
     return forms_.pieces(row, own);
   }
   std::size_t memory() const { return forms_.memory(); }
 
  private:
-  TurnedForms<CutOutline> forms_;
+  TurnedForms<SharedOutline> forms_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -8,28 +8,89 @@
 
 #include "base/error.h"
 #include "base/float_environment.h"
+#include "base/number_text.h"
 #include "shape/outline/sweep.h"
+#include "shape/outline/wkt.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
-/// Ends the sweep.
+std::size_t ring_of(const Outline& outline, std::uint32_t corner) {
+  std::size_t ring = 0;
+  while (outline.ring_start(ring + 1) <= corner) ++ring;
+  return ring;
+}
+
+/// "(0 0, 2 2)"
+std::string shown_edge(const Outline& outline, std::uint32_t begin) {
+  const std::size_t ring = ring_of(outline, begin);
+  const bool last = begin + 1 == outline.ring_start(ring + 1);
+  const std::size_t end = last ? outline.ring_start(ring) : begin + 1;
+  return '(' + shown(outline.corners()[begin]) + ", " + shown(outline.corners()[end]) + ')';
+}
+
+/// "edges (0 0, 2 2) and (2 0, 0 2)"
+std::string both_edges(const Flaw& flaw, const Outline& outline) {
+  return "edges " + shown_edge(outline, flaw.a) + " and " + shown_edge(outline, flaw.b);
+}
+
+}  // namespace
+
+std::string shown(const Flaw& flaw, const Outline& outline) {
+  const auto ring = [&](std::uint32_t edge) { return name_of_ring(outline, ring_of(outline, edge)); };
+  const std::string place = '(' + shown(flaw.place) + ')';
+  switch (flaw.kind) {
+    case Flaw::Kind::few_corners:
+      return ring(flaw.a) + " has fewer than three corners";
+    case Flaw::Kind::no_area:
+      return ring(flaw.a) + " encloses no area: its corners lie on one line";
+    case Flaw::Kind::cross:
+      return both_edges(flaw, outline) + " cross";
+    case Flaw::Kind::overlap:
+      return both_edges(flaw, outline) + " overlap";
+    case Flaw::Kind::self_touch:
+      return ring(flaw.a) + " touches itself at " + place + ": write a ring for each loop";
+    case Flaw::Kind::edge_touch:
+      return both_edges(flaw, outline) + " touch at " + place + ": write it as a corner of both rings";
+    case Flaw::Kind::hole_outside:
+      return ring(flaw.a) + " is a hole but lies outside its part";
+    case Flaw::Kind::hole_inside:
+      return ring(flaw.a) + " is a hole but lies within " + ring(flaw.b);
+    case Flaw::Kind::part_inside:
+      return ring(flaw.a) + " lies within " + ring(flaw.b) + ": write parts that lie apart";
+  }
+  return {};
+}
+
+std::string shown_turned(const Flaw& flaw, const Outline& outline, double heading) {
+  const std::string turned = "turned by " + shown(heading) + " degrees ";
+  if (flaw.kind == Flaw::Kind::edge_touch)
+    return turned + "its rings part at (" + shown(flaw.place) + "): write it as a corner of both rings";
+  if (flaw.kind == Flaw::Kind::few_corners || flaw.kind == Flaw::Kind::no_area)
+    return turned + name_of_ring(outline, ring_of(outline, flaw.a)) +
+           " encloses no area: its corners are closer than doubles resolve";
+  return turned + "its " + both_edges(flaw, outline) + " touch: they are closer than doubles resolve";
+}
+
+namespace {
+
+/// Thrown to end the sweep at the first flaw.
 struct FlawFound {
   Flaw flaw;
 };
 
-/// Looks for flaws, meeting by meeting.
+/// Checks every meeting of a sweep for flaws.
 class Validity {
  public:
-  /// Requires: rings of three corners or more.
+  /// Requires: rings of at least three corners.
   explicit Validity(const Outline& outline)
       : outline_(outline),
         edges_(outline),
         ring_of_part_(outline.rings()),
         within_(outline.rings(), unknown) {
     for (std::uint32_t part = 0, ring = 0; part < outline.parts(); ++part)
-      for (const std::uint32_t first = ring; ring < outline.part_begin(part + 1); ++ring)
+      for (const std::uint32_t first = ring; ring < outline.part_start(part + 1); ++ring)
         ring_of_part_[ring] = first;
   }
 
@@ -52,15 +113,15 @@ class Validity {
   /// One of two edges by which a ring visits a place.
   struct Spoke {
     EdgeNumber edge;
-    std::uint32_t visit;  ///< the ring's corner there, or a number of the edge that passes
+    std::uint32_t visit;  ///< number of the ring's corner there, or of the edge that passes
   };
 
-  /// Between two edges; the one that is written first is `a`.
+  /// Throws a flaw between two edges; the one written first becomes `a`.
   [[noreturn]] static void fail(Flaw::Kind kind, EdgeNumber a, EdgeNumber b, const Corner& place = {}) {
     throw FlawFound{{kind, std::min(a, b), std::max(a, b), place}};
   }
 
-  /// Edges that go the same way from here: wherever two overlap, they do from where the second begins.
+  /// Edges in the same direction from here: any two that overlap do so from the start of the second.
   void check_overlap(const Meeting& m) const {
     for (std::size_t i = 0; i + 1 < m.leaving.size(); ++i) {
       const EdgeNumber a = m.leaving[i], b = m.leaving[i + 1];
@@ -76,7 +137,7 @@ class Validity {
     });
   }
 
-  /// The edges around a place, counterclockwise from straight down.
+  /// The edges around a place, counterclockwise from the downward direction.
   std::vector<Spoke> spokes_of(const Meeting& m) const {
     std::vector<Spoke> spokes;
     const auto size = static_cast<std::uint32_t>(edges_.size());
@@ -88,7 +149,7 @@ class Validity {
     return spokes;
   }
 
-  /// Several rings in one place, or one ring twice.
+  /// Checks a place that several rings visit, or one ring twice.
   void check_touch(const Meeting& m) {
     std::vector<Spoke> spokes = spokes_of(m);
     check_nesting(spokes);
@@ -105,7 +166,7 @@ class Validity {
     edge_touch_ = Flaw{Flaw::Kind::edge_touch, passing->edge, other.edge, m.place};
   }
 
-  /// Visits that do not cross are like brackets: the last that was opened is the first that is closed.
+  /// Visits that do not cross nest like brackets: the last one opened is the first one closed.
   static void check_nesting(const std::vector<Spoke>& spokes) {
     std::vector<Spoke> open;
     for (const Spoke& spoke : spokes) {
@@ -114,7 +175,7 @@ class Validity {
       else
         open.push_back(spoke);
     }
-    // Of those left, the visit whose spokes are nearest has one spoke of another between them.
+    // Among the remaining visits, the one with the nearest spokes has a spoke of another visit between them.
     std::map<std::uint32_t, std::size_t> opened;
     std::size_t nearest = open.size(), at = 0;
     for (std::size_t i = 0; i < open.size(); ++i) {
@@ -124,7 +185,7 @@ class Validity {
     if (!open.empty()) fail(Flaw::Kind::cross, open[at].edge, open[at + 1].edge);
   }
 
-  /// Edges that become neighbours here.
+  /// Checks edges that become neighbours here for crossings.
   void check_crossings(const Meeting& m) const {
     if (m.leaving.empty()) return check_crossing(m.below, m.above);
     check_crossing(m.below, m.leaving.front());
@@ -134,13 +195,14 @@ class Validity {
   void check_crossing(EdgeNumber one, EdgeNumber other) const {
     if (one == no_edge || other == no_edge) return;
     const SweepEdge &a = edges_[one], &b = edges_[other];
-    const auto parted = [](const SweepEdge& edge, const SweepEdge& by) {
+    const auto separated = [](const SweepEdge& edge, const SweepEdge& by) {
       return orientation(by.left, by.right, edge.left) * orientation(by.left, by.right, edge.right) < 0;
     };
-    if (parted(a, b) && parted(b, a)) fail(Flaw::Kind::cross, one, other);
+    if (separated(a, b) && separated(b, a)) fail(Flaw::Kind::cross, one, other);
   }
 
-  /// Where the ring of an edge begins: what does it lie in? `below` is the next edge below.
+  /// Called at the leftmost corner of a ring: finds and checks the ring around it. `below`: the next edge
+  /// below.
   void check_ring(EdgeNumber edge, EdgeNumber below) {
     const std::uint32_t ring = edges_[edge].ring;
     if (within_[ring] != unknown) return;
@@ -150,7 +212,7 @@ class Validity {
     within_[ring] = around;
     const bool hole = ring_of_part_[ring] != ring;
     const auto fail_ring = [&](Flaw::Kind kind) {
-      const std::size_t begin = around == nothing ? 0 : outline_.ring_begin(around);
+      const std::size_t begin = around == nothing ? 0 : outline_.ring_start(around);
       throw FlawFound{{kind, edge, static_cast<EdgeNumber>(begin), {}}};
     };
     if (hole && around == nothing) fail_ring(Flaw::Kind::hole_outside);
@@ -160,15 +222,15 @@ class Validity {
 
   const Outline& outline_;
   const SweepEdges edges_;
-  std::vector<std::uint32_t> ring_of_part_;  ///< of each ring, that which encloses its part
-  std::vector<std::uint32_t> within_;        ///< of each ring, the least ring around it, or nothing
+  std::vector<std::uint32_t> ring_of_part_;  ///< per ring: the outer ring of its part
+  std::vector<std::uint32_t> within_;        ///< per ring: the innermost ring around it, or nothing
   std::optional<Flaw> edge_touch_;
 };
 
 std::optional<Flaw> ring_of_few_corners(const Outline& outline) {
   for (std::size_t r = 0; r < outline.rings(); ++r)
     if (outline.ring(r).size() < 3) {
-      const auto begin = static_cast<std::uint32_t>(outline.ring_begin(r));
+      const auto begin = static_cast<std::uint32_t>(outline.ring_start(r));
       return Flaw{Flaw::Kind::few_corners, begin, begin, {}};
     }
   return std::nullopt;
@@ -215,4 +277,4 @@ void check_turned(const Outline& outline, const std::optional<Flaw>& edge_touch,
   throw Error(shown_turned(*flaw, same_places ? outline : turned, heading));
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

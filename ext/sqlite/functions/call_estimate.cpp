@@ -5,22 +5,22 @@
 #include <cstring>
 
 #include "sqlite/functions/table_function.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-// In the planner's unit.
-constexpr double decoded_object = 6;  // read, unpacked and handed on
+// Costs in the planner's unit.
+constexpr double decoded_object = 6;  // read, decoded, returned
 constexpr double looked_up_object = 80;
 constexpr double joined_object = 12, joined_row = 2;
 constexpr double search = 500, found_object = 50, nearest_object = 300;
-constexpr double probe = 100, probed_level = 50;  // of one object, by the binary logarithm of all
+constexpr double probe = 100, probed_level = 50;  // of one object, per binary logarithm of all objects
 
-constexpr double moments = 60, moved_object = 2;                         // of a track
-constexpr double window_rows = 100, nearest_rows = 10, avoid_rows = 10;  // where nobody says
+constexpr double instants = 60, moved_object = 2;                        // per track
+constexpr double window_rows = 100, nearest_rows = 10, avoid_rows = 10;  // assumed numbers of rows
 
-/// What the statement says about one of a function's inputs.
+/// A function's inputs as far as the text of the statement determines them.
 class WrittenInputs {
  public:
   WrittenInputs(const TableFunction& function, std::span<sqlite3_value* const> written, std::uint32_t given)
@@ -34,7 +34,7 @@ class WrittenInputs {
     const std::size_t place = place_of(name);
     return place < written_.size() && (given_ >> place & 1) && !written_[place];
   }
-  /// A name that is written out; none where it is left out or bound later.
+  /// The input's text literal; nothing if it is left out or bound later.
   std::optional<std::string> text(const char* name) const {
     sqlite3_value* written = value(name);
     if (!written || sqlite3_value_type(written) != SQLITE_TEXT) return std::nullopt;
@@ -66,11 +66,11 @@ CallEstimate estimate_object(const CallSizes&, bool /*of its one id*/) {
 }
 
 CallEstimate estimate_tracks(const CallSizes& sizes) {
-  return {(decoded_object + moments * moved_object) * sizes.objects, moments * sizes.objects};
+  return {(decoded_object + instants * moved_object) * sizes.objects, instants * sizes.objects};
 }
 
 CallEstimate estimate_track(const CallSizes&, bool /*of its one id*/) {
-  return {looked_up_object + moments * moved_object, moments};
+  return {looked_up_object + instants * moved_object, instants};
 }
 
 CallEstimate estimate_window(const CallSizes& sizes) {
@@ -107,12 +107,12 @@ CallEstimate estimate_stages(const CallSizes& sizes) {
 CallSizes call_sizes(const TableFunction& function, const Connection& connection,
                      std::span<sqlite3_value* const> written, std::uint32_t given) {
   const WrittenInputs inputs(function, written, given);
-  const AskedTable tbl{inputs.text("tbl"), inputs.text("schema")};
+  const QueriedTable tbl{inputs.text("tbl"), inputs.text("schema")};
   CallSizes sizes{.objects = connection.likely_objects(tbl)};
-  const AskedTable other{inputs.text("other"), tbl.schema};
+  const QueriedTable other{inputs.text("other"), tbl.schema};
   if (other.table || inputs.is_bound_later("other")) sizes.others = connection.likely_objects(other);
   if (sqlite3_value* k = inputs.value("k")) sizes.k = sqlite3_value_double(k);
   return sizes;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -7,9 +7,47 @@
 #include "base/integer_of.h"
 #include "sqlite/date_text.h"
 #include "sqlite/functions/table_function.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
+
+namespace {
+
+constexpr char no_column = 'A' - 1;
+
+/// The second letter of a LIMIT or OFFSET constraint; 0 for other constraints.
+char limit_letter(int op) {
+  if (op == SQLITE_INDEX_CONSTRAINT_LIMIT) return 'n';
+  return op == SQLITE_INDEX_CONSTRAINT_OFFSET ? 'o' : 0;
+}
+
+/// Whether the call itself leaves out the rows that do not satisfy a constraint.
+bool is_applied(const TableFunction& function, const sqlite3_index_info& info, int i) {
+  const auto& constraint = info.aConstraint[i];
+  if (info.aConstraintUsage[i].argvIndex == 0) return false;
+  if (constraint.iColumn >= static_cast<int>(function.outputs.size())) return true;
+  const bool probed = function.probed >> constraint.iColumn & 1;  // then only equality is applied
+  return !probed || constraint.op == SQLITE_INDEX_CONSTRAINT_EQ;
+}
+
+}  // namespace
+
+void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments) {
+  for (int i = 0; i < info.nConstraint; ++i)
+    if (!limit_letter(info.aConstraint[i].op) && !is_applied(function, info, i)) return;
+  for (int i = 0; i < info.nConstraint; ++i) {
+    const char letter = limit_letter(info.aConstraint[i].op);
+    if (!letter || !info.aConstraint[i].usable) continue;
+    arguments += {no_column, letter};
+    info.aConstraintUsage[i].argvIndex = static_cast<int>(arguments.size() / 2);
+  }
+}
+
+bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit) {
+  if (letters[0] != no_column) return false;
+  (letters[1] == 'n' ? limit.rows : limit.skipped) = sqlite3_value_int64(value);
+  return true;
+}
 
 void FunctionCall::reject(int input, const char* kind) const {
   const auto place = static_cast<std::size_t>(input);
@@ -72,17 +110,17 @@ FunctionCall::Bounds FunctionCall::bounds(int output) const {
     const int type = sqlite3_value_numeric_type(hint.value);
     if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) continue;
     const double number = sqlite3_value_double(hint.value);
-    // An integer may lie on either side of its double.
+    // An integer that no double equals may be on either side of its nearest double.
     const bool exact = type == SQLITE_FLOAT || integer_of(number) == sqlite3_value_int64(hint.value);
     const double below = std::nextafter(number, -inf), above = std::nextafter(number, inf);
-    if (hint.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.least = std::max(bounds.least, exact ? above : below);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.min = std::max(bounds.min, exact ? above : below);
     if (hint.op == SQLITE_INDEX_CONSTRAINT_GE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)
-      bounds.least = std::max(bounds.least, exact ? number : below);
-    if (hint.op == SQLITE_INDEX_CONSTRAINT_LT) bounds.most = std::min(bounds.most, exact ? below : above);
+      bounds.min = std::max(bounds.min, exact ? number : below);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_LT) bounds.max = std::min(bounds.max, exact ? below : above);
     if (hint.op == SQLITE_INDEX_CONSTRAINT_LE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)
-      bounds.most = std::min(bounds.most, exact ? number : above);
+      bounds.max = std::min(bounds.max, exact ? number : above);
   }
   return bounds;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,25 +1,84 @@
-// One call of a table-valued function as SQLite hands it over: which inputs were given, which outputs are
-// read, and what the query asks of them.
+// A call of a table-valued function as xFilter passes it: the given inputs, the outputs that the statement
+// reads, and the query's conditions on them.
 //
 //   const double h = call.required_number(in_h);
 //   const std::string method = call.text(in_method).value_or("auto");
 //
-// A NULL input counts as left out. An input of the wrong kind is an Error that says what to write.
+// A NULL input counts as left out. An input of the wrong kind is an Error that names the right one.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "sqlite/connection.h"
-#include "sqlite/functions/row_limit.h"
-#include "sqlite/functions/used_inputs.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
+
+// Values that a call uses for inputs that were left out, as SELECT now, tbl FROM predictive_join(60) returns
+// them.
+//
+//   used.keep(in_now, 100.0);       // the call, when it has determined now
+//   used.output(in_now, context);   // xColumn, when the statement reads the hidden column
+//
+// A given input is not kept here: it reads back unchanged, because SQLite may compare it again. Cost: some
+// bytes per input.
+
+class UsedInputs {
+ public:
+  using Value = std::variant<std::monostate, double, std::string>;
+
+  void clear() { values_.clear(); }
+
+  void keep(int input, Value value) { values_.emplace_back(input, std::move(value)); }
+
+  /// Leaves `context` at NULL if no value is kept for the input.
+  void output(int input, sqlite3_context* context) const {
+    for (const auto& [place, value] : values_) {
+      if (place != input) continue;
+      if (const auto* number = std::get_if<double>(&value)) sqlite3_result_double(context, *number);
+      if (const auto* text = std::get_if<std::string>(&value))
+        sqlite3_result_text(context, text->data(), static_cast<int>(text->size()), SQLITE_TRANSIENT);
+    }
+  }
+
+ private:
+  std::vector<std::pair<int, Value>> values_;
+};
+
+// LIMIT and OFFSET of a call, from xBestIndex to xFilter: the number of rows that will be read.
+//
+// SQLite offers them even if it checks further conditions itself. So they are taken only if the call applies
+// all conditions: inputs, `a = 42`, bounds on times. Even then they are only a hint and SQLite applies them:
+// a call returns more rows if more are read.
+
+struct TableFunction;
+
+struct RowLimit {
+  std::int64_t rows = -1;  ///< negative: all
+  std::int64_t skipped = 0;
+
+  /// The maximum number of rows that will be read; nothing if it is not known.
+  std::optional<std::uint64_t> total() const {
+    if (rows < 0) return {};
+    return static_cast<std::uint64_t>(rows) + static_cast<std::uint64_t>(std::max<std::int64_t>(0, skipped));
+  }
+};
+
+/// Requests LIMIT and OFFSET from SQLite and appends two letters for each to the plan's arguments. Requests
+/// neither if SQLite checks a condition that the call does not apply itself. Requires: all other constraints
+/// have been taken.
+void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments);
+
+/// Stores an argument in `limit` by its letters. False, without a change, if it is neither LIMIT nor OFFSET.
+bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit);
 
 struct TableFunction;
 
@@ -51,33 +110,34 @@ class FunctionCall {
 
   Connection& connection() const { return connection_; }
 
-  /// Nothing where it was left out. Error for what is no number, and for an integer that no double holds.
+  /// Nothing if it was left out. Throws Error for a value that is not a number, and for an integer that no
+  /// double holds exactly.
   std::optional<double> number(int input) const;
   double required_number(int input) const;
   std::int64_t required_integer(int input) const;
-  /// `kind`: what it must be, for the message about what is no text.
+  /// `kind`: the kind of text that is expected, for the message about a value that is not a text.
   std::optional<std::string> text(int input,
                                   const char* kind = "a name in quotes, or NULL to leave it out") const;
 
   const char* name_of(int input) const;
 
-  /// Where `input` was left out it reads back as `value`. The same in every call of one statement: SQLite
-  /// tells rows apart by their inputs too where it unites the two sides of an OR.
+  /// Makes `input`, if it was left out, read back as `value`. Requires: the same value in every call of one
+  /// statement, because SQLite compares the inputs too when it removes duplicate rows of an OR.
   void used(int input, UsedInputs::Value value) const {
     if (!inputs_[static_cast<std::size_t>(input)]) used_.keep(input, std::move(value));
   }
 
   bool reads(int output) const { return (outputs_read_ >> output & 1) != 0; }
 
-  /// The integer that the query wants `output` to be, if it does.
+  /// The integer that the query requires `output` to equal; nothing if it has no such condition.
   std::optional<std::int64_t> only(int output) const;
-  /// What the query wants `output` to lie between, both ends included; infinite where it does not say. No
-  /// double that the query takes lies outside.
+  /// The closed interval of `output` that the query's conditions allow, infinite where they set no bound. It
+  /// contains every double that the query accepts.
   struct Bounds {
-    double least, most;
+    double min, max;
   };
   Bounds bounds(int output) const;
-  /// The outputs by which rows must come, rising: one of the function's orders, or its beginning.
+  /// The outputs by which rows must ascend: one of the function's orders, or a prefix of one.
   std::span<const int> order() const { return order_; }
   const RowLimit& limit() const { return limit_; }
 
@@ -86,7 +146,7 @@ class FunctionCall {
 
   const TableFunction& function_;
   Connection& connection_;
-  std::span<sqlite3_value* const> inputs_;  ///< one per input, null where it was left out
+  std::span<sqlite3_value* const> inputs_;  ///< one per input, null if it was left out
   std::vector<Hint> hints_;
   std::uint32_t outputs_read_;
   std::span<const int> order_;
@@ -94,4 +154,4 @@ class FunctionCall {
   UsedInputs& used_;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "sqlite/host.h"
+#include "sqlite/host_sqlite.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 int output_count(const TableFunction& function) {
@@ -36,21 +36,21 @@ int op_of(char letter) {
   return 0;
 }
 
-/// What one xBestIndex call finds out, constraint by constraint.
+/// The result of one xBestIndex call, collected constraint by constraint.
 struct FunctionPlan {
   std::string arguments;
-  std::vector<sqlite3_value*> written;  ///< an input's value, as far as the statement writes it out
+  std::vector<sqlite3_value*> written;  ///< one per input: its literal in the statement, or null
   std::uint32_t inputs_given = 0, inputs_unusable = 0;
-  std::uint32_t inputs_unknown = 0;      ///< not written out in the statement: bound, or computed
-  std::uint32_t inputs_compared = 0;     ///< SQLite compares them once more
-  bool null_inputs = false;              ///< one of them is written out as NULL
-  bool about_ids = false;                ///< an output is compared with a value, known yet or not
-  std::uint32_t probed_by = 0;           ///< bit set: this id is compared with a value that is there
-  int equalities = 0, inequalities = 0;  ///< hints: ids, and other
+  std::uint32_t inputs_unknown = 0;      ///< not literals in the statement: bound, or computed
+  std::uint32_t inputs_compared = 0;     ///< SQLite compares them again
+  bool null_inputs = false;              ///< an input is, or may be, NULL
+  bool about_ids = false;                ///< an id is compared with a value, usable in this plan or not
+  std::uint32_t probed_by = 0;           ///< bit set: this id is compared with a usable value
+  int equalities = 0, inequalities = 0;  ///< hints: on ids, and on other outputs
 };
 
-/// Takes constraint number i into the plan: an input is consumed, a condition on a hinted output is handed
-/// over and SQLite checks it again. Any other is left to SQLite alone.
+/// Adds constraint i to the plan. An input is consumed; a condition on a hinted output is passed to the call
+/// and SQLite checks it again. SQLite alone checks any other.
 void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info& info, int i) {
   const auto& constraint = info.aConstraint[i];
   const char letter = letter_of(constraint.op);
@@ -60,8 +60,8 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   if (is_input) {
     const std::uint32_t bit = 1u << input;
     if (letter != '=') return;
-    // One side of an OR gets the arguments of a call twice; and SQLite leaves out no check beyond the
-    // sixteenth.
+    // One side of an OR receives the arguments of a call twice, and SQLite omits the check of the first
+    // sixteen constraints only.
     if ((plan.inputs_given & bit) || i >= 16) plan.inputs_compared |= bit;
     if (plan.inputs_given & bit) return;
     (constraint.usable ? plan.inputs_given : plan.inputs_unusable) |= bit;
@@ -71,7 +71,7 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   const bool probes = !is_input && letter == '=' && (function.probed >> constraint.iColumn & 1);
   if (probes) plan.about_ids = true;
   if (!constraint.usable) return;
-  // `t IN (…)` would be one call a value; compared with the rows of one call it costs next to nothing.
+  // `t IN (…)` would make one call per value; to compare the rows of one call costs almost nothing.
   if (!is_input && !probes && letter == '=' && may_be_list(info, i)) return;
   if (is_input && input > 0) {
     sqlite3_value* written = plan.written[static_cast<std::size_t>(input)] = written_value(info, i);
@@ -85,25 +85,26 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   info.aConstraintUsage[i].omit = is_input;
 }
 
-/// A join about one id looks into the tree. Without its first input a call fails, so any other plan is
-/// better; but to plan `a = 42 OR b = 42` SQLite shows one side of the OR alone and adds the inputs only when
-/// it writes that side's program.
+/// Fills in the cost and the number of rows. A join about one id searches the tree. A call without its first
+/// input fails, so that plan gets the highest cost, except with a condition on an id. To plan
+/// `a = 42 OR b = 42`, SQLite offers one side of the OR alone and adds the inputs only when it generates that
+/// side's program.
 ///
-/// Having run it, SQLite looks at `input = NULL` once more, finds it not true and loses every row. So where
-/// an input is written out as NULL, or comes from another table and may be NULL in some row, there must be no
-/// such plan. It is known by what comes before it: a call as a whole that says nothing of ids. (A question
-/// about one id that follows such a call may be planned worse than need be.) What is bound later is taken for
-/// no NULL where SQLite lets us refuse one (host.h); elsewhere it may be NULL.
-void estimate(const TableFunction& function, const Connection& connection, PlansBefore& before,
+/// After such a call SQLite evaluates `input = NULL` again, which is not true, and loses every row. So the
+/// plan must not be chosen if an input is a literal NULL, or comes from another table and may be NULL in some
+/// row. An earlier plan of the statement shows this: the one of a whole call without conditions on ids. (A
+/// query about one id that is planned after such a call may get a worse plan than necessary.) An input that
+/// is bound later counts as not NULL if SQLite lets the call refuse a NULL (host_sqlite.h), and else as NULL.
+void estimate(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               FunctionPlan& plan, sqlite3_index_info& info) {
   const bool whole = (plan.inputs_given & 1) != 0;
   if (whole && !plan.about_ids) {
-    before.or_loses_rows = plan.null_inputs;
-    before.one_side_was_planned = false;
+    earlier.or_loses_rows = plan.null_inputs;
+    earlier.one_side_was_planned = false;
   }
-  if (plan.about_ids && plan.equalities == 0) before.or_loses_rows = false;
-  if (plan.equalities > 0 && !whole) before.one_side_was_planned = true;
-  if (before.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
+  if (plan.about_ids && plan.equalities == 0) earlier.or_loses_rows = false;
+  if (plan.equalities > 0 && !whole) earlier.one_side_was_planned = true;
+  if (earlier.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
   const CallSizes sizes = call_sizes(function, connection, plan.written, plan.inputs_given);
   const bool by_first = plan.probed_by & 1, by_both = plan.probed_by & (plan.probed_by - 1);
   auto [cost, rows] = plan.equalities > 0 && function.estimate_probe
@@ -112,12 +113,12 @@ void estimate(const TableFunction& function, const Connection& connection, Plans
   if (by_both) rows = 1;
   if (plan.inequalities > 0) rows /= 4;
   rows = std::max(1.0, rows);
-  if (plan.equalities > 0 ? before.or_loses_rows : !whole) cost = 1e50;
+  if (plan.equalities > 0 ? earlier.or_loses_rows : !whole) cost = 1e50;
   info.estimatedCost = cost;
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
 }
 
-/// The plan's arguments as idxStr has them, with those marked that SQLite compares again.
+/// The text of idxStr: the plan's arguments, with a mark at those that SQLite compares again.
 std::string described(const FunctionPlan& plan, int output_count) {
   std::string text = plan.arguments;
   for (std::size_t at = 0; at < text.size(); at += 2) {
@@ -129,16 +130,16 @@ std::string described(const FunctionPlan& plan, int output_count) {
 
 constexpr int order_length_at = 16, order_at = 20;  // in idxNum
 
-/// The bits of the outputs of which a call is told whether they are read: all, or of a function with orders
-/// the first sixteen.
-std::uint32_t outputs_told(const TableFunction& function) {
-  constexpr int most = 30;
-  const int told = function.orders.empty() ? most : order_length_at;
-  return (1u << std::min(output_count(function), told)) - 1;
+/// The bits of the outputs for which idxNum reports whether they are read: all of them, or the first sixteen
+/// of a function with orders.
+std::uint32_t outputs_reported(const TableFunction& function) {
+  constexpr int limit = 30;
+  const int max_bits = function.orders.empty() ? limit : order_length_at;
+  return (1u << std::min(output_count(function), max_bits)) - 1;
 }
 
-/// If ORDER BY is one of the function's orders, or the beginning of one, rows come in that order and SQLite
-/// does not sort: gives its bits of idxNum. Else 0, and SQLite sorts.
+/// The bits of idxNum for an ORDER BY that is one of the function's orders or a prefix of one. The call
+/// returns rows in that order and SQLite does not sort. 0 for any other: SQLite sorts.
 int take_order(const TableFunction& function, sqlite3_index_info& info) {
   const auto wanted = std::span(info.aOrderBy, static_cast<std::size_t>(std::max(0, info.nOrderBy)));
   if (wanted.empty()) return 0;
@@ -157,19 +158,19 @@ int take_order(const TableFunction& function, sqlite3_index_info& info) {
 
 }  // namespace
 
-int plan_call(const TableFunction& function, const Connection& connection, PlansBefore& before,
+int plan_call(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               sqlite3_index_info& info) {
   FunctionPlan plan;
   plan.written.resize(function.inputs.size());
   for (int i = 0; i < info.nConstraint; ++i) take(plan, function, info, i);
   if (const std::uint32_t missing = plan.inputs_unusable & ~plan.inputs_given) {
-    before.or_loses_rows |= (missing & ~1u) != 0;  // they come from another table
+    earlier.or_loses_rows |= (missing & ~1u) != 0;  // from another table
     return SQLITE_CONSTRAINT;
   }
   const int order = take_order(function, info);
   if (order != 0) take_row_limit(function, info, plan.arguments);
-  info.idxNum = static_cast<int>(info.colUsed & outputs_told(function)) | order;
-  estimate(function, connection, before, plan, info);
+  info.idxNum = static_cast<int>(info.colUsed & outputs_reported(function)) | order;
+  estimate(function, connection, earlier, plan, info);
   info.idxStr = sqlite3_mprintf("%s", described(plan, output_count(function)).c_str());
   if (!info.idxStr) return SQLITE_NOMEM;
   info.needToFreeIdxStr = 1;
@@ -182,7 +183,7 @@ PlannedArgument planned_argument(const char* plan, std::size_t argument) {
 }
 
 std::uint32_t planned_outputs(const TableFunction& function, int plan) {
-  return static_cast<std::uint32_t>(plan) & outputs_told(function);
+  return static_cast<std::uint32_t>(plan) & outputs_reported(function);
 }
 
 std::span<const int> planned_order(const TableFunction& function, int plan) {
@@ -193,4 +194,4 @@ std::span<const int> planned_order(const TableFunction& function, int plan) {
       .first(static_cast<std::size_t>(length));
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,13 +1,14 @@
-// In what way will SQLite call a table-valued function? From xBestIndex to xFilter.
+// Query plan of a call of a table-valued function: xBestIndex encodes it in idxNum and idxStr, xFilter
+// decodes it.
 //
-//   idxNum   the outputs that the statement reads, one bit each; of a function with orders from bit 16 on
-//            the one that rows must come in: how many of its outputs, and from bit 20 on which of them
+//   idxNum   one bit per output that the statement reads; for a function with orders, bits 16 to 19 hold the
+//            number of outputs of the order in which rows must come, and bit 20 upwards the order's index
 //   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an
-//            input that SQLite compares once more, or '@' and 'n' or 'o': row_limit.h
+//            input that SQLite compares again; or '@' and then 'n' (LIMIT) or 'o' (OFFSET): function_call.h
 //
-// Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. Where it does so
-// with an input, a NULL would lose every row, since no comparison with NULL is true: such a call must be
-// refused. LIMIT and OFFSET are hints too (row_limit.h).
+// Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. If SQLite compares
+// an input again and it is NULL, no row would pass: such a call must be refused. LIMIT and OFFSET are hints
+// too (function_call.h).
 #pragma once
 
 #include <cstddef>
@@ -16,31 +17,31 @@
 
 #include "sqlite/functions/table_function.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
-/// What SQLite was told before, in planning the same statement.
-struct PlansBefore {
+/// The earlier plans of the same statement.
+struct EarlierPlans {
   bool or_loses_rows = false;
-  bool one_side_was_planned = false;  ///< of an OR, by itself
+  bool one_side_was_planned = false;  ///< one side of an OR was planned separately
 };
 
-/// xBestIndex: fills in `info`. A result code: SQLITE_CONSTRAINT where an input comes from a row that is not
-/// there yet, SQLITE_NOMEM.
-int plan_call(const TableFunction& function, const Connection& connection, PlansBefore& before,
+/// The work of xBestIndex: fills in `info`. Returns SQLITE_OK, SQLITE_NOMEM, or SQLITE_CONSTRAINT if an input
+/// comes from a table that this plan reads later.
+int plan_call(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               sqlite3_index_info& info);
 
-// What a plan says.
+// Decoding of a plan.
 struct PlannedArgument {
-  const char* letters;  ///< its two in idxStr
+  const char* letters;  ///< its two letters in idxStr
   int column;
   int op;               ///< of an output: SQLITE_INDEX_CONSTRAINT_EQ, GT, GE, LT or LE
   bool compared_again;  ///< an input, by SQLite
 };
-/// Requires: `argument` is less than the number of arguments that xFilter is given.
+/// Requires: `argument` is less than the number of xFilter's arguments.
 PlannedArgument planned_argument(const char* plan, std::size_t argument);
-/// Bit set: the statement reads this output.
+/// One bit per output, set if the statement reads it.
 std::uint32_t planned_outputs(const TableFunction& function, int plan);
-/// The outputs by which rows must come, rising; none: in any order.
+/// The outputs by which rows must ascend; empty: in any order.
 std::span<const int> planned_order(const TableFunction& function, int plan);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -6,12 +6,12 @@
 #include "query/join/probe.h"
 #include "query/join/tile_scenes.h"
 #include "sqlite/names/open_table.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-/// In the order of join_input_names().
+/// The inputs in the order of join_input_names().
 enum Input {
   in_h,
   in_tbl,
@@ -29,22 +29,22 @@ enum Input {
 
 using OpenTable = Connection::OpenTable;
 
-/// tbl and other. The same table as `other` makes pairs in both orders.
+/// The tables tbl and other. If `other` is the same table, each pair occurs in both orders.
 struct JoinedTables {
   OpenTable a;
-  std::optional<OpenTable> b = {};  ///< none: pairs within a, each once
+  std::optional<OpenTable> b = {};  ///< nothing: pairs within a, each once
 
   bool are_one() const { return b && b->store == a.store; }
 };
 
-/// Both as open_table() finds them, or its Error.
+/// Both tables by open_table(). Throws its Error.
 JoinedTables open_tables(Connection& connection, const JoinInputs& inputs) {
   JoinedTables tables{open_table(connection, inputs.tbl)};
   if (inputs.other) tables.b = open_table(connection, {inputs.other, inputs.tbl.schema});
   return tables;
 }
 
-/// The newest t stored in either. Reads one node of each.
+/// The newest t stored in either table. Reads one node of each.
 double newest_t_of(const JoinedTables& tables) {
   const double newest = tables.a.store->read_newest_t();
   return tables.b ? std::max(newest, tables.b->store->read_newest_t()) : newest;
@@ -56,28 +56,28 @@ std::shared_ptr<Scene> empty_scene(const OpenTable& table) {
   return scene;
 }
 
-/// Throws Error for what is wrong whatever objects there are.
+/// Throws Error for a `JoinQuestion` that is invalid for any objects.
 void require_valid_between(const JoinedTables& tables, JoinQuestion question) {
   question.a = empty_scene(tables.a);
   if (tables.b) question.b = empty_scene(*tables.b);
   require_valid(question);
 }
 
-// Of all objects: above it the whole scene costs less than the nodes of a tile, one after another.
-constexpr double worth_a_scene = 0.5, worth_a_scene_at_hand = 0.1;
+// Shares of all objects: above them the whole scene costs less than the nodes of a tile, read one by one.
+constexpr double max_share = 0.5, max_share_if_cached = 0.1;
 
-/// What the question's tile needs and others, by the tree, which reads no more. Null where the tile is most
-/// of the table: whoever asks again then finds its scene at hand.
+/// A scene of at least the objects that the tile needs, read through the tree. Null if the tile covers most
+/// of the table: the caller then loads the whole scene, which stays cached for the next query.
 std::shared_ptr<const Scene> scene_by_tree(Connection& connection, const OpenTable& table,
                                            const JoinQuestion& question) {
   const auto tree = table.store->take_snapshot();
   const double share = share_in_tile(*tree, question, connection.interrupt());
-  if (share > (connection.find_scene(table) ? worth_a_scene_at_hand : worth_a_scene)) return nullptr;
+  if (share > (connection.find_scene(table) ? max_share_if_cached : max_share)) return nullptr;
   return scene_of_tile(*tree, table.table, question, connection.interrupt());
 }
 
-/// All objects of each side as they are now, with the tree's levels where the method is `tree`; in a tile no
-/// fewer than it needs. The same table twice is one scene.
+/// Sets both sides to scenes of all current objects, with the tree's levels for the method `tree`. With a
+/// tile, a scene may hold only the objects that the tile needs. The same table on both sides is one scene.
 void take_scenes(Connection& connection, const JoinedTables& tables, JoinQuestion& question) {
   const bool with_levels = question.method == JoinMethod::tree;
   const auto scene = [&](const OpenTable& table) {
@@ -90,15 +90,15 @@ void take_scenes(Connection& connection, const JoinedTables& tables, JoinQuestio
   if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);
 }
 
-/// A scene of one object, or of none if nothing has this id.
+/// A scene of one object with its outline or mesh; empty if the id does not exist.
 std::shared_ptr<const Scene> scene_of(const OpenTable& table, std::int64_t id, Interrupt& interrupt) {
   auto scene = Connection::load_object(table, id);
   scene->take_forms(table.store->forms(), interrupt);
   return scene;
 }
 
-/// One side becomes the object that is asked about, the other what may touch it.
-void take_object_and_near(Connection& connection, const JoinedTables& tables, const AskedIds& ids,
+/// Sets one side to the queried object and the other to the objects that may touch it.
+void take_object_and_near(Connection& connection, const JoinedTables& tables, const QueriedIds& ids,
                           JoinQuestion& question) {
   const bool by_a = ids.a.has_value();
   const std::int64_t id = by_a ? *ids.a : *ids.b;
@@ -119,7 +119,7 @@ void take_object_and_near(Connection& connection, const JoinedTables& tables, co
   if (by_a) question.only_b = ids.b;
 }
 
-/// What the inputs bound; none where no pair is left out. An infinity is no bound.
+/// The tile that the inputs own_x0 to own_y1 bound; nothing without a bound. An infinity is not a bound.
 std::optional<Tile> read_tile(const FunctionCall& call) {
   Tile tile;
   const char* first = nullptr;
@@ -159,7 +159,7 @@ JoinInputs read_join_inputs(const FunctionCall& call) {
   return inputs;
 }
 
-JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const AskedIds& ids) {
+JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids) {
   Connection& connection = call.connection();
   const JoinedTables tables = open_tables(connection, inputs);
   JoinQuestion question;
@@ -182,4 +182,4 @@ JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, c
   return question;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// What is a join asked by? The inputs of predictive_join by their names, and the JoinQuestion that they make.
+// Inputs of predictive_join by name, and the JoinQuestion built from them.
 //
 //   const JoinInputs inputs{.h = 600, .tbl = {.table = "ships", .schema = {}}, .within = 926};
 //   Join join(join_question(call, inputs), call.connection().interrupt());
 //
-// A field is what the input of its name means: where SQL leaves an input out, the field is as it is here.
-// join_question() opens the tables, so it throws Error where there is no such table (open_table.h).
+// Each field holds the input of its name, or its default below if SQL leaves the input out. join_question()
+// opens the tables, so it throws Error if one does not exist (open_table.h).
 #pragma once
 
 #include <cstdint>
@@ -15,35 +15,35 @@
 #include "query/join/question.h"
 #include "sqlite/functions/function_call.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct JoinInputs {
   double h = 0;
-  AskedTable tbl = {};  ///< with `schema`, where `other` is too
+  QueriedTable tbl = {};  ///< with `schema`, which is also that of `other`
   double within = 0;
-  std::optional<std::string> other = {};  ///< none: pairs within tbl, each once
-  std::optional<double> now = {};         ///< none: the newest t stored
-  JoinMethod method = {};                 ///< automatic
+  std::optional<std::string> other = {};  ///< nothing: pairs within tbl, each once
+  std::optional<double> now = {};         ///< nothing: the newest t stored
+  JoinMethod method = {};                 ///< by default automatic
   std::optional<double> within_z = {};
-  std::optional<Tile> tile = {};  ///< own_x0, own_x1, own_y0, own_y1; none: all pairs
+  std::optional<Tile> tile = {};  ///< own_x0, own_x1, own_y0, own_y1; nothing: all pairs
 };
 
-/// As SQL names them, in call order.
+/// The inputs' SQL names in call order.
 std::vector<const char*> join_input_names();
 
-/// Throws Error where an input is missing or of the wrong kind.
+/// Throws Error if an input is missing or of the wrong kind.
 JoinInputs read_join_inputs(const FunctionCall& call);
 
-/// The ids that the query wants in columns a and b.
-struct AskedIds {
+/// The ids that the query requires in columns a and b.
+struct QueriedIds {
   std::optional<std::int64_t> a = {}, b = {};
 };
 
-/// The question by these inputs, with the scenes as they are now and `now` where it was left out; order,
-/// times and outputs are the caller's to add. A question about one id comes back as one about that object and
-/// those near it, looked up in the tree, unless another method was asked for. The call is told what was used
-/// for inputs that were left out; the method is 'auto' then, since one statement may go two ways (a = ? OR t
-/// < ?).
-JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const AskedIds& ids = {});
+/// The JoinQuestion of these inputs, with current scenes, and with the newest t as `now` if that was left
+/// out. The caller adds order, times and outputs. For a query about one id it holds that object and the
+/// objects near it, found through the tree, unless another method was given. The call records the values used
+/// for inputs that were left out. The method then reads back as 'auto', since one statement may use two (a =
+/// ? OR t < ?).
+JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids = {});
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// The single row of a call that computes numbers from numbers.
+// Result of a call that computes a single row of numbers from its inputs.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 
 #include "sqlite/functions/table_function.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class OneRow final : public FunctionRows {
  public:
-  /// Outputs beyond the last number are NULL, as those are that hold none.
+  /// An output without a number, or beyond the last one, is NULL.
   explicit OneRow(std::vector<std::optional<double>> numbers) : numbers_(std::move(numbers)) {}
 
   bool next() override { return std::exchange(left_, false); }
@@ -25,4 +25,4 @@ class OneRow final : public FunctionRows {
   bool left_ = true;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

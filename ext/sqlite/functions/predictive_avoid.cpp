@@ -1,12 +1,12 @@
-// predictive_avoid(h, tbl, id, …) in SQL: the object is looked up, the others are asked for in the tree.
+// predictive_avoid(h, tbl, id, …) in SQL: looks the object up and searches the tree for the others.
 #include "base/integer_of.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/avoid/avoid.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum AvoidOutput {
@@ -89,7 +89,7 @@ class AvoidRows final : public FunctionRows {
     result_text(context, tables_[static_cast<std::size_t>(blocker->table)]);
   }
 
-  /// What the table has a column for; for ever is NULL.
+  /// A number of the changed record. NULL if the table has no such column or the number is infinite.
   void result_stored(sqlite3_context* context, const AvoidRow& row, int output) const {
     const int place = place_of(output);
     if (place == Offsets::absent) return;
@@ -123,7 +123,7 @@ bool reads_any(const FunctionCall& call, int first, int last) {
   return false;
 }
 
-Searched searched(const Connection::OpenTable& table) {
+SearchTarget searched(const Connection::OpenTable& table) {
   return {table.table, nullptr, table.store->take_snapshot()};
 }
 
@@ -142,7 +142,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   read_numbers(call, question);
   const std::int64_t id = call.required_integer(in_id);
   const auto given_now = call.number(in_now);
-  const AskedTable tbl{call.text(in_tbl), call.text(in_schema)};
+  const QueriedTable tbl{call.text(in_tbl), call.text(in_schema)};
   const auto table = open_table(connection, tbl);
   std::array<std::string, 2> tables{table.table, ""};
   question.others = searched(table);
@@ -190,4 +190,4 @@ const TableFunction& predictive_avoid() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

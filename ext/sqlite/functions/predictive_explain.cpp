@@ -1,9 +1,9 @@
-// predictive_explain(h, …) in SQL: the stages of a join, one a row.
+// predictive_explain(h, …) in SQL: the stages of a join, one per row.
 #include "query/join/explain.h"
 #include "sqlite/functions/join_inputs.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum Output { out_stage, out_n_before, out_n_after, out_prune_power, out_seconds, out_detail };
@@ -58,4 +58,4 @@ const TableFunction& predictive_explain() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

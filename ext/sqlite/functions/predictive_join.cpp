@@ -1,9 +1,10 @@
-// predictive_join(h, …) in SQL: which outputs are read, and its rows.
+// predictive_join(h, …) in SQL: reads the inputs, requests only the outputs that are read, and returns the
+// rows.
 #include "query/join/join.h"
 #include "sqlite/functions/join_inputs.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum Output { out_a, out_b, out_t, out_t_end, out_dt, out_dt_end, out_t_cpa, out_dt_cpa, out_d_cpa };
@@ -25,11 +26,11 @@ class JoinRows final : public FunctionRows {
     if (output <= out_b)
       sqlite3_result_int64(context, output == out_a ? row.a : row.b);
     else
-      sqlite3_result_double(context, moment_or_distance(row, output));
+      sqlite3_result_double(context, time_or_distance(row, output));
   }
 
  private:
-  static double moment_or_distance(const JoinRow& row, int output) {
+  static double time_or_distance(const JoinRow& row, int output) {
     switch (output) {
       case out_t:
         return row.contact.t;
@@ -53,22 +54,22 @@ class JoinRows final : public FunctionRows {
   std::size_t row_ = 0;
 };
 
-/// `outputs`: one of predictive_join's `orders`, or its beginning.
+/// `outputs`: one of predictive_join's `orders`, or a prefix of one.
 JoinOrder order_of(std::span<const int> outputs) {
   if (outputs.empty()) return JoinOrder::any;
   if (outputs[0] == out_dt) return JoinOrder::by_dt;
   return outputs.size() > 1 ? JoinOrder::by_t_and_ids : JoinOrder::by_t;
 }
 
-AskedTimes asked(const FunctionCall::Bounds& bounds) {
-  return {bounds.least, bounds.most};
+QueriedTimes queried(const FunctionCall::Bounds& bounds) {
+  return {bounds.min, bounds.max};
 }
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   JoinQuestion question = join_question(call, read_join_inputs(call), {call.only(out_a), call.only(out_b)});
-  question.asked_t = asked(call.bounds(out_t)), question.asked_dt = asked(call.bounds(out_dt));
+  question.queried_t = queried(call.bounds(out_t)), question.queried_dt = queried(call.bounds(out_dt));
   question.order = order_of(call.order());
-  question.likely_rows = call.limit().in_all().value_or(all_rows);
+  question.likely_rows = call.limit().total().value_or(all_rows);
   question.helpers = call.connection().helper_threads();
   question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
   question.wants.contact = question.wants.ends || call.reads(out_t) || call.reads(out_dt);
@@ -94,4 +95,4 @@ const TableFunction& predictive_join() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

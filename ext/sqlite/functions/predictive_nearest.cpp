@@ -1,9 +1,9 @@
-// predictive_nearest(h, tbl, k, …) in SQL.
+// predictive_nearest(h, tbl, k, …) in SQL: reads the inputs, opens the table, and returns the rows.
 #include "query/nearest/nearest.h"
 #include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum NearestOutput { out_id, out_rank, out_distance, out_t, out_dt };
@@ -66,4 +66,4 @@ const TableFunction& predictive_nearest() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

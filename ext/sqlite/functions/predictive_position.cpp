@@ -1,9 +1,9 @@
-// predictive_position(at, …) in SQL.
+// predictive_position(at, …) in SQL: the position of each object, or of the object of one id.
 #include "query/position/positions.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum Output { out_id, out_x, out_vx = out_x + 3 };
@@ -11,8 +11,8 @@ enum Input { in_at, in_tbl, in_schema };
 
 class PositionRows final : public FunctionRows {
  public:
-  PositionRows(std::shared_ptr<const Scene> scene, double moment, Interrupt& interrupt)
-      : axes_(scene->layout.axes), positions_(std::move(scene), moment), interrupt_(interrupt) {}
+  PositionRows(std::shared_ptr<const Scene> scene, double time, Interrupt& interrupt)
+      : axes_(scene->layout.axes), positions_(std::move(scene), time), interrupt_(interrupt) {}
 
   bool next() override {
     interrupt_.check();
@@ -65,4 +65,4 @@ const TableFunction& predictive_position() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

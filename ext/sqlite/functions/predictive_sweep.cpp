@@ -1,10 +1,10 @@
-// predictive_sweep(h, …) in SQL: the boxes by which own_* decides (join_inputs.h).
+// predictive_sweep(h, …) in SQL: the swept boxes from which own_x0 to own_y1 select pairs (join_inputs.h).
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/sweep/sweep.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum SweepOutput { out_id, out_x0 };
@@ -39,10 +39,10 @@ class SweepRows final : public FunctionRows {
   std::size_t row_ = 0;
 };
 
-AskedCorners asked_corners(const FunctionCall& call, int axis) {
+QueriedCorners queried_corners(const FunctionCall& call, int axis) {
   const FunctionCall::Bounds lower = call.bounds(out_x0 + 2 * axis),
                              upper = call.bounds(out_x0 + 2 * axis + 1);
-  return {lower.least, lower.most, upper.least, upper.most};
+  return {lower.min, lower.max, upper.min, upper.max};
 }
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
@@ -55,7 +55,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
   question.tree = table.store->take_snapshot();
   question.now = now ? *now : read_newest_t(*question.tree);
-  question.asked = {asked_corners(call, 0), asked_corners(call, 1)};
+  question.queried = {queried_corners(call, 0), queried_corners(call, 1)};
   return std::make_unique<SweepRows>(std::move(question), connection.interrupt());
 }
 
@@ -73,4 +73,4 @@ const TableFunction& predictive_sweep() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

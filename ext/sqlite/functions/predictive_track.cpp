@@ -1,9 +1,9 @@
-// predictive_track(t0, t1, step, …) in SQL.
+// predictive_track(t0, t1, step, …) in SQL: positions at several instants, of all objects or of one id.
 #include "query/position/tracks.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum TrackOutput { out_id, out_t, out_x };
@@ -11,8 +11,8 @@ enum TrackInput { in_t0, in_t1, in_step, in_tbl, in_schema };
 
 class TrackRows final : public FunctionRows {
  public:
-  TrackRows(const std::shared_ptr<const Scene>& scene, const TrackMoments& moments, Interrupt& interrupt)
-      : axes_(scene->layout.axes), tracks_(scene, moments, interrupt) {}
+  TrackRows(const std::shared_ptr<const Scene>& scene, const TrackTimes& instants, Interrupt& interrupt)
+      : axes_(scene->layout.axes), tracks_(scene, instants, interrupt) {}
 
   bool next() override {
     row_ = tracks_.next();
@@ -33,8 +33,8 @@ class TrackRows final : public FunctionRows {
 };
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
-  const TrackMoments moments{call.required_number(in_t0), call.required_number(in_t1),
-                             call.required_number(in_step)};
+  const TrackTimes instants{call.required_number(in_t0), call.required_number(in_t1),
+                            call.required_number(in_step)};
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
   call.used(in_tbl, table.table), call.used(in_schema, table.schema);
@@ -44,7 +44,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     scene = Connection::load_object(table, *id);
   else
     scene = connection.load_scene(table);
-  return std::make_unique<TrackRows>(scene, moments, connection.interrupt());
+  return std::make_unique<TrackRows>(scene, instants, connection.interrupt());
 }
 
 }  // namespace
@@ -63,4 +63,4 @@ const TableFunction& predictive_track() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,11 +1,11 @@
-// predictive_window(h, …) in SQL: reads the inputs, opens the table, and hands rows on.
+// predictive_window(h, …) in SQL: reads the inputs, opens the table, and returns the rows.
 #include "query/window/window.h"
 #include "shape/outline/validity.h"
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt.h"
 #include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum WindowOutput { out_id, out_t, out_t_end, out_dt, out_dt_end };
@@ -55,15 +55,15 @@ class WindowRows final : public FunctionRows {
   std::size_t row_ = 0;
 };
 
-std::shared_ptr<const CutOutline> read_zone(const std::string& text) try {
+std::shared_ptr<const SharedOutline> read_zone(const std::string& text) try {
   Outline outline = read_outline(text);
   check_outline(outline);
-  return std::make_shared<const CutOutline>(std::move(outline));
+  return std::make_shared<const SharedOutline>(std::move(outline));
 } catch (const Error& error) {
   throw Error(std::string("zone: ") + error.what());
 }
 
-std::shared_ptr<const CutOutline> zone_of(const FunctionCall& call) {
+std::shared_ptr<const SharedOutline> zone_of(const FunctionCall& call) {
   const auto text = call.text(in_zone, "well-known text as in 'POLYGON((0 0, 4 0, 0 3, 0 0))', or left out");
   return text ? read_zone(*text) : nullptr;
 }
@@ -83,7 +83,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
   question.objects = std::move(table.objects);
   question.now = table.now;
-  question.wants.begins = call.reads(out_t) || call.reads(out_dt);
+  question.wants.starts = call.reads(out_t) || call.reads(out_dt);
   question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
   return std::make_unique<WindowRows>(std::move(question), call.connection().interrupt());
 }
@@ -103,4 +103,4 @@ const TableFunction& predictive_window() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -2,9 +2,9 @@
 
 #include "index/tpr_tree/tpr_tree.h"
 #include "sqlite/names/open_table.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs) {
   const std::string method = call.text(inputs.method).value_or("auto");
@@ -27,4 +27,4 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
   return searched;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,22 +1,22 @@
-// What do predictive_window and predictive_nearest search, and what is `now`?
+// Table and time `now` of a search, as the inputs of predictive_window and predictive_nearest give them.
 #pragma once
 
-#include "query/searched.h"
+#include "query/search_target.h"
 #include "sqlite/functions/function_call.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
-/// The inputs that both functions have, by their places.
+/// The numbers of the inputs that both functions have.
 struct SearchInputs {
   int tbl, now, method, schema;
 };
 
 struct SearchedTable {
-  Searched objects;
-  double now;  ///< as given, or the newest t stored
+  SearchTarget objects;
+  double now;  ///< the input, or else the newest t stored
 };
 
-/// Throws Error where no such table is to be found, and for an unknown method.
+/// Throws Error if the table does not exist, and for an unknown method.
 SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// The virtual-table side of every table-valued function.
+// The sqlite3_module of every table-valued function.
 #include "sqlite/functions/table_function.h"
 
 #include "sqlite/callback.h"
 #include "sqlite/functions/function_plan.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 struct Registration {
@@ -14,7 +14,7 @@ struct Registration {
 
 struct FunctionTable : sqlite3_vtab {
   const Registration* registration = nullptr;
-  PlansBefore plans_before;
+  EarlierPlans earlier_plans;
 
   const TableFunction& function() const { return registration->function; }
   int output_count() const { return static_cast<int>(function().outputs.size()); }
@@ -22,8 +22,8 @@ struct FunctionTable : sqlite3_vtab {
 
 struct FunctionCursor : sqlite3_vtab_cursor {
   std::unique_ptr<FunctionRows> rows;  ///< null at the end
-  std::vector<OwnedValue> inputs;      ///< copies, one per input, null where it was left out
-  UsedInputs used;                     ///< for those
+  std::vector<OwnedValue> inputs;      ///< copies, one per input, null if it was left out
+  UsedInputs used;                     ///< for the inputs that were left out
 };
 
 FunctionTable& table_of(sqlite3_vtab* table) {
@@ -39,7 +39,7 @@ std::string joined(const std::vector<const char*>& words, const char* suffix) {
   return text;
 }
 
-/// As guarded(), with the function's name in front of the message.
+/// Like guarded(), with the function's name before the message.
 template <class Body>
 int guarded_by_name(sqlite3_vtab* table, Body&& body) noexcept {
   char* message = nullptr;
@@ -78,12 +78,12 @@ int function_disconnect(sqlite3_vtab* table) noexcept {
 int function_best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) noexcept {
   return guarded_by_name(vtab, [&] {
     FunctionTable& table = table_of(vtab);
-    return plan_call(table.function(), *table.registration->connection, table.plans_before, *info);
+    return plan_call(table.function(), *table.registration->connection, table.earlier_plans, *info);
   });
 }
 
 int function_open(sqlite3_vtab* table, sqlite3_vtab_cursor** cursor) noexcept {
-  table_of(table).plans_before.one_side_was_planned = false;  // a statement runs: none is being planned
+  table_of(table).earlier_plans.one_side_was_planned = false;  // a statement runs, so planning has ended
   return guarded(&table->zErrMsg, [&] { *cursor = std::make_unique<FunctionCursor>().release(); });
 }
 
@@ -92,28 +92,28 @@ int function_close(sqlite3_vtab_cursor* cursor) noexcept {
   return SQLITE_OK;
 }
 
-/// To the next row; at the end the rows are let go.
+/// Steps to the next row; releases the rows at the end.
 void step(FunctionCursor& cursor) {
   if (!cursor.rows->next()) cursor.rows.reset();
 }
 
 [[noreturn]] void refuse_null(const TableFunction& function, int input) {
   const std::string name = function.inputs[static_cast<std::size_t>(input)];
-  throw Error(name + " is NULL, which SQLite compares again and so would lose every row: leave " + name +
-              " out, write fewer conditions, or in place of a = ... OR b = ... two questions with UNION ALL");
+  throw Error(name + " is NULL, which SQLite compares again and so loses every row; leave " + name +
+              " out, write fewer conditions, or two queries with UNION ALL for a = ... OR b = ...");
 }
 
-/// What xFilter is handed.
+/// The arguments of xFilter, by their use.
 struct Arguments {
   std::vector<sqlite3_value*> inputs;
   std::vector<Hint> hints;
   RowLimit limit;
 };
 
-/// Sorts the values into inputs, of which the cursor keeps copies for xColumn, hints and limits; an input
-/// that is NULL counts as left out. False if some hint is NULL: then nothing can match. Throws Error where a
-/// NULL would lose every row (function_plan.h). The call reads the originals: SQLite 3.53 crashes when a copy
-/// is asked for its numeric type.
+/// Sorts the values into inputs, hints and limits; the cursor keeps copies of the inputs for xColumn. A NULL
+/// input counts as left out. False if a hint is NULL: no row can match. Throws Error if a NULL would lose
+/// every row (function_plan.h). The call reads the originals, because SQLite 3.53 crashes in
+/// sqlite3_value_numeric_type() of a copy.
 bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const char* plan,
                     std::span<sqlite3_value*> values, Arguments& sorted) {
   cursor.inputs.clear();
@@ -179,7 +179,7 @@ int function_column(sqlite3_vtab_cursor* base, sqlite3_context* context, int col
 
 const sqlite3_module function_module = [] {
   sqlite3_module module{};
-  module.xConnect = function_connect;  // no xCreate: the function is there without CREATE, and only so
+  module.xConnect = function_connect;  // no xCreate: the function exists without CREATE, which is not allowed
   module.xBestIndex = function_best_index;
   module.xDisconnect = function_disconnect;
   module.xOpen = function_open;
@@ -199,10 +199,10 @@ std::string usage(const TableFunction& function) {
 
 int register_table_function(sqlite3* db, const TableFunction& function,
                             std::shared_ptr<Connection> connection) {
-  // SQLite destroys the registration also when it fails.
+  // SQLite destroys the registration even on failure.
   return sqlite3_create_module_v2(db, function.name, &function_module,
                                   new Registration{function, std::move(connection)},
                                   [](void* aux) { delete static_cast<Registration*>(aux); });
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

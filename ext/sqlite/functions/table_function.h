@@ -1,4 +1,4 @@
-// A question that SQL asks as a table: what predictive_join and its sisters have in common.
+// Table-valued functions: the virtual table that predictive_join and the other functions share.
 //
 //   const TableFunction positions = {
 //       .name = "predictive_position",
@@ -9,12 +9,12 @@
 //       .estimate = estimate_positions,
 //       .start = [](const FunctionCall& call) -> std::unique_ptr<FunctionRows> { … }};
 //
-// All functions are read-only, need no CREATE, and may be used in views and triggers that nobody vouches for.
-// An input can be given by place or by name in WHERE. Rows are pulled one at a time; whatever start() or
-// next() throws becomes the statement's error, led by the function's name.
+// All functions are read-only, need no CREATE, and may be used in views and untrusted triggers.
+// An input can be given by position, or by name in WHERE. Rows are computed one at a time. An exception of
+// start() or next() becomes the statement's error, prefixed by the function's name.
 //
-// The key is declared as WITHOUT ROWID does: SQLite uses it to drop the rows that `a = ? OR b = ?` finds
-// twice. The inputs belong to it, because rows of different calls are different rows.
+// The key is declared as the primary key of a WITHOUT ROWID table: by it SQLite drops the rows that `a = ? OR
+// b = ?` finds twice. The inputs are part of it, because rows of different calls are different rows.
 #pragma once
 
 #include <memory>
@@ -24,15 +24,15 @@
 #include "sqlite/functions/call_estimate.h"
 #include "sqlite/functions/function_call.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
-/// The rows of one call, and the tables as they were when it started.
+/// The rows of one call, computed from the tables as they were at its start.
 class FunctionRows {
  public:
   virtual ~FunctionRows() = default;
   /// Steps to the first or next row; false at the end.
   virtual bool next() = 0;
-  /// Hands an output of the current row to `context`; leaves it alone for NULL.
+  /// Sets the result of `context` to an output of the current row; leaves it unset for NULL.
   virtual void output(sqlite3_context* context, int output) const = 0;
 };
 
@@ -40,15 +40,14 @@ struct TableFunction {
   const char* name;
   std::vector<const char*> outputs;  ///< name and type
   std::vector<const char*> inputs;   ///< names
-  const char*
-      key;  ///< the outputs that tell the rows of one call apart, never NULL; null: a call has one row
-  std::uint32_t hinted;  ///< bit set: constraints on these outputs may make the call cheaper
+  const char* key;       ///< the outputs that identify a row of a call, never NULL; null: a call has one row
+  std::uint32_t hinted;  ///< bit set: constraints on this output may reduce the cost of a call
   CallEstimate (*estimate)(const CallSizes& sizes);  ///< of a whole call
   std::unique_ptr<FunctionRows> (*start)(const FunctionCall& call);
-  std::uint32_t probed = 0;  ///< of those: one value of them makes the call much cheaper
-  /// Of a call with such a value: of the first output, or of another.
+  std::uint32_t probed = 0;  ///< bit set: equality with this hinted output makes a call much cheaper
+  /// The estimate of a call with such an equality. `by_first`: on the first output, else on another one.
   CallEstimate (*estimate_probe)(const CallSizes& sizes, bool by_first) = nullptr;
-  std::vector<std::vector<int>> orders = {};  ///< outputs by which rows can come, rising
+  std::vector<std::vector<int>> orders = {};  ///< in which rows can come: ascending by these outputs
 };
 
 /// The function with its inputs, as messages show it: predictive_position(at, tbl).
@@ -58,4 +57,4 @@ std::string usage(const TableFunction& function);
 int register_table_function(sqlite3* db, const TableFunction& function,
                             std::shared_ptr<Connection> connection);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include "sqlite/modules.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 int register_table_functions(sqlite3* db, const std::shared_ptr<Connection>& connection) {
   for (const TableFunction* function :
@@ -13,4 +13,4 @@ int register_table_functions(sqlite3* db, const std::shared_ptr<Connection>& con
   return SQLITE_OK;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

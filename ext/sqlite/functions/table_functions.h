@@ -1,9 +1,9 @@
-// The table-valued functions, a file each, or two that are each other's inverse.
+// List of the table-valued functions; the file that defines each is named beside it.
 #pragma once
 
 #include "sqlite/functions/table_function.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 const TableFunction& geo_to_plane();  // geo_plane.cpp
 const TableFunction& plane_to_geo();
@@ -18,4 +18,4 @@ const TableFunction& predictive_sweep();     // predictive_sweep.cpp
 const TableFunction& predictive_track();     // predictive_track.cpp
 const TableFunction& predictive_window();    // predictive_window.cpp
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

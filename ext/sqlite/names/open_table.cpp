@@ -5,24 +5,24 @@
 
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 bool in_schema(const VisibleTable& table, const std::optional<std::string>& schema) {
   return !schema || same_name(table.schema, *schema);
 }
 
-/// Whether its name by itself means another table.
+/// Whether SQLite resolves its unqualified name to another table.
 bool is_hidden(const VisibleTable& table, const std::vector<VisibleTable>& tables) {
   for (const VisibleTable& other : tables)
     if (same_name(other.name, table.name)) return &other != &table;
   return false;
 }
 
-/// " (moving_objects tables here: 'crates', 'ships' with schema = 'main')": as one has to write it.
-std::string list_of(const std::vector<VisibleTable>& tables, bool with_schemas) {
+/// " (moving_objects tables here: 'crates', 'ships' with schema = 'main')": each as a query must write it.
+std::string list_tables(const std::vector<VisibleTable>& tables, bool with_schemas) {
   std::string list;
   for (const VisibleTable& table : tables) {
     if (!table.holds_moving_objects) continue;
@@ -35,52 +35,54 @@ std::string list_of(const std::vector<VisibleTable>& tables, bool with_schemas) 
              : " (moving_objects tables here: " + list + ")";
 }
 
-/// The one table that is meant when nobody names one.
-AskedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
+/// The only moving_objects table, for a query without a table name. Throws Error unless there is exactly one.
+QueriedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
   const std::vector<VisibleTable> tables = visible_tables(db);
   const VisibleTable* only = nullptr;
   for (const VisibleTable& table : tables) {
     if (!table.holds_moving_objects || !in_schema(table, schema)) continue;
     if (only)
-      throw Error("tbl is missing, and there is more than one table to ask" +
-                  list_of(tables, schema.has_value()));
+      throw Error("tbl is missing, and there is more than one table to query" +
+                  list_tables(tables, schema.has_value()));
     only = &table;
   }
-  if (!only) throw Error("there is no table to ask" + list_of(tables, schema.has_value()));
+  if (!only) throw Error("there is no table to query" + list_tables(tables, schema.has_value()));
   return {only->name, only->schema};
 }
 
-/// What to write instead of 'main.ships'; "" if there is no such table either.
-std::string with_schema_apart(const std::vector<VisibleTable>& tables, const std::string& name) {
+/// The hint to write the schema of a name like 'main.ships' separately; "" if that table does not exist
+/// either.
+std::string separate_schema_hint(const std::vector<VisibleTable>& tables, const std::string& name) {
   for (const VisibleTable& table : tables)
     if (table.holds_moving_objects && same_name(table.schema + "." + table.name, name))
-      return "; give the schema by itself: " + quoted(table.name) + " with schema = " + quoted(table.schema);
+      return "; write the schema separately: " + quoted(table.name) +
+             " with schema = " + quoted(table.schema);
   return "";
 }
 
-/// SQL's text ends at a NUL: no name has one.
-bool can_be_named(const AskedTable& name) {
+/// Whether SQL text, which ends at a NUL, can hold this name.
+bool fits_in_sql(const QueriedTable& name) {
   const std::string text = *name.table + name.schema.value_or("");
   return std::strlen(text.c_str()) == text.size();
 }
 
-/// The table that SQLite finds under this name, or nothing if it is none of ours. Throws StoreError where
-/// SQLite finds none.
-std::optional<Connection::OpenTable> find_open(Connection& connection, const AskedTable& name) {
+/// The table that SQLite finds under this name; nothing if it is not a moving_objects table. Throws
+/// StoreError if SQLite finds no table.
+std::optional<Connection::OpenTable> find_open(Connection& connection, const QueriedTable& name) {
   TableLookups& lookups = connection.lookups();
   const auto find = [&]() -> const Connection::OpenTable* {
     const auto number = lookups.number_of(name);
     return number ? connection.find(*number) : nullptr;
   };
   const Connection::OpenTable* open = find();
-  if (!open) {  // or SQLite has connected it anew since
+  if (!open) {  // SQLite may have reconnected the table since
     lookups.forget(name);
     open = find();
   }
   if (!open || !same_name(open->table, *name.table)) return std::nullopt;
   const Connection::OpenTable found = *open;
-  // A table that is made in main would come before one that is attached from then on; nothing that is kept
-  // would notice.
+  // A look-up that found an attached database's table is not kept: a table created in main later would
+  // precede it, and the witness would not detect that.
   if (name.schema || same_name(found.schema, "main") || same_name(found.schema, "temp"))
     lookups.keep(name, found.number, found.schema);
   return found;
@@ -100,16 +102,16 @@ void require_moving_objects(sqlite3* db, const std::string& table, const std::op
     if (seen.holds_moving_objects) return;
     throw Error(name + " is not a moving_objects table" +
                 (seen.is_watch ? " but a watch: its pairs are SELECT * FROM " + seen.name : "") +
-                list_of(tables, schema.has_value()));
+                list_tables(tables, schema.has_value()));
   }
-  throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) +
-              list_of(tables, schema.has_value()));
+  throw Error("no such table: " + name + (schema ? "" : separate_schema_hint(tables, table)) +
+              list_tables(tables, schema.has_value()));
 }
 
-Connection::OpenTable open_table(Connection& connection, const AskedTable& asked) {
-  const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);
+Connection::OpenTable open_table(Connection& connection, const QueriedTable& queried) {
+  const QueriedTable name = queried.table ? queried : only_table(connection.db(), queried.schema);
   try {
-    if (can_be_named(name))
+    if (fits_in_sql(name))
       if (auto open = find_open(connection, name)) return *open;
   } catch (const StoreError& error) {
     if ((error.code & 0xff) == SQLITE_ERROR)
@@ -120,4 +122,4 @@ Connection::OpenTable open_table(Connection& connection, const AskedTable& asked
   throw Error(*name.table + " does not answer as a moving_objects table does");
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,28 +1,29 @@
-// Which table is meant?
+// Name resolution: finds the connected moving_objects table that an SQL name refers to.
 //
 //   const auto ships = open_table(connection, {.table = call.text(in_tbl), .schema = {}});
 //   connection.load_scene(ships);  ships.store->take_snapshot();         // all of it, or its tree
 //
 // A name resolves as SQLite resolves it (temp, main, attached) unless a schema is given; without a name the
 // connection must see exactly one moving_objects table. SQLite itself looks the name up, connects the table
-// and begins to read that database (table_lookups.h). Scenes and trees are snapshots and that statement is at
-// rest before open_table returns, so the table can be written under a running call; against other connections
-// SQLite keeps its read lock until the statement that calls ends, as for any reader.
+// and starts to read that database (table_lookups.h). Scenes and trees are snapshots, and the statement of
+// the look-up has ended before open_table returns: the table can be written during a running call. Towards
+// other connections SQLite holds its read lock until the calling statement ends, as for any reader.
 #pragma once
 
 #include "sqlite/connection.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
-/// Equal tables have equal stores. A copy, because to look up another table may make SQLite connect this one
-/// anew. Throws Error where no such table is to be found or where the choice is not
-/// clear; it lists what there is.
-Connection::OpenTable open_table(Connection& connection, const AskedTable& name);
+/// The table; equal tables have equal stores. Returns a copy, because the look-up of another table may make
+/// SQLite reconnect this one. Throws Error if no such table exists or the choice is ambiguous; the message
+/// lists the tables.
+Connection::OpenTable open_table(Connection& connection, const QueriedTable& name);
 
 /// 'name', as messages show it.
 std::string quoted(const std::string& name);
 
-/// By the text of its declaration alone: nothing is connected or asked. Throws Error as open_table does.
+/// Throws Error as open_table() does, unless this is a moving_objects table. Reads only the text of its
+/// declaration: connects and queries no table.
 void require_moving_objects(sqlite3* db, const std::string& table, const std::optional<std::string>& schema);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -4,9 +4,9 @@
 
 #include "storage/table/store.h"
 
-namespace foresee::sqlite {
-// Takes the witness off the list: while it runs SQLite may disconnect tables, and finalize() be called.
-std::optional<std::int64_t> TableLookups::kept_number(const AskedTable& name) {
+namespace foresee {
+// Removes the witness from the list while it runs: SQLite may disconnect tables then, which calls finalize().
+std::optional<std::int64_t> TableLookups::kept_number(const QueriedTable& name) {
   const auto found =
       std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.name == name; });
   if (found == kept_.end()) return std::nullopt;
@@ -17,15 +17,15 @@ std::optional<std::int64_t> TableLookups::kept_number(const AskedTable& name) {
   } catch (const StoreError& error) {
     const int code = error.code & 0xff;
     if (code != SQLITE_ERROR && code != SQLITE_AUTH) throw;
-    return std::nullopt;  // the schema is gone, or may be read no longer
+    return std::nullopt;  // the schema no longer exists, or an authorizer forbids reading it
   }
-  if (kept.witness.was_compiled_anew()) return std::nullopt;
+  if (kept.witness.was_recompiled()) return std::nullopt;
   const std::int64_t number = kept.number;
   kept_.push_back(std::move(kept));
   return number;
 }
 
-std::optional<std::int64_t> TableLookups::ask_sqlite(const AskedTable& name) {
+std::optional<std::int64_t> TableLookups::query_sqlite(const QueriedTable& name) {
   const std::string table = quoted_name(*name.table);
   const std::string schema = name.schema ? quoted_name(*name.schema) + "." : "";
   Statement select(
@@ -36,24 +36,24 @@ std::optional<std::int64_t> TableLookups::ask_sqlite(const AskedTable& name) {
   return run.integer(0);
 }
 
-std::optional<std::int64_t> TableLookups::number_of(const AskedTable& name) {
+std::optional<std::int64_t> TableLookups::number_of(const QueriedTable& name) {
   if (const auto number = kept_number(name)) return number;
-  return ask_sqlite(name);
+  return query_sqlite(name);
 }
 
-void TableLookups::keep(const AskedTable& name, std::int64_t number, const std::string& schema) {
+void TableLookups::keep(const QueriedTable& name, std::int64_t number, const std::string& schema) {
   if (!kept_.empty() && kept_.back().name == name) return;
   try {
     Statement witness(db_, "SELECT 1 FROM " + quoted_name(schema) + ".sqlite_master WHERE 0");
     witness.prepare();
-    if (kept_.size() == most_kept) kept_.erase(kept_.begin());
+    if (kept_.size() == max_kept) kept_.erase(kept_.begin());
     kept_.push_back({name, number, std::move(witness)});
   } catch (const StoreError&) {
-    // An authorizer may forbid to read the schema: then SQLite is asked each time.
+    // An authorizer may forbid reading the schema: then SQLite resolves the name each time.
   }
 }
 
-void TableLookups::forget(const AskedTable& name) noexcept {
+void TableLookups::forget(const QueriedTable& name) noexcept {
   std::erase_if(kept_, [&](const Kept& kept) { return kept.name == name; });
 }
 
@@ -61,4 +61,4 @@ void TableLookups::finalize() noexcept {
   kept_.clear();
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

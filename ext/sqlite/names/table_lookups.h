@@ -1,18 +1,18 @@
-// What does SQLite find under a table's name? Asked once, and again only when a schema has changed.
+// Cache of table look-ups: SQLite resolves a name once, and again only after a schema change.
 //
-//   const AskedTable name{.table = "ships", .schema = {}};
-//   lookups.number_of(name)          // what the table announced itself as, or nothing
-//   lookups.keep(name, 7, "main")    // and where it was: next time its number is known
+//   const QueriedTable name{.table = "ships", .schema = {}};
+//   lookups.number_of(name)          // the table's number on this connection, or nothing
+//   lookups.keep(name, 7, "main")    // with the schema that holds it: the next look-up is cached
 //
-// SQLite is asked by SELECT "ships" FROM "ships" WHERE "ships" MATCH 'foresee-handle', which a
-// moving_objects table answers with its number. What is kept is a witness: a statement that reads the schema
-// in which the table was found. SQLite compiles it anew whenever that schema has changed, and all statements
-// when temp changes or a database is detached; as long as it has not, the name means the same table. A
-// witness begins to read that database, as the table would, but keeps no table connected: one whose database
-// is detached goes with the next statement of any kind, and its memory with it.
+// The look-up is SELECT "ships" FROM "ships" WHERE "ships" MATCH 'foresee-handle', which a
+// moving_objects table answers with its number (Connection::announce). The cache keeps a witness per name: a
+// statement that reads the schema in which the table was found. SQLite recompiles it when that schema has
+// changed, and all statements when temp changes or a database is detached. Until then the name refers to the
+// same table. A witness starts to read that database, as the table would, but keeps no table connected. After
+// its database is detached, a table and its memory are released with the next statement of any kind.
 //
-// finalize() must be called when SQLite disconnects a table-valued function: a connection that is being
-// closed disconnects all tables and then refuses while a statement is left. Cost: about a microsecond.
+// finalize() must be called when SQLite disconnects a table-valued function: sqlite3_close() disconnects all
+// tables and then fails if a statement is left. Cost: about a microsecond.
 #pragma once
 
 #include <cstdint>
@@ -22,47 +22,48 @@
 
 #include "storage/rows/statement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
-struct AskedTable {
+struct QueriedTable {
   std::optional<std::string> table;
   std::optional<std::string> schema;
 
-  friend bool operator==(const AskedTable&, const AskedTable&) = default;
+  friend bool operator==(const QueriedTable&, const QueriedTable&) = default;
 };
 
 class TableLookups {
  public:
   explicit TableLookups(sqlite3* db) : db_(db) {}
 
-  /// What is kept, else what SQLite says. Throws StoreError where SQLite finds no such table, or one of
-  /// another kind. Requires: a table is named.
-  std::optional<std::int64_t> number_of(const AskedTable& name);
-  /// The number that is kept, if it is certain that the name still means that table; else nothing. Runs its
-  /// witness, so SQLite may disconnect tables meanwhile.
-  std::optional<std::int64_t> kept_number(const AskedTable& name);
-  /// The next number_of(name) need not ask SQLite; where nothing can be kept it asks. Requires:
-  /// number_of(name) has just said so of a table in `schema`.
-  void keep(const AskedTable& name, std::int64_t number, const std::string& schema);
-  /// The next time SQLite resolves the name from the start.
-  void forget(const AskedTable& name) noexcept;
-  /// Lets go of all statements that are not running.
+  /// The table's number from the cache, else from SQLite. Throws StoreError if SQLite finds no such table, or
+  /// one of another kind. Requires: `name.table` has a value.
+  std::optional<std::int64_t> number_of(const QueriedTable& name);
+  /// The cached number if the name certainly still refers to that table; else nothing. Runs the witness, so
+  /// SQLite may disconnect tables meanwhile.
+  std::optional<std::int64_t> kept_number(const QueriedTable& name);
+  /// Caches the number, so that the next number_of(name) needs no look-up by SQLite. Does nothing if an
+  /// authorizer forbids reading the schema. Requires: number_of(name) has just returned it for a table in
+  /// `schema`.
+  void keep(const QueriedTable& name, std::int64_t number, const std::string& schema);
+  /// Removes the name from the cache: SQLite resolves it again next time.
+  void forget(const QueriedTable& name) noexcept;
+  /// Finalizes all statements that are not running.
   void finalize() noexcept;
 
  private:
   struct Kept {
-    AskedTable name;
+    QueriedTable name;
     std::int64_t number;
     Statement witness;
   };
-  static constexpr std::size_t most_kept = 8;
+  static constexpr std::size_t max_kept = 8;
 
-  /// What the table that SQLite finds under the name answers; nothing if it gives no number. Throws as
+  /// The number from SQLite's look-up; nothing if the table that it finds answers without one. Throws as
   /// number_of() does.
-  std::optional<std::int64_t> ask_sqlite(const AskedTable& name);
+  std::optional<std::int64_t> query_sqlite(const QueriedTable& name);
 
   sqlite3* db_;
-  std::vector<Kept> kept_;  ///< the latest last
+  std::vector<Kept> kept_;  ///< the most recent last
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,10 +1,10 @@
 #include "sqlite/names/visible_tables.h"
 
-#include "sqlite/host.h"
+#include "sqlite/host_sqlite.h"
 #include "sqlite/sql_tokens.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 void add_tables(sqlite3* db, const std::string& schema, std::vector<VisibleTable>& tables) {
@@ -36,4 +36,4 @@ std::vector<VisibleTable> visible_tables(sqlite3* db) {
   return tables;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,17 +1,16 @@
-// Which tables does this connection see, and which of them hold moving objects?
+// List of the tables that a connection sees, with those that hold moving objects marked.
 //
-// Read from each schema's sqlite_master in the order in which SQLite resolves a bare name: temp, main, then
-// the attached databases. Cost: one scan of each schema.
+// Read from each schema's sqlite_master in the order in which SQLite resolves an unqualified name: temp,
+// main, then the attached databases. Cost: one scan of each schema.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct VisibleTable {
   std::string schema, name;
@@ -22,10 +21,10 @@ struct VisibleTable {
 /// All tables and views.
 std::vector<VisibleTable> visible_tables(sqlite3* db);
 
-/// Is this the text of a CREATE VIRTUAL TABLE … USING this module, as sqlite_master keeps it?
+/// Whether this is a CREATE VIRTUAL TABLE … USING this module, as sqlite_master stores it.
 bool uses_module(const std::string& sql, std::string_view module);
 inline bool uses_moving_objects(const std::string& sql) {
   return uses_module(sql, "moving_objects");
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

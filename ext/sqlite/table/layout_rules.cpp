@@ -2,13 +2,13 @@
 
 #include "base/error.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-/// The words by quantity and axis.
-class Mixture {
+/// The declared words, indexed by quantity and axis.
+class WordTable {
  public:
-  explicit Mixture(const std::vector<DeclaredWord>& words) {
+  explicit WordTable(const std::vector<DeclaredWord>& words) {
     for (const DeclaredWord& declared : words) slot(declared.word.quantity, declared.word.axis) = &declared;
     while (axes_ < 3 && has(Quantity::centre, axes_)) ++axes_;
   }
@@ -44,7 +44,7 @@ class Mixture {
     throw Error("\"" + declared->argument + "\": " + why);
   }
 
-  /// "vx, vy" for two axes; only those that are missing if so asked.
+  /// "vx, vy" for two axes; with `missing_only`, only those that are not declared.
   std::string list(Quantity quantity, bool missing_only = false) const {
     std::string names;
     for (int axis = 0; axis < axes_; ++axis) {
@@ -74,7 +74,7 @@ class Mixture {
         }
   }
 
-  /// Whether the quantity is declared; half of it is an error.
+  /// Whether the quantity is declared. Throws Error if some of its axes are missing.
   bool complete(Quantity quantity, const char* what) const {
     const DeclaredWord* declared = first(quantity);
     if (declared == nullptr) return false;
@@ -133,7 +133,7 @@ class Mixture {
     return complete(Quantity::half_extent, "half extent") ? Shape::box : Shape::point;
   }
 
-  /// A point that grows is a disc or ball of no size at first; with growth_z, an upright cylinder.
+  /// A growing point becomes a disc or ball of initial radius 0; with growth_z, an upright cylinder.
   void add_growth(Layout& layout) const {
     const DeclaredWord *growth = at(Quantity::growth, 0), *growth_z = at(Quantity::growth, 2);
     if (growth == nullptr && growth_z == nullptr) return;
@@ -161,10 +161,10 @@ class Mixture {
 }  // namespace
 
 Layout layout_of(const std::vector<DeclaredWord>& words) {
-  return Mixture(words).layout();
+  return WordTable(words).layout();
 }
 
-int place_of(const Offsets& at, const Word& word) {
+int offset_of(const Offsets& at, const Word& word) {
   switch (word.quantity) {
     case Quantity::reference_time:
       return at.t;
@@ -194,4 +194,4 @@ int place_of(const Offsets& at, const Word& word) {
   return Offsets::absent;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,26 +1,26 @@
-// Which layout do the declared motion columns make, and do they go together?
+// Layout rules of declared motion columns: the layout that a set of columns yields, and the invalid sets.
 //
-// Throws Error for every mixture that is no table (docs/sql_reference.md#columns); the message quotes an
-// argument and says what to add or to leave out.
+// Throws Error for every combination that no table can have (docs/sql_reference.md#columns). The message
+// quotes an argument and says what to add or to leave out.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "shape/layout.h"
-#include "sqlite/table/vocabulary.h"
+#include "sqlite/table/column_vocabulary.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct DeclaredWord {
   Word word;
-  std::string argument;  ///< as it was written
+  std::string argument;  ///< as the user wrote it
 };
 
-/// Requires: no word twice.
+/// Requires: no word occurs twice.
 Layout layout_of(const std::vector<DeclaredWord>& words);
 
-/// Where the quantity of `word` stands among a record's doubles.
-int place_of(const Offsets& at, const Word& word);
+/// Index of the quantity of `word` among a record's doubles.
+int offset_of(const Offsets& at, const Word& word);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

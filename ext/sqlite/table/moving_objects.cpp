@@ -1,18 +1,19 @@
-// The virtual table moving_objects: SQLite's callbacks, each of which hands its work to the file that knows.
+// The virtual table moving_objects: SQLite's callbacks. Each one delegates its work to another file:
 //
-//   CREATE  declare.h      plan  table_plan.h  scan  cursor.h      write  write.h, values.h
-//   transactions, savepoints, rename and drop: Store, whose methods are named as the callbacks
+//   CREATE  table_declaration.h      plan  table_plan.h      scan  table_cursor.h
+//   write  row_write.h, record_values.h
+//   transactions, savepoints, rename and drop: Store, whose methods have the names of the callbacks
 #include "sqlite/callback.h"
 #include "sqlite/modules.h"
-#include "sqlite/table/commands.h"
-#include "sqlite/table/cursor.h"
-#include "sqlite/table/declare.h"
 #include "sqlite/table/moving_objects_table.h"
+#include "sqlite/table/row_write.h"
+#include "sqlite/table/table_commands.h"
+#include "sqlite/table/table_cursor.h"
+#include "sqlite/table/table_declaration.h"
 #include "sqlite/table/table_plan.h"
-#include "sqlite/table/write.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using OpenStore = StoreOrFault (*)(sqlite3* db, const std::string& schema, const std::string& table,
@@ -23,17 +24,18 @@ StoreOrFault create_store(sqlite3* db, const std::string& schema, const std::str
   return {.store = Store::create(db, schema, table, declaration)};
 }
 
-/// A table whose bytes cannot be read is connected all the same: or else nobody could drop it.
+/// Connects a table even if its bytes cannot be read; otherwise DROP TABLE would fail.
 StoreOrFault open_store(sqlite3* db, const std::string& schema, const std::string& table,
                         const Declaration& declaration) try {
   return {.store = Store::open(db, schema, table, declaration)};
 } catch (const StoreError& error) {
   const int code = error.code & 0xff;
-  if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;  // busy, out of memory: it will pass
+  if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;  // busy, out of memory: temporary
   return {.store = nullptr, .fault = error};
 }
 
-/// A newer foresee may have declared what this one cannot read: then the stored table says so by name.
+/// If this version cannot parse the declaration, a later version may have created the table: then the error
+/// names the stored features that are unknown.
 Declaration declaration_of(OpenStore open, sqlite3* db, const std::string& schema, const std::string& name,
                            const std::vector<std::string_view>& arguments) try {
   return parse_declaration(name, arguments);
@@ -124,7 +126,7 @@ int table_update(sqlite3_vtab* base, int count, sqlite3_value** arguments, sqlit
   return guarded(&base->zErrMsg, [&] { write_table(table_of(base), count, arguments, rowid); });
 }
 
-/// A callback that is one call of the store, or nothing where it cannot be read.
+/// A callback that calls one method of the store; does nothing if the store cannot be read.
 template <void (Store::*step)()>
 int store_step(sqlite3_vtab* base) noexcept {
   MovingObjectsTable& table = table_of(base);
@@ -139,7 +141,7 @@ int store_step(sqlite3_vtab* base, int level) noexcept {
   return guarded(&base->zErrMsg, [&] { (table.store().*step)(level); });
 }
 
-/// What has changed becomes rows; then the watches of the table take it over.
+/// Writes the changed objects as rows, then updates the watches of the table.
 int table_sync(sqlite3_vtab* base) noexcept {
   MovingObjectsTable& table = table_of(base);
   if (!table.has_store() || table.store().is_gone()) return SQLITE_OK;
@@ -179,13 +181,13 @@ int is_shadow_name(const char* suffix) noexcept {
   return is_shadow_suffix(suffix) ? 1 : 0;
 }
 
-/// PRAGMA integrity_check, from SQLite 3.44 on: what is wrong comes as text, not as a result code.
+/// PRAGMA integrity_check, from SQLite 3.44 on: findings are returned as text, not as a result code.
 int table_integrity(sqlite3_vtab* base, const char*, const char*, int, char** finding) noexcept {
   const int rc = guarded(finding, [&] { require_integrity(table_of(base)); });
   return (rc & 0xff) == SQLITE_CORRUPT && *finding != nullptr ? SQLITE_OK : rc;
 }
 
-/// sqlite3_module as SQLite 3.44 knows it; older versions look no further than iVersion 3 goes.
+/// sqlite3_module as SQLite 3.44 declares it; older versions read only the members of iVersion 3.
 struct ModuleWithIntegrity {
   sqlite3_module module;
   int (*xIntegrity)(sqlite3_vtab*, const char*, const char*, int, char**);
@@ -230,4 +232,4 @@ int register_moving_objects(sqlite3* db, const std::shared_ptr<Connection>& conn
                                   [](void* aux) { delete static_cast<Holder*>(aux); });
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

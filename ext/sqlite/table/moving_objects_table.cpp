@@ -1,9 +1,9 @@
 #include "sqlite/table/moving_objects_table.h"
 
-#include "sqlite/table/declare.h"
+#include "sqlite/table/table_declaration.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 MovingObjectsTable::MovingObjectsTable(std::shared_ptr<Connection> connection_, Declaration declaration,
                                        StoreOrFault store, const std::string& schema_,
@@ -21,7 +21,7 @@ MovingObjectsTable::MovingObjectsTable(std::shared_ptr<Connection> connection_, 
 
 MovingObjectsTable::~MovingObjectsTable() {
   connection->leave(number);
-  sqlite3_free(zErrMsg);  // what nobody asked for: SQLite 3.40 takes no message from xDestroy
+  sqlite3_free(zErrMsg);  // a message left over: SQLite 3.40 does not take it from xDestroy
 }
 
 void MovingObjectsTable::rename(const std::string& new_name) {
@@ -39,4 +39,4 @@ void MovingObjectsTable::drop() {
     shadow_tables(connection->db(), {schema, name}, declaration()).drop();
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

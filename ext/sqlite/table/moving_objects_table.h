@@ -1,8 +1,8 @@
-// One moving_objects table as this connection sees it: SQLite's handle, its storage, and its open cursors.
+// One moving_objects table in this connection: SQLite's handle (sqlite3_vtab), its storage, its open cursors.
 //
-// Writes beneath a scan are safe: before the first change every cursor in mid-scan notes the ids that it has
-// yet to visit and reads each object as it is when its turn comes; objects deleted meanwhile are passed over,
-// new ones are not visited.
+// Writes during a scan are safe. Before the first change every open cursor stores the ids that it has yet to
+// visit, and later reads each object in its current state. It skips objects deleted meanwhile and does not
+// visit new ones.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,17 @@
 #include <vector>
 
 #include "sqlite/connection.h"
-#include "sqlite/table/values.h"
+#include "sqlite/table/record_values.h"
 #include "storage/table/store.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class TableCursor;
 
-/// The storage of a table, or why it cannot be read: shadow tables are missing or written by a later version.
+/// The storage of a table, or the error if it cannot be read: shadow tables are missing, or a later version
+/// has written them.
 struct StoreOrFault {
-  std::shared_ptr<Store> store;  ///< null: there is a fault
+  std::shared_ptr<Store> store;  ///< null: see `fault`
   StoreError fault{SQLITE_OK, ""};
 };
 
@@ -32,24 +33,24 @@ struct MovingObjectsTable : sqlite3_vtab {
   MovingObjectsTable& operator=(const MovingObjectsTable&) = delete;
 
   const Declaration& declaration() const { return declared_; }
-  /// Throws the fault if there is one.
+  /// Throws the fault if the storage cannot be read.
   Store& store() {
     if (!store_.store) throw store_.fault;
     return *store_.store;
   }
   bool has_store() const { return store_.store != nullptr; }
-  /// Store::likely_objects(); none of a table that cannot be read.
+  /// Store::likely_objects(); 0 for a table that cannot be read.
   std::int64_t likely_objects() const noexcept { return has_store() ? store_.store->likely_objects() : 0; }
 
   void scan_opened(TableCursor& cursor) { connection->scan_opened(store_.store.get(), cursor); }
   void scan_closed(TableCursor& cursor) noexcept { connection->scan_closed(store_.store.get(), cursor); }
-  /// Every scan of this table, also those that began before SQLite connected it anew.
+  /// Every open scan of this table, also those from before SQLite connected it again.
   std::span<TableCursor* const> cursors() const noexcept { return connection->cursors(store_.store.get()); }
 
-  /// Drops the shadow tables, as many as there are.
+  /// Drops the shadow tables that exist.
   void drop();
 
-  // Columns as SQL numbers them: id, motion, auxiliary, command.
+  // Column numbers in SQL, in the order id, motion, auxiliary, command.
   static constexpr int id_column = 0;
   static constexpr int first_motion_column = 1;
   int first_auxiliary_column() const { return 1 + static_cast<int>(declaration().columns.size()); }
@@ -63,7 +64,7 @@ struct MovingObjectsTable : sqlite3_vtab {
   std::string schema;
   std::string name;
   Values values;
-  std::int64_t number;  ///< what Connection::find knows it by
+  std::int64_t number;  ///< the key of Connection::find
 
  private:
   Declaration declared_;
@@ -74,4 +75,4 @@ inline MovingObjectsTable& table_of(sqlite3_vtab* base) {
   return *static_cast<MovingObjectsTable*>(base);
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

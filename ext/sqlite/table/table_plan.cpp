@@ -3,23 +3,23 @@
 #include <algorithm>
 #include <span>
 
-#include "sqlite/host.h"
+#include "sqlite/host_sqlite.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-using Constraint = sqlite3_index_info::sqlite3_index_constraint;
+using IndexConstraint = sqlite3_index_info::sqlite3_index_constraint;
 
-void use(sqlite3_index_info* info, std::size_t constraint, TablePlan plan, bool sqlite_need_not_check) {
+void use(sqlite3_index_info* info, std::size_t constraint, TablePlan plan, bool omits_check) {
   info->aConstraintUsage[constraint].argvIndex = 1;
-  info->aConstraintUsage[constraint].omit = sqlite_need_not_check ? 1 : 0;
+  info->aConstraintUsage[constraint].omit = omits_check ? 1 : 0;
   info->idxNum = static_cast<int>(plan);
   info->estimatedRows = 1;
-  info->estimatedCost = 20;  // as SQLite assumes of an ordinary table
+  info->estimatedCost = 20;  // SQLite's assumption for an ordinary table
   info->idxFlags = SQLITE_INDEX_SCAN_UNIQUE;
 }
 
-bool is_id(const Constraint& constraint) {
+bool is_id(const IndexConstraint& constraint) {
   return constraint.iColumn < 0 || constraint.iColumn == MovingObjectsTable::id_column;
 }
 
@@ -28,28 +28,28 @@ bool is_bound(unsigned char op) {
          op == SQLITE_INDEX_CONSTRAINT_GT || op == SQLITE_INDEX_CONSTRAINT_GE;
 }
 
-/// How many ids lie between the bounds that the statement writes out, where ids count from 1; `objects` and
-/// more if that says nothing.
+/// Number of ids between the literal bounds of the statement, if ids count from 1; `objects` if the bounds
+/// exclude every id.
 double ids_between_bounds(sqlite3_index_info& info, double objects) {
-  double least = 1, most = objects;
+  double lower = 1, upper = objects;
   for (int i = 0; i < info.nConstraint; ++i) {
-    const Constraint& constraint = info.aConstraint[i];
+    const IndexConstraint& constraint = info.aConstraint[i];
     if (!constraint.usable || !is_id(constraint) || !is_bound(constraint.op)) continue;
     sqlite3_value* written = written_value(info, i);
     if (!written || sqlite3_value_type(written) != SQLITE_INTEGER) continue;
     const double id = sqlite3_value_double(written);
     const bool from_below =
         constraint.op == SQLITE_INDEX_CONSTRAINT_GT || constraint.op == SQLITE_INDEX_CONSTRAINT_GE;
-    (from_below ? least : most) = id;
+    (from_below ? lower : upper) = id;
   }
-  return least <= most ? most - least + 1 : objects;
+  return lower <= upper ? upper - lower + 1 : objects;
 }
 
-/// How many of so many objects meet all conditions. SQLite guesses so for ordinary tables, not for virtual
-/// ones. A bound leaves a quarter, a value that must be equal a hundredth.
+/// Estimated number of objects that satisfy all constraints. SQLite estimates ordinary tables like this, but
+/// not virtual ones: a bound keeps a quarter of the rows, an equality a hundredth.
 double likely_rows(sqlite3_index_info& info, double objects) {
   double rows = objects;
-  for (const Constraint& constraint :
+  for (const IndexConstraint& constraint :
        std::span(info.aConstraint, static_cast<std::size_t>(info.nConstraint))) {
     if (!constraint.usable) continue;
     if (is_bound(constraint.op)) rows /= 4;
@@ -62,11 +62,11 @@ double likely_rows(sqlite3_index_info& info, double objects) {
 }  // namespace
 
 int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
-  const std::span<const Constraint> constraints(info->aConstraint,
-                                                static_cast<std::size_t>(info->nConstraint));
+  const std::span<const IndexConstraint> constraints(info->aConstraint,
+                                                     static_cast<std::size_t>(info->nConstraint));
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     if (constraints[i].op != SQLITE_INDEX_CONSTRAINT_MATCH) continue;
-    // A MATCH that no plan takes would fail in SQLite with less of an explanation.
+    // A MATCH that no plan uses would fail in SQLite with a less helpful message.
     if (!constraints[i].usable) return SQLITE_CONSTRAINT;
     if (constraints[i].iColumn == table.command_column()) {
       use(info, i, TablePlan::handle, true);
@@ -74,13 +74,13 @@ int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
     }
   }
   for (std::size_t i = 0; i < constraints.size(); ++i) {
-    const Constraint& constraint = constraints[i];
+    const IndexConstraint& constraint = constraints[i];
     if (constraint.usable && is_id(constraint) && constraint.op == SQLITE_INDEX_CONSTRAINT_EQ) {
       use(info, i, TablePlan::one_object, false);
       return SQLITE_OK;
     }
   }
-  constexpr double start = 50, object = 4;  // a look-up is less than any scan
+  constexpr double start = 50, object = 4;  // so that a look-up costs less than any scan
   const auto objects = static_cast<double>(table.likely_objects());
   info->idxNum = static_cast<int>(TablePlan::scan);
   info->estimatedRows = static_cast<sqlite3_int64>(likely_rows(*info, objects));
@@ -88,4 +88,4 @@ int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
   return SQLITE_OK;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

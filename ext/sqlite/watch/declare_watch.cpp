@@ -11,10 +11,10 @@
 #include "sqlite/names/open_table.h"
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
-#include "sqlite/table/arguments.h"
+#include "sqlite/table/table_arguments.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 constexpr std::array<const char*, 11> columns{"a",     "b",      "t",     "t_end", "dt",  "dt_end",
@@ -79,7 +79,7 @@ const Option* find_option(const std::string& name) {
   return found == options().end() ? nullptr : &*found;
 }
 
-/// What the first argument, or one behind it, should have been.
+/// Throws Error for an argument of the wrong form. `first`: the argument is the first one.
 [[noreturn]] void refuse_form(std::string_view text, bool first) {
   const Argument given{.text = std::string(text), .kind = {}, .name = {}, .detail = {}};
   if (first)
@@ -97,11 +97,11 @@ const Option* find_option(const std::string& name) {
 
 Argument parse_argument_of_watch(std::string_view text, bool first) try {
   return parse_argument(text);
-} catch (const Error&) {  // its words are about columns
+} catch (const Error&) {  // its message is about columns
   refuse_form(text, first);
 }
 
-/// Something else than name = value behind the table.
+/// Throws Error for a later argument that is not `name = value`.
 [[noreturn]] void refuse_second_table(const Argument& argument) {
   if (find_option(argument.name))
     refuse(argument, "an option is written name = value; write " + argument.name + " = " +
@@ -117,7 +117,7 @@ void take_option(WatchDeclaration& declaration, std::set<std::string>& given, co
   option->take(declaration, argument);
 }
 
-/// A watch has no input `schema`: its tables are those of its own.
+/// A watch has no input `schema`: its tables are in its own schema.
 void require_table(const std::vector<VisibleTable>& tables, const QualifiedName& watch,
                    const std::string& name) {
   const auto is_here = [&](const VisibleTable& table) { return same_name(table.schema, watch.schema); };
@@ -183,4 +183,4 @@ std::string declared_watch(std::string_view watch) {
          quoted_name(std::string(watch)) + " HIDDEN, pair BLOB HIDDEN NOT NULL PRIMARY KEY) WITHOUT ROWID";
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

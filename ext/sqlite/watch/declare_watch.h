@@ -1,4 +1,4 @@
-// What does CREATE VIRTUAL TABLE … USING predictive_watch(ships, horizon = 600, within = 926) declare?
+// Parser of CREATE VIRTUAL TABLE … USING predictive_watch(ships, horizon = 600, within = 926).
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 #include "storage/rows/shadow_tables.h"
 #include "storage/watch/watch_state.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
-/// Throws Error that names the watch, quotes the argument and says what would be right.
+/// Throws Error; the message names the watch, quotes the argument and says what to write instead.
 WatchDeclaration parse_watch(std::string_view watch, const std::vector<std::string_view>& arguments);
 
-/// Throws Error where a declared table is no moving_objects table of the watch's own schema.
+/// Throws Error if a declared table is not a moving_objects table in the schema of the watch.
 void require_tables(sqlite3* db, const QualifiedName& watch, const WatchDeclaration& declaration);
 
-/// The nine columns of predictive_join, and hidden ones: now, the column for commands, the key. SQLite takes
-/// commands only where the key is one column.
+/// The CREATE TABLE statement for sqlite3_declare_vtab: the nine columns of predictive_join, then hidden ones
+/// for now, commands and the key. SQLite accepts commands only if the key is a single column.
 std::string declared_watch(std::string_view watch);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -4,11 +4,11 @@
 #include "query/join/probe.h"
 #include "query/watch/pair_contacts.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-// A probe costs some ten microseconds, the join of few objects with all some hundred nanoseconds for each of
-// all, which it has to decode anew; the pairs of a changed object are read and written in any case.
+// A probe costs about ten microseconds. The join of a few objects with all decodes all of them, at about a
+// hundred nanoseconds per object. Either way the pairs of a changed object are read and written.
 constexpr double few = 32, share_of_few = 1.0 / 50, many = 64, share_of_many = 0.3;
 
 double objects_of(const Connection::OpenTable& table) {
@@ -19,18 +19,18 @@ double objects_of(const Connection::OpenTable& table) {
 
 ChangedObjects changed_objects(const Connection::OpenTable& table, const std::optional<std::int64_t>& stamp) {
   ChangedObjects changed;
-  changed.told = stamp && stamp == table.store->stamp_before_changes();
-  if (!changed.told) return changed;
+  changed.reported = stamp && stamp == table.store->stamp_before_changes();
+  if (!changed.reported) return changed;
   const int t = table.store->format().at.t;
   table.store->for_each_change([&](std::int64_t id, std::span<const double>, std::span<const double> after) {
     changed.ids.push_back(id);
-    if (!after.empty() && t >= 0) changed.moments.push_back(after[static_cast<std::size_t>(t)]);
+    if (!after.empty() && t >= 0) changed.instants.push_back(after[static_cast<std::size_t>(t)]);
   });
   std::sort(changed.ids.begin(), changed.ids.end());
   return changed;
 }
 
-bool are_most(const ChangedObjects& changed, const Connection::OpenTable& table) {
+bool is_majority(const ChangedObjects& changed, const Connection::OpenTable& table) {
   return static_cast<double>(changed.ids.size()) > std::max(many, share_of_many * objects_of(table));
 }
 
@@ -58,32 +58,32 @@ void PairSearch::probe(Side side, std::int64_t id, NodeSource& others_tree, cons
                                  {question_.now, question_.h}, reach_, connection_.interrupt(),
                                  [&](std::int64_t other) { return !within_one || other != id; });
   if (near->size() == 0) return;
-  JoinQuestion asked = question_;
-  asked.a = by_a ? object : near, asked.b = by_a ? near : object;
+  JoinQuestion queried = question_;
+  queried.a = by_a ? object : near, queried.b = by_a ? near : object;
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < near->size(); ++i) pairs.push_back(by_a ? Pair{0, i} : Pair{i, 0});
-  take(pair_contacts(asked, pairs, connection_.interrupt()));
+  take(pair_contacts(queried, pairs, connection_.interrupt()));
 }
 
 void PairSearch::join(Side side, std::span<const std::int64_t> ids, const Take& take) {
-  JoinQuestion asked = question_;
-  asked.a = connection_.load_scene(tables_.a);
-  asked.b = !tables_.b || tables_.are_one() ? asked.a : connection_.load_scene(*tables_.b);
-  asked.space = connection_.grid_space(), asked.helpers = connection_.helper_threads();
-  (side == Side::a ? asked.a : asked.b) = scene_of(connection_, table(side), ids);
+  JoinQuestion queried = question_;
+  queried.a = connection_.load_scene(tables_.a);
+  queried.b = !tables_.b || tables_.are_one() ? queried.a : connection_.load_scene(*tables_.b);
+  queried.space = connection_.grid_space(), queried.helpers = connection_.helper_threads();
+  (side == Side::a ? queried.a : queried.b) = scene_of(connection_, table(side), ids);
   const bool within_one = !tables_.b || tables_.are_one();
-  Join join(std::move(asked), connection_.interrupt());
+  Join join(std::move(queried), connection_.interrupt());
   std::vector<JoinRow> others;
   for (auto rows = join.next(); !rows.empty(); rows = join.next()) {
     if (!within_one) {
       take(rows);
       continue;
     }
-    others.clear();  // each object touches itself
+    others.clear();  // without each object's contact with itself
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(others),
                  [](const JoinRow& row) { return row.a != row.b; });
     take(others);
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

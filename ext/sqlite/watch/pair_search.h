@@ -1,12 +1,12 @@
-// Which objects has a transaction changed, and which pairs are they in now?
+// Search for the objects that a transaction has changed, and for their current pairs.
 //
 //   const ChangedObjects changed = changed_objects(tables.a, state.stamp);
 //   PairSearch search(connection, tables, question_of(tables, state, {clock, h}));
 //   search.pairs_of(Side::a, changed.ids, [&](std::span<const JoinRow> rows) { … });
 //
-// Guarantee: every pair of one of these objects that touches during the question's horizon comes, within one
-// table in either order, and once for each of its objects that is asked about. Cost: a probe of the other
-// side's tree for each object, or where they are many a join of them with all.
+// Guarantee: reports every pair of these objects that is in contact within the horizon, once for each of its
+// changed objects. Within one table a pair may have either order. Cost: a probe of the other side's tree per
+// object; for many objects, one join of them with all others.
 #pragma once
 
 #include <algorithm>
@@ -18,35 +18,35 @@
 #include "index/one_with_all.h"
 #include "sqlite/watch/watched_tables.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// The objects of one table that this transaction has changed.
 struct ChangedObjects {
-  bool told = true;               ///< else anything may have changed
-  std::vector<std::int64_t> ids;  ///< rising
-  std::vector<double> moments;    ///< the reference times that they have now
+  bool reported = true;           ///< false: any object may have changed
+  std::vector<std::int64_t> ids;  ///< in rising order
+  std::vector<double> instants;   ///< their current reference times
 
   bool holds(std::int64_t id) const { return std::binary_search(ids.begin(), ids.end(), id); }
 };
 
 struct ChangedSides {
-  ChangedObjects a, b;  ///< within one table the same
+  ChangedObjects a, b;  ///< equal for a watch within one table
 };
 
-/// Since the table's contents had this stamp.
+/// The changes since the table's contents had this stamp.
 ChangedObjects changed_objects(const Connection::OpenTable& table, const std::optional<std::int64_t>& stamp);
 
-/// So many that the join of all is cheaper than looking at what they were in and are in now.
-bool are_most(const ChangedObjects& changed, const Connection::OpenTable& table);
+/// Whether the objects are so many that a join of all is cheaper than reading their old and new pairs.
+bool is_majority(const ChangedObjects& changed, const Connection::OpenTable& table);
 
 class PairSearch {
  public:
   using Take = std::function<void(std::span<const JoinRow>)>;
 
-  /// `question`: of question_of(), with what it wants. All must outlive the search.
+  /// `question`: from question_of(), with `wants` set. All arguments must outlive the search.
   PairSearch(Connection& connection, const WatchedTables& tables, JoinQuestion question);
 
-  /// The pairs that have one of these objects on this side; within one table on either.
+  /// The pairs with one of these objects on this side; within one table, on either side.
   void pairs_of(Side side, std::span<const std::int64_t> ids, const Take& take);
 
  private:
@@ -62,4 +62,4 @@ class PairSearch {
   Contact::Reach reach_;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// predictive_changes(watch, since, schema) in SQL: what a watch has told since a position.
+// predictive_changes(watch, since, schema) in SQL: the changes that a watch has logged since a position.
 #include "sqlite/callback.h"
 #include "sqlite/functions/table_function.h"
 #include "sqlite/names/open_table.h"
@@ -7,15 +7,15 @@
 #include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watches.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum Output { out_seq, out_op, out_a, out_b, out_t, out_now };
 enum Input { in_watch, in_since, in_schema };
 
-constexpr std::int64_t at_once = 1000;
+constexpr std::int64_t batch_size = 1000;
 
-/// Keeps the database as it is for who reads it statement by statement.
+/// Holds a read transaction, so that several statements read the same state of the database.
 class ReadTransaction {
  public:
   ReadTransaction(sqlite3* db, const std::string& schema)
@@ -33,28 +33,28 @@ class ReadTransaction {
               " are no longer kept; read the whole watch with since = 0");
 }
 
-/// Read in parts, so that nothing stays open while the query works on a row; what is appended meanwhile is
-/// beyond `last`. What is trimmed meanwhile is missed: positions have no gaps.
+/// Reads the log in batches, so that no statement stays open while the query processes a row. Changes that
+/// are appended meanwhile are beyond `last`. Trimmed changes are detected, because positions have no gaps.
 class ChangeRows final : public FunctionRows {
  public:
   ChangeRows(std::shared_ptr<WatchRows> rows, std::int64_t after, std::int64_t last)
       : rows_(std::move(rows)), after_(after), last_(last) {}
-  explicit ChangeRows(std::vector<StoredChange> all) : part_(std::move(all)) {}
+  explicit ChangeRows(std::vector<StoredChange> all) : batch_(std::move(all)) {}
 
   bool next() override {
-    if (++row_ < part_.size()) return true;
+    if (++row_ < batch_.size()) return true;
     if (!rows_ || after_ >= last_) return false;
-    part_ = rows_->changes(after_, last_, at_once);
+    batch_ = rows_->changes(after_, last_, batch_size);
     row_ = 0;
-    const auto count = static_cast<std::int64_t>(part_.size());
-    if (count == 0 || part_.front().seq != after_ + 1 || part_.back().seq != after_ + count)
+    const auto count = static_cast<std::int64_t>(batch_.size());
+    if (count == 0 || batch_.front().seq != after_ + 1 || batch_.back().seq != after_ + count)
       refuse_trimmed(rows_->name().table, rows_->oldest().value_or(last_));
     after_ += count;
     return true;
   }
 
   void output(sqlite3_context* context, int output) const override {
-    const StoredChange& row = part_[row_];
+    const StoredChange& row = batch_[row_];
     if (output == out_seq) return sqlite3_result_int64(context, row.seq);
     if (output == out_op) return sqlite3_result_text(context, &row.op, 1, SQLITE_TRANSIENT);
     if (output == out_a || output == out_b)
@@ -66,7 +66,7 @@ class ChangeRows final : public FunctionRows {
  private:
   std::shared_ptr<WatchRows> rows_;
   std::int64_t after_ = 0, last_ = 0;
-  std::vector<StoredChange> part_;
+  std::vector<StoredChange> batch_;
   std::size_t row_ = static_cast<std::size_t>(-1);
 };
 
@@ -80,13 +80,13 @@ QualifiedName find_watch(sqlite3* db, const std::string& name, const std::option
     if (schema) list += " with schema = " + quoted(table.schema);
   }
   throw Error("no such watch: " + quoted(name) + (schema ? " in schema " + quoted(*schema) : "") +
-              (list.empty() ? " (there is none here; make one with CREATE VIRTUAL TABLE alerts USING "
+              (list.empty() ? " (no watches here; make one with CREATE VIRTUAL TABLE alerts USING "
                               "predictive_watch(ships, horizon = 600))"
                             : " (watches here: " + list + ")"));
 }
 
-/// The rows that are held, all with the watch's own position. Their times are those in the log, not the
-/// clock: a clock that goes back then says the same to every reader.
+/// The held pairs, all with the current position of the watch. Their times are those of the log and not
+/// clipped to the clock, so that every reader sees the same times after the clock goes back.
 std::vector<StoredChange> whole_watch(WatchRows& rows, const WatchState& state) {
   std::vector<StoredChange> all;
   const double now = state.clock.value_or(0);
@@ -97,9 +97,9 @@ std::vector<StoredChange> whole_watch(WatchRows& rows, const WatchState& state) 
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   Connection& connection = call.connection();
-  const auto asked = call.text(in_watch, "the name of a watch in quotes");
-  if (!asked) throw Error("watch is missing or NULL: write predictive_changes('alerts', since)");
-  const QualifiedName watch = find_watch(connection.db(), *asked, call.text(in_schema));
+  const auto queried = call.text(in_watch, "the name of a watch in quotes");
+  if (!queried) throw Error("watch is missing or NULL: write predictive_changes('alerts', since)");
+  const QualifiedName watch = find_watch(connection.db(), *queried, call.text(in_schema));
   const ReadTransaction transaction(connection.db(), watch.schema);
   const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(connection, watch);
   const WatchState state = rows->read_state();
@@ -132,4 +132,4 @@ const TableFunction& predictive_changes() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

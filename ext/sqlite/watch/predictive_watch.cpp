@@ -1,5 +1,4 @@
-// The virtual table predictive_watch: SQLite's callbacks, each of which hands its work to the file that
-// knows.
+// The virtual table predictive_watch: SQLite's callbacks. Each one delegates its work to another file:
 //
 //   CREATE  declare_watch.h     read  WatchCursor     commands  watch_commands.cpp     COMMIT  settlement.h
 #include <utility>
@@ -10,9 +9,9 @@
 #include "sqlite/watch/settlement.h"
 #include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watch_table.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using Holder = std::shared_ptr<Connection>;  // what pAux points to
@@ -32,9 +31,9 @@ std::unique_ptr<WatchTable> declare(sqlite3* db, void* aux, const char* const* a
   return std::make_unique<WatchTable>(*static_cast<Holder*>(aux), QualifiedName{argv[1], argv[2]});
 }
 
-/// The question as it would be asked: shapes without a distance and different axes are refused here.
-void require_question(Connection& connection, const QualifiedName& name,
-                      const WatchDeclaration& declaration) try {
+/// Validates the join query of the watch: throws for shapes without a distance and for different axes.
+void require_valid_query(Connection& connection, const QualifiedName& name,
+                         const WatchDeclaration& declaration) try {
   require_tables(connection.db(), name, declaration);
   const WatchedTables tables = watched_tables(connection, name.schema, declaration);
   const JoinQuestion question = question_of(tables, declaration, {0, declaration.horizon});
@@ -53,12 +52,12 @@ int watch_create(sqlite3* db, void* aux, int argc, const char* const* argv, sqli
     const WatchDeclaration declaration = parse_watch(argv[2], {argv + 3, argv + argc});
     std::unique_ptr<WatchTable> watch = declare(db, aux, argv);
     Connection& connection = *watch->connection;
-    require_question(connection, watch->name, declaration);
+    require_valid_query(connection, watch->name, declaration);
     WatchRows::tables(db, watch->name).create();
     watch->watches().forget(watch->name);
     watch->rows()->write_declaration(declaration);
     watch->watches().add_to_tables(connection, watch->name, declaration);
-    Settlement(connection, *watch->rows()).settle(Settlement::Tells::nothing);
+    Settlement(connection, *watch->rows()).settle(Settlement::Log::nothing);
     *table = watch.release();
     return SQLITE_OK;
   });
@@ -83,7 +82,7 @@ int watch_destroy(sqlite3_vtab* base) noexcept {
     Connection& connection = *table.connection;
     try {
       table.watches().remove_from_tables(connection, table.name, table.rows()->read_state());
-    } catch (const StoreError& error) {  // damaged or gone: it can be dropped all the same
+    } catch (const StoreError& error) {  // damaged or missing: it can still be dropped
       const int code = error.code & 0xff;
       if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
     }
@@ -145,11 +144,11 @@ int cursor_column(sqlite3_vtab_cursor* base, sqlite3_context* context, int colum
 }
 
 int cursor_rowid(sqlite3_vtab_cursor*, sqlite3_int64* rowid) noexcept {
-  *rowid = 0;  // WITHOUT ROWID: nobody asks
+  *rowid = 0;  // WITHOUT ROWID: SQLite never calls this
   return SQLITE_OK;
 }
 
-/// A row that is no command. `new_clock`: the value for `now`, where it is another one than the clock.
+/// Throws Error for a row that is not a command. `new_clock`: the value for `now`.
 [[noreturn]] void refuse_row(WatchTable& table, bool inserts, sqlite3_value* command,
                              sqlite3_value* new_clock) {
   const std::string &name = table.name.table, insert = "INSERT INTO " + name + "(" + name;
@@ -198,7 +197,7 @@ int watch_rename(sqlite3_vtab* base, const char* new_name) noexcept {
     Connection& connection = *table.connection;
     const WatchState state = table.rows()->read_state();
     const bool settled = is_settled(state, watched_tables(connection, table.name.schema, state));
-    parse_watch(new_name, {"ships", "horizon = 0"});  // a name that a watch may have
+    parse_watch(new_name, {"ships", "horizon = 0"});  // throws for a name that a watch cannot have
     table.watches().remove_from_tables(connection, table.name, state);
     table.watches().forget(table.name);
     WatchRows::tables(connection.db(), table.name).rename(new_name);
@@ -258,4 +257,4 @@ int register_predictive_watch(sqlite3* db, const std::shared_ptr<Connection>& co
   return rc;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

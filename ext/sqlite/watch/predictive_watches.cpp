@@ -1,4 +1,4 @@
-// predictive_watches in SQL: every watch that the connection sees, its declaration, clock and position.
+// predictive_watches in SQL: every watch that the connection sees, with its declaration, clock and position.
 #include <algorithm>
 
 #include "sqlite/names/visible_tables.h"
@@ -8,7 +8,7 @@
 #include "sqlite/watch/watch_table.h"
 #include "sqlite/watch/watches.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum Output {
@@ -40,17 +40,16 @@ struct ListedWatch {
   std::string fault = {};
 };
 
-/// Whether the next commit has to compute the watch anew: what a transaction under way has changed is no
-/// reason.
+/// Whether the next commit must recompute the watch. Changes of an open transaction are not a reason.
 bool is_lost(const WatchState& state, const WatchedTables& tables) {
   if (is_settled(state, tables)) return false;
   ChangedSides changed{.a = changed_objects(tables.a, state.stamp), .b = {}};
   if (tables.b && !tables.are_one()) changed.b = changed_objects(*tables.b, state.other_stamp);
-  if (state.anew || !changed.a.told || !changed.b.told) return true;
+  if (state.anew || !changed.a.reported || !changed.b.reported) return true;
   return changed.a.ids.empty() && changed.b.ids.empty() && lacks_clock(state, tables);
 }
 
-/// A table settles the watches that its own _meta lists; one that is not among them is never computed again.
+/// Throws Error if the table's _meta does not list the watch. A table settles only the watches of that list.
 void require_listed(const Connection::OpenTable& table, const std::string& watch) {
   const std::vector<std::string>& listed = table.store->watches();
   if (std::any_of(listed.begin(), listed.end(), [&](const auto& name) { return same_name(name, watch); }))
@@ -59,7 +58,7 @@ void require_listed(const Connection::OpenTable& table, const std::string& watch
               watch + " and CREATE it again");
 }
 
-ListedWatch look_at(Connection& connection, const QualifiedName& name, bool counts) {
+ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool counts) {
   ListedWatch watch{name};
   try {
     const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(connection, name);
@@ -70,7 +69,7 @@ ListedWatch look_at(Connection& connection, const QualifiedName& name, bool coun
     require_listed(tables.a, name.table);
     if (tables.b) require_listed(*tables.b, name.table);
     if (is_lost(watch.state, tables))
-      watch.fault = "not up to date: read by the join, and computed anew at the next commit";
+      watch.fault = "not up to date: read by the join, and recomputed at the next commit";
   } catch (const StoreError& error) {
     const int code = error.code & 0xff;
     if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
@@ -100,7 +99,7 @@ class WatchList final : public FunctionRows {
     if (output == out_name) return text(watch.name.table);
     if (output == out_schema) return text(watch.name.schema);
     if (output == out_fault) return watch.fault.empty() ? sqlite3_result_null(context) : text(watch.fault);
-    if (state.tbl.empty()) return;  // damaged: nothing is known
+    if (state.tbl.empty()) return;  // damaged: the state is unknown
     switch (output) {
       case out_tbl:
         return text(state.tbl);
@@ -151,7 +150,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   std::vector<ListedWatch> watches;
   for (const VisibleTable& table : visible_tables(connection.db()))
     if (table.is_watch && is_in(table, schema) && is_in(table, old_schema))
-      watches.push_back(look_at(connection, {table.schema, table.name}, counts));
+      watches.push_back(read_watch(connection, {table.schema, table.name}, counts));
   return std::make_unique<WatchList>(std::move(watches));
 }
 
@@ -175,4 +174,4 @@ const TableFunction& predictive_watches() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

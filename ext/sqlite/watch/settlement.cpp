@@ -7,7 +7,7 @@
 #include "query/join/join.h"
 #include "query/watch/pair_contacts.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 bool by_ids(const WatchedPair& x, const WatchedPair& y) {
@@ -37,56 +37,56 @@ Settlement::Settlement(Connection& connection, WatchRows& rows)
       tables_(watched_tables(connection, rows.name().schema, before_)) {
   tables_.a.store->sync();
   if (tables_.b) tables_.b->store->sync();
-  // What is in the rows: with a savepoint open, memory may hold nodes as well that it has written.
+  // The stamp of the stored rows: with an open savepoint, memory may also have nodes already written.
   state_.stamp = tables_.a.store->stored_stamp();
   if (tables_.b) state_.other_stamp = tables_.b->store->stored_stamp();
 }
 
-void Settlement::settle(Tells tells) {
+void Settlement::settle(Log log) {
   const bool same_contents = state_.stamp == before_.stamp && state_.other_stamp == before_.other_stamp;
   if (same_contents && !before_.asked && !before_.anew) return;
-  tells_ = tells == Tells::changes;
+  logs_ = log == Log::changes;
   changed_a_ = changed_objects(tables_.a, before_.stamp);
   if (tables_.are_one())
     changed_b_ = changed_a_;
   else if (tables_.b)
     changed_b_ = changed_objects(*tables_.b, before_.other_stamp);
   move_clock();
-  if (must_compute_anew())
-    compute_anew();
+  if (must_recompute())
+    recompute();
   else
-    follow_changes();
+    apply_changes();
   state_.anew = false;
-  if (!tells_) state_.seq = new_.empty() ? 0 : 1;
+  if (!logs_) state_.seq = new_.empty() ? 0 : 1;
   if (state_.seq != before_.seq && state_.seq > state_.keep) rows_.trim(state_.seq - state_.keep);
   rows_.write_state(state_, before_);
 }
 
-// --- anew, or by changes
+// --- recomputation, or update by changes
 
-void Settlement::compute_anew() {
-  if (before_.clock && !before_.anew) adapt_look();
-  look_further();
+void Settlement::recompute() {
+  if (before_.clock && !before_.anew) adapt_look_ahead();
+  extend_look_ahead();
   for (const StoredPair& pair : rows_.pairs()) old_.push_back(watched(pair));
-  JoinQuestion all = question_of_all(connection_, tables_, state_, asked_horizon());
+  JoinQuestion all = question_of_all(connection_, tables_, state_, queried_horizon());
   all.wants = {.contact = true, .ends = true, .approach = false};
   Join join(std::move(all), connection_.interrupt());
   for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows);
   write_differences(true);
 }
 
-void Settlement::follow_changes() {
+void Settlement::apply_changes() {
   const double known_to = before_.known_to;
   const bool looks_ahead = !(next_above(horizon_end_) <= known_to);
   if (looks_ahead) {
-    adapt_look();
-    look_further();
+    adapt_look_ahead();
+    extend_look_ahead();
   } else {
-    const double beyond = next_above(next_above(known_to)) - clock_;  // rounded, and no less than known_to
+    const double beyond = next_above(next_above(known_to)) - clock_;  // rounded, and at least known_to
     reach_ = std::min(std::max(state_.horizon, beyond), std::numeric_limits<double>::max());
   }
   read_old_pairs();
-  ask_due_pairs();
+  query_due_pairs();
   search_changed();
   if (looks_ahead) look_ahead(known_to);
   write_differences(false);
@@ -103,36 +103,37 @@ void Settlement::read_old_pairs() {
   for (const std::int64_t id : changed_b_.ids) add(rows_.pairs_of_b(id));
 }
 
-/// Of pairs whose objects have not changed. What enters the horizon by time alone begins when it is known to.
-void Settlement::ask_due_pairs() {
-  std::vector<PairIds> asked;
+/// Reads the due pairs whose objects have not changed. A waiting pair that enters the horizon keeps its
+/// stored start; each of the others needs a contact query.
+void Settlement::query_due_pairs() {
+  std::vector<PairIds> queried;
   const auto is_changed = [&](const StoredPair& pair) {
     return changed_a_.holds(pair.a) || (tables_.b ? changed_b_ : changed_a_).holds(pair.b);
   };
-  const auto look_at = [&](const StoredPair& pair) {
+  const auto read_pair = [&](const StoredPair& pair) {
     if (is_changed(pair)) return;
     old_.push_back(watched(pair));
     if (!pair.held && pair.t > clock_ && pair.t < horizon_end_)
       new_.push_back({pair.a, pair.b, pair.t, pair.t, pair.t, true});
     else
-      asked.push_back({pair.a, pair.b});
+      queried.push_back({pair.a, pair.b});
   };
-  for (const StoredPair& pair : rows_.due_pairs(true, clock_)) look_at(pair);
-  for (const StoredPair& pair : rows_.due_pairs(false, horizon_end_)) look_at(pair);
-  take(contacts_of(connection_, tables_, question(asked_horizon()), asked));
+  for (const StoredPair& pair : rows_.due_pairs(true, clock_)) read_pair(pair);
+  for (const StoredPair& pair : rows_.due_pairs(false, horizon_end_)) read_pair(pair);
+  take(contacts_of(connection_, tables_, question(queried_horizon()), queried));
 }
 
 void Settlement::search_changed() {
   if (changed_a_.ids.empty() && changed_b_.ids.empty()) return;
-  PairSearch search(connection_, tables_, question(asked_horizon()));
+  PairSearch search(connection_, tables_, question(queried_horizon()));
   const auto take_all = [&](std::span<const JoinRow> rows) { take(rows); };
   search.pairs_of(Side::a, changed_a_.ids, take_all);
   if (tables_.b) search.pairs_of(Side::b, changed_b_.ids, take_all);
 }
 
-/// What begins from then on, and the ends that are known only now.
+/// Adds the contacts that start at or after `from`, and those whose end is within reach only now.
 void Settlement::look_ahead(double from) {
-  JoinQuestion all = question_of_all(connection_, tables_, state_, asked_horizon());
+  JoinQuestion all = question_of_all(connection_, tables_, state_, queried_horizon());
   all.wants = {.contact = true, .ends = true, .approach = false};
   const std::size_t first = new_.size();
   std::vector<JoinRow> unknown;
@@ -156,8 +157,8 @@ JoinQuestion Settlement::question(const Horizon& horizon) const {
   return question;
 }
 
-// Ends beyond the reach come clipped to it. What lasts as long as anything is known is not due: the next look
-// ahead asks for its end.
+// Ends beyond the reach are clipped to it. A contact that lasts beyond known_to is never due: the next
+// look-ahead finds its end.
 void Settlement::take(std::span<const JoinRow> found) {
   const bool within_one = !tables_.b || tables_.are_one();
   for (const JoinRow& row : found) {
@@ -171,8 +172,8 @@ void Settlement::take(std::span<const JoinRow> found) {
   }
 }
 
-// A time below or above the rounded end of the horizon decides; an equal one says nothing, and contact is
-// asked.
+// A start below or above the rounded end of the horizon decides. An equal one does not: then a contact query
+// over the exact horizon decides.
 void Settlement::decide_ties() {
   std::vector<PairIds> ties, held;
   for (const WatchedPair& pair : new_)
@@ -212,7 +213,7 @@ void Settlement::write_differences(bool all_are_known) {
 bool Settlement::differ_mostly() {
   std::size_t kept = 0;
   for_each_difference([&](const WatchedPair* before, const WatchedPair* after) {
-    const PairChange change = compare(before, after, {clock_, state_.tolerance});
+    const PairChange change = change_between(before, after, {clock_, state_.tolerance});
     kept += !change.writes && !change.erases;
   });
   return old_.size() + new_.size() > 4 * kept;
@@ -220,7 +221,7 @@ bool Settlement::differ_mostly() {
 
 void Settlement::write_difference(const WatchedPair* before, const WatchedPair* after) {
   const WatchClock clock{clock_, state_.tolerance};
-  const PairChange change = compare(before, after, clock);
+  const PairChange change = change_between(before, after, clock);
   const WatchedPair& row = change.row;
   const auto waits = [](const WatchedPair* pair) { return pair && !pair->held; };
   state_.waited += waits(after) && !waits(before);
@@ -238,7 +239,7 @@ void Settlement::write_difference(const WatchedPair* before, const WatchedPair* 
     const bool only_moves = before && before->held == row.held && before->due == row.due;
     write(row, !before ? PairWrite::adds : only_moves ? PairWrite::moves : PairWrite::changes);
   }
-  if (change.op && tells_) rows_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
+  if (change.op && logs_) rows_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

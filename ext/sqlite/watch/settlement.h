@@ -1,21 +1,22 @@
-// One watch takes over what a transaction has changed: the difference between its stored pairs and the pairs
-// that there are now, written as rows and told in its log.
+// Incremental update of one watch: writes the difference between its stored pairs and the current pairs as
+// rows and in its log.
 //
 //   Settlement(connection, rows).settle();               // before COMMIT, or after CREATE
 //
-// Known are all pairs whose first contact begins in [clock, known_to]; those beyond the horizon wait.
+// The watch stores all pairs whose first contact starts in [clock, known_to]. Pairs beyond the horizon wait:
+// they are stored, but not shown.
 //
-//   changed objects   their old pairs are range reads, their new ones searched for (pair_search.h)
-//   the clock         rows that are due are shown, asked for their next contact, or taken out; when the
-//                     horizon passes known_to, a join looks ahead for what begins or ends beyond it, the
-//                     further the fewer of the pairs that wait are dropped again unseen
-//   anew              where it cannot be told what has changed, or the clock goes back or far ahead: the join
-//                     of all against all rows
+//   changed objects   old pairs come from range reads, new pairs from a search (pair_search.h)
+//   the clock         a due row is shown, gets its next contact, or is erased; when the horizon passes
+//                     known_to, a look-ahead join finds the contacts that start or end beyond it; it reaches
+//                     further if few waiting pairs are erased before they are shown
+//   recomputation     if the changes are unknown, or the clock goes back or beyond known_to: the join of all
+//                     objects is compared with all rows
 //
-// Only what differs is written. Guarantee: afterwards the rows that are held are those of predictive_join at
-// the clock, their times bit for bit. Cost: some twenty microseconds a changed object, and as much for each
-// row that differs, of which SQLite has most; a join where it looks ahead. Memory: the changed objects and
-// their pairs, and where it computes anew all pairs.
+// Only differences are written. Guarantee: afterwards the held rows are those of predictive_join at the
+// clock, with bit-identical times. Cost: about twenty microseconds per changed object and per row that
+// differs, most of it in SQLite; one join per look-ahead. Memory: the changed objects and their pairs, or
+// all pairs if it recomputes.
 #pragma once
 
 #include <cmath>
@@ -28,7 +29,7 @@
 #include "sqlite/watch/pair_search.h"
 #include "storage/watch/watch_rows.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 inline double next_above(double x) {
   return std::nextafter(x, std::numeric_limits<double>::infinity());
@@ -36,46 +37,46 @@ inline double next_above(double x) {
 
 class Settlement {
  public:
-  enum class Tells : std::uint8_t { changes, nothing };
+  enum class Log : std::uint8_t { changes, nothing };
 
-  /// Writes out what the watch's tables hold in memory. Throws StoreError or Error where watch or tables
-  /// cannot be read.
+  /// Writes the pending changes of the watch's tables as rows. Throws StoreError or Error if the watch or a
+  /// table cannot be read.
   Settlement(Connection& connection, WatchRows& rows);
 
-  /// `nothing`: the rows of a new watch, which nobody has read yet.
-  void settle(Tells tells = Tells::changes);
+  /// `log`: `nothing` for a new watch, which no reader knows yet.
+  void settle(Log log = Log::changes);
 
-  /// Whether rows are written already: an error after that leaves changes that nobody is told of.
+  /// Whether rows are written already: an error after that leaves changes that the log does not have.
   bool has_written() const { return has_written_; }
 
  private:
   void follow_reports();
-  std::vector<double> reported_moments() const;
+  std::vector<double> reported_times() const;
   bool any_object() const;
   void move_clock();
-  bool must_compute_anew() const;
-  void look_further();
-  void adapt_look();
+  bool must_recompute() const;
+  void extend_look_ahead();
+  void adapt_look_ahead();
 
-  void compute_anew();
-  void follow_changes();
+  void recompute();
+  void apply_changes();
   void read_old_pairs();
-  void ask_due_pairs();
+  void query_due_pairs();
   void search_changed();
   void look_ahead(double from);
 
-  /// What contact found becomes rows: held, or waiting.
+  /// Adds the contacts found as pairs: held, or waiting.
   void take(std::span<const JoinRow> found);
   void decide_ties();
-  /// `all_are_known`: old_ is every row that is stored.
+  /// `all_are_known`: old_ has every stored row.
   void write_differences(bool all_are_known);
-  /// In order of the ids; null where the pair is not known before or after.
+  /// In order of the ids; null if the pair does not exist before or after.
   void for_each_difference(const std::function<void(const WatchedPair*, const WatchedPair*)>& use);
-  /// So much that writing all rows is cheaper than finding those that differ.
+  /// Whether writing all rows is cheaper than updating those that differ.
   bool differ_mostly();
   void write_difference(const WatchedPair* before, const WatchedPair* after);
 
-  Horizon asked_horizon() const { return {clock_, reach_}; }
+  Horizon queried_horizon() const { return {clock_, reach_}; }
   JoinQuestion question(const Horizon& horizon) const;
 
   Connection& connection_;
@@ -83,12 +84,12 @@ class Settlement {
   WatchState before_, state_;
   WatchedTables tables_;
   ChangedObjects changed_a_, changed_b_;
-  double clock_ = 0;        ///< from now on
+  double clock_ = 0;        ///< new value
   double horizon_end_ = 0;  ///< clock + horizon, rounded
-  double reach_ = 0;        ///< how far beyond the clock contact is asked
+  double reach_ = 0;        ///< length of the contact queries, from the clock
   std::vector<WatchedPair> old_, new_;
-  bool tells_ = true, has_written_ = false;
-  bool replaces_ = false;  ///< every row is written, into a table without any
+  bool logs_ = true, has_written_ = false;
+  bool replaces_ = false;  ///< every row is written, into an empty table
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

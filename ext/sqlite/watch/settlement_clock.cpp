@@ -1,18 +1,18 @@
-// A settlement's clock: where it moves, how far the rows reach from there, and when they must be made anew.
+// Clock of a settlement: its new value, the length of the look-ahead, and the conditions of recomputation.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "sqlite/watch/settlement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-/// Of a table without t all are 0.
-void append_moments(const Scene& scene, std::vector<double>& moments) {
+/// Appends the reference times of all objects; 0 for each in a table without t.
+void append_times(const Scene& scene, std::vector<double>& instants) {
   const Offsets at = row_offsets(scene.layout);
   for (std::size_t row = 0; row < scene.size(); ++row)
-    moments.push_back(
+    instants.push_back(
         at.t < 0 ? 0 : scene.rows[row * static_cast<std::size_t>(at.size) + static_cast<std::size_t>(at.t)]);
 }
 
@@ -41,31 +41,32 @@ void Settlement::move_clock() {
   if (before_.clock && clock_ != *before_.clock) state_.step = std::abs(clock_ - *before_.clock);
 }
 
-/// Of this transaction's reports, or where they cannot be told of all objects.
-std::vector<double> Settlement::reported_moments() const {
-  std::vector<double> moments;
+/// Reference times of the objects that this transaction has changed, or of all objects if the changes are
+/// unknown; in rising order.
+std::vector<double> Settlement::reported_times() const {
+  std::vector<double> instants;
   const auto add = [&](const ChangedObjects& changed, const Connection::OpenTable& table) {
     const Layout& layout = table.store->format().layout;
-    if (changed.told && layout.has_t)
-      moments.insert(moments.end(), changed.moments.begin(), changed.moments.end());
-    else if (changed.told)
-      moments.resize(moments.size() + changed.ids.size());
+    if (changed.reported && layout.has_t)
+      instants.insert(instants.end(), changed.instants.begin(), changed.instants.end());
+    else if (changed.reported)
+      instants.resize(instants.size() + changed.ids.size());
     else
-      append_moments(*connection_.load_scene(table), moments);
+      append_times(*connection_.load_scene(table), instants);
   };
   add(changed_a_, tables_.a);
   if (tables_.b && !tables_.are_one()) add(changed_b_, *tables_.b);
-  std::sort(moments.begin(), moments.end());
-  return moments;
+  std::sort(instants.begin(), instants.end());
+  return instants;
 }
 
-/// In the order of their moments; those too far ahead are counted. The first ones have no clock to be ahead
-/// of: it begins at the median of them, since most are right.
+/// Advances the clock by the reports in order of time; counts those too far ahead of it. The first reports
+/// have no clock to compare with: it starts at their median, since most times are right.
 void Settlement::follow_reports() {
-  const std::vector<double> moments = reported_moments();
-  const bool counts = !state_.clock || (changed_a_.told && changed_b_.told);
-  if (!state_.clock && !moments.empty()) state_.clock = moments[(moments.size() - 1) / 2];
-  for (const double t : moments) {
+  const std::vector<double> instants = reported_times();
+  const bool counts = !state_.clock || (changed_a_.reported && changed_b_.reported);
+  if (!state_.clock && !instants.empty()) state_.clock = instants[(instants.size() - 1) / 2];
+  for (const double t : instants) {
     if (t > *state_.clock + *state_.ahead)
       state_.early += counts;
     else
@@ -73,15 +74,16 @@ void Settlement::follow_reports() {
   }
 }
 
-bool Settlement::must_compute_anew() const {
-  if (!changed_a_.told || !changed_b_.told || before_.anew || !before_.clock) return true;
+bool Settlement::must_recompute() const {
+  if (!changed_a_.reported || !changed_b_.reported || before_.anew || !before_.clock) return true;
   if (clock_ < *before_.clock || clock_ > before_.known_to) return true;
-  return are_most(changed_a_, tables_.a) || (tables_.b && are_most(changed_b_, *tables_.b));
+  return is_majority(changed_a_, tables_.a) || (tables_.b && is_majority(changed_b_, *tables_.b));
 }
 
-/// A look costs nearly the same however far it goes, some hundred nanoseconds for each object; what it finds
-/// costs two rows, for nothing where the pair is dropped before it is seen. The two are kept alike.
-void Settlement::adapt_look() {
+/// Doubles or halves the look-ahead. A search costs about a hundred nanoseconds per object at any length.
+/// Each pair found costs two row writes, which are wasted if the pair is erased before it is shown. The two
+/// costs are kept about equal.
+void Settlement::adapt_look_ahead() {
   double objects = static_cast<double>(tables_.a.store->likely_objects());
   if (tables_.b && !tables_.are_one()) objects += static_cast<double>(tables_.b->store->likely_objects());
   const double dropped = static_cast<double>(state_.dropped), fair = std::max(objects / 64, 16.0);
@@ -91,20 +93,20 @@ void Settlement::adapt_look() {
     state_.further /= 2;
 }
 
-/// At least far enough that the next look comes after some steps of the clock, where these are small beside
-/// the horizon; a single leap does not count.
-void Settlement::look_further() {
+/// The next look-ahead is due after several steps of the clock, if these are small compared with the horizon.
+/// A single large step does not count.
+void Settlement::extend_look_ahead() {
   const double largest = std::max(std::abs(clock_), std::abs(horizon_end_));
-  const double rounding = 8 * (next_above(largest) - largest);  // what it cannot swallow
+  const double rounding = 8 * (next_above(largest) - largest);  // a smaller extension can vanish
   const double step = std::min(state_.step, before_.step);
-  const double least = std::max(rounding, std::min(16 * step, state_.horizon / 64));
-  const double most = std::max({least, state_.horizon, 1024 * step});
+  const double shortest = std::max(rounding, std::min(16 * step, state_.horizon / 64));
+  const double longest = std::max({shortest, state_.horizon, 1024 * step});
   if (state_.further <= 0) state_.further = state_.horizon / 4;
-  state_.further = std::clamp(state_.further, least, most);
+  state_.further = std::clamp(state_.further, shortest, longest);
   state_.waited = state_.dropped = 0;
   reach_ = state_.horizon + state_.further;
   if (!std::isfinite(reach_)) reach_ = state_.horizon;
   state_.known_to = std::nextafter(clock_ + reach_, -std::numeric_limits<double>::infinity());
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

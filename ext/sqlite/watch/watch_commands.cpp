@@ -1,20 +1,20 @@
-// 'advance', 'rebuild' and 'integrity-check'. The first two are notes in _meta that the commit settles: so
-// savepoints and rollbacks take them back.
+// Commands of a watch: 'advance', 'rebuild' and 'integrity-check'. The first two set a key of _meta that the
+// commit evaluates, so savepoints and rollbacks undo them.
 #include <algorithm>
 #include <cmath>
 
 #include "sqlite/callback.h"
 #include "sqlite/watch/watch_table.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-double moment_of(const WatchTable& table, sqlite3_value* now) {
+double time_of(const WatchTable& table, sqlite3_value* now) {
   const int type = sqlite3_value_numeric_type(now);
-  const double moment = sqlite3_value_double(now);
-  if ((type == SQLITE_INTEGER || type == SQLITE_FLOAT) && std::isfinite(moment)) return moment;
-  throw Error(table.name.table + ": 'advance' needs a moment, as in INSERT INTO " + table.name.table + "(" +
+  const double time = sqlite3_value_double(now);
+  if ((type == SQLITE_INTEGER || type == SQLITE_FLOAT) && std::isfinite(time)) return time;
+  throw Error(table.name.table + ": 'advance' needs a time, as in INSERT INTO " + table.name.table + "(" +
               table.name.table + ", now) VALUES('advance', 1260.0); not " + shown(now));
 }
 
@@ -36,7 +36,7 @@ std::string name_of(const ShownPair& pair) {
 
 }  // namespace
 
-// What is not settled yet is answered by the join, so that only the indexes can be wrong.
+// A watch that is not settled is read by the join, so only its indexes can be wrong.
 std::string watch_fault(WatchTable& table) {
   Connection& connection = *table.connection;
   const std::shared_ptr<WatchRows> rows = table.rows();
@@ -49,11 +49,11 @@ std::string watch_fault(WatchTable& table) {
     if (pair.held) held.push_back({pair.a, pair.b, std::max(pair.t, state.now())});
   std::sort(held.begin(), held.end());
   const std::vector<ShownPair> joined = joined_pairs(connection, tables, state);
-  const auto [kept, asked] = std::mismatch(held.begin(), held.end(), joined.begin(), joined.end());
-  if (kept == held.end() && asked == joined.end()) return "";
-  if (asked == joined.end() || (kept != held.end() && *kept < *asked))
-    return name_of(*kept) + " is kept, and predictive_join does not give it so";
-  return name_of(*asked) + " is given by predictive_join, and not kept so";
+  const auto [kept, queried] = std::mismatch(held.begin(), held.end(), joined.begin(), joined.end());
+  if (kept == held.end() && queried == joined.end()) return "";
+  if (queried == joined.end() || (kept != held.end() && *kept < *queried))
+    return name_of(*kept) + " is stored, but predictive_join does not return it with this time";
+  return name_of(*queried) + " is a row of predictive_join, but is not stored with this time";
 }
 
 void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value* now) {
@@ -61,13 +61,13 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
   const std::string word = sqlite3_value_type(command) == SQLITE_TEXT ? text_of(command) : "";
   const std::string& name = table.name.table;
   if (word == "advance") {
-    const double moment = moment_of(table, now);
+    const double time = time_of(table, now);
     const std::shared_ptr<WatchRows> rows = table.rows();
-    rows->read_state();  // damaged: says so here
-    rows->write_asked(moment);
+    rows->read_state();  // throws for a damaged watch
+    rows->write_asked(time);
   } else if (word == "rebuild") {
     const std::shared_ptr<WatchRows> rows = table.rows();
-    rows->read_state();  // damaged: says so here
+    rows->read_state();  // throws for a damaged watch
     rows->write_anew(true);
   } else if (word == "integrity-check") {
     const std::string fault = watch_fault(table);
@@ -78,4 +78,4 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -3,10 +3,10 @@
 #include "base/integer_of.h"
 #include "sqlite/watch/watch_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-/// Nothing where no id is equal to the value: then SQLite takes no row, whatever is read.
+/// The id that is equal to the value; nothing if no id is, because then no row satisfies the statement.
 std::optional<std::int64_t> id_of(sqlite3_value* value) {
   const int type = sqlite3_value_numeric_type(value);
   if (type == SQLITE_INTEGER) return sqlite3_value_int64(value);
@@ -14,7 +14,7 @@ std::optional<std::int64_t> id_of(sqlite3_value* value) {
   return integer_of(sqlite3_value_double(value));
 }
 
-/// The key of a pair: its ids as SQLite would write them into a record, eight bytes each, big end first.
+/// The key of a pair: its two ids as big-endian integers of eight bytes, as in SQLite's record format.
 void result_key(sqlite3_context* context, const JoinRow& row) {
   unsigned char key[16];
   for (int i = 0; i < 8; ++i) {
@@ -60,12 +60,12 @@ void WatchCursor::filter(int plan, sqlite3_value** arguments) {
   if (is_settled(state, tables)) {
     give(kept_pairs(*rows, {}), state, tables);
   } else if (!read_changed(*rows, state, tables)) {
-    rows->pair(0, 0);  // a watch whose pairs are gone says so
+    rows->pair(0, 0);  // throws if the table of pairs is missing
     join_now(state, tables);
   }
 }
 
-/// As they are stored, but for those of changed objects.
+/// The stored pairs, without those of changed objects.
 std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSides& changed) const {
   const auto pairs = only_a_ ? rows.pairs_of_a(*only_a_) : only_b_ ? rows.pairs_of_b(*only_b_) : rows.pairs();
   std::vector<ShownPair> kept;
@@ -75,18 +75,18 @@ std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSid
   return kept;
 }
 
-/// In a transaction: the pairs that its changes leave alone, and those that the changed objects are in now.
-/// False where the join is cheaper, or alone can tell.
+/// Reads within an open transaction: the stored pairs of unchanged objects, and the current pairs of changed
+/// ones. False if the join is cheaper, or if the changes are unknown.
 bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const WatchedTables& tables) {
   if (state.anew || state.asked || !state.clock) return false;
   ChangedSides changed{.a = changed_objects(tables.a, state.stamp), .b = {}};
   changed.b = tables.b && !tables.are_one() ? changed_objects(*tables.b, state.other_stamp) : changed.a;
-  if (!changed.a.told || !changed.b.told || are_most(changed.a, tables.a)) return false;
-  if (tables.b && are_most(changed.b, *tables.b)) return false;
-  // Of one object its own pairs are asked anew, however many others have changed.
+  if (!changed.a.reported || !changed.b.reported || is_majority(changed.a, tables.a)) return false;
+  if (tables.b && is_majority(changed.b, *tables.b)) return false;
+  // For one object, all its pairs are recomputed, however many other objects have changed.
   const bool of_one = only_a_ || only_b_;
   std::vector<ShownPair> pairs = of_one ? std::vector<ShownPair>{} : kept_pairs(rows, changed);
-  if (of_one) rows.pair(0, 0);  // a watch whose pairs are gone says so
+  if (of_one) rows.pair(0, 0);  // throws if the table of pairs is missing
   JoinQuestion question = question_of(tables, state, {now_, state.horizon});
   question.wants = {.contact = true, .ends = false, .approach = false};
   PairSearch search(*table_.connection, tables, std::move(question));
@@ -115,11 +115,11 @@ bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const W
 void WatchCursor::give(std::span<const ShownPair> pairs, const WatchState& state,
                        const WatchedTables& tables) {
   if ((plan_ & (WatchPlan::times | WatchPlan::approach)) != 0) {
-    std::vector<PairIds> asked;
-    for (const ShownPair& pair : pairs) asked.push_back({pair.a, pair.b});
+    std::vector<PairIds> queried;
+    for (const ShownPair& pair : pairs) queried.push_back({pair.a, pair.b});
     JoinQuestion question = question_of(tables, state, {now_, state.horizon});
     question.wants.approach = (plan_ & WatchPlan::approach) != 0;
-    stored_ = contacts_of(*table_.connection, tables, question, asked);
+    stored_ = contacts_of(*table_.connection, tables, question, queried);
   } else {
     for (const ShownPair& pair : pairs) {
       JoinRow& row = stored_.emplace_back();
@@ -129,7 +129,7 @@ void WatchCursor::give(std::span<const ShownPair> pairs, const WatchState& state
   rows_ = stored_;
 }
 
-/// After an 'advance' that is not committed yet, or changes that the watch was not told of.
+/// After an 'advance' that is not committed yet, or after changes that were not reported to the watch.
 void WatchCursor::join_now(const WatchState& state, const WatchedTables& tables) {
   JoinQuestion question = question_of_all(*table_.connection, tables, state, {state.now(), state.horizon});
   question.only_a = only_a_, question.only_b = only_b_;
@@ -157,4 +157,4 @@ void WatchCursor::column(sqlite3_context* context, int column) const {
   sqlite3_result_double(context, values[column - watch_t]);
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

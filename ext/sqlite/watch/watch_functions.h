@@ -3,9 +3,9 @@
 
 #include "sqlite/functions/table_function.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 const TableFunction& predictive_changes();  // predictive_changes.cpp
 const TableFunction& predictive_watches();  // predictive_watches.cpp
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// One watch as this connection sees it: SQLite's handle, its rows, its commands.
+// One watch in this connection: SQLite's handle (sqlite3_vtab), its cursor, its commands.
 #pragma once
 
 #include <memory>
@@ -9,9 +9,9 @@
 #include "sqlite/watch/pair_search.h"
 #include "sqlite/watch/watches.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
-// Columns as SQL numbers them.
+// Column numbers in SQL.
 enum WatchColumn {
   watch_a,
   watch_b,
@@ -38,21 +38,21 @@ struct WatchTable : sqlite3_vtab {
   WatchTable& operator=(const WatchTable&) = delete;
 
   Watches& watches() const { return watches_of(*connection); }
-  /// Throws StoreError for a watch whose tables are damaged or gone.
+  /// Throws StoreError for a watch whose tables are damaged or missing.
   std::shared_ptr<WatchRows> rows() const { return watches().rows(*connection, name); }
 
   std::shared_ptr<Connection> connection;
   QualifiedName name;
   std::vector<std::string> old_names =
-      {};  ///< of this transaction: a rollback to a savepoint may bring one back
+      {};  ///< in this transaction: a rollback to a savepoint may restore one
 };
 
-/// What a statement reads of a watch: xBestIndex's plan.
+/// Query plan of a watch, as xBestIndex chooses it: bits for the given ids and for the columns read.
 struct WatchPlan {
   enum Bits : int { by_a = 1, by_b = 2, times = 4, approach = 8 };
 };
 
-/// A pair as its reader sees it.
+/// A pair with the time that readers see: its contact's start, clipped to the clock.
 struct ShownPair {
   std::int64_t a, b;
   double t;
@@ -60,12 +60,12 @@ struct ShownPair {
   friend auto operator<=>(const ShownPair&, const ShownPair&) = default;
 };
 
-/// The pairs as they are when a statement begins to read them, whatever is written beneath it.
+/// Cursor over the pairs as of the start of the statement; later writes do not change them.
 class WatchCursor : public sqlite3_vtab_cursor {
  public:
   explicit WatchCursor(WatchTable& table) : sqlite3_vtab_cursor{}, table_(table) {}
 
-  /// `plan`: WatchPlan's bits; the values of a and b follow, as many as it has.
+  /// `plan`: bits of WatchPlan. `arguments`: the values of a and b, each only if its bit is set.
   void filter(int plan, sqlite3_value** arguments);
   void next();
   bool at_end() const { return rows_.empty(); }
@@ -86,16 +86,16 @@ class WatchCursor : public sqlite3_vtab_cursor {
   std::span<const JoinRow> rows_;  ///< from the current one on
 };
 
-/// 'advance', 'rebuild', 'integrity-check'. Throws Error for another.
+/// Runs 'advance', 'rebuild' or 'integrity-check'. Throws Error for any other command.
 void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value* now);
 
-/// What is wrong with the watch, as one sentence; "" if nothing is.
+/// One sentence about the first fault that the integrity check of the watch finds; "" if it is intact.
 std::string watch_fault(WatchTable& table);
 
-/// Whether the rows are about the tables as this connection sees them now, at the watch's moment.
+/// Whether the rows match the tables as this connection sees them, at the time of the watch's clock.
 bool is_settled(const WatchState& state, const WatchedTables& tables);
 
-/// Whether there are objects and no clock: it is lost, unless the transaction under way has brought them.
+/// Whether objects exist but no clock: the clock is lost, unless the open transaction has added the objects.
 bool lacks_clock(const WatchState& state, const WatchedTables& tables);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

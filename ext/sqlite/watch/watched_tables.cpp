@@ -6,18 +6,18 @@
 #include "query/watch/pair_contacts.h"
 #include "sqlite/names/open_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 constexpr std::size_t pairs_at_once = 8192;
 
 Connection::OpenTable find_table(Connection& connection, const std::string& schema, const std::string& name) {
-  const AskedTable asked{name, schema};
-  if (const auto number = connection.lookups().kept_number(asked))
+  const QueriedTable queried{name, schema};
+  if (const auto number = connection.lookups().kept_number(queried))
     if (const Connection::OpenTable* open = connection.find(*number)) return *open;
-  // A damaged file may name a watch, or a view of one: a query of that would come back here.
+  // A damaged file may name a watch, or a view of one: a query of it would recurse into this function.
   require_moving_objects(connection.db(), name, schema);
-  return open_table(connection, asked);
+  return open_table(connection, queried);
 }
 
 std::shared_ptr<Scene> empty_scene(const Connection::OpenTable& table) {
@@ -90,9 +90,9 @@ std::shared_ptr<Scene> scene_of(Connection& connection, const Connection::OpenTa
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = empty_scene(table);
   const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
-  StatementBelief belief;
+  StatementReadState statement_state;
   for (const std::int64_t id : ids) {
-    const std::span<const double> record = table.store->find(id, belief);
+    const std::span<const double> record = table.store->find(id, statement_state);
     if (record.empty()) continue;
     scene->ids.push_back(id);
     scene->rows.resize(scene->rows.size() + row_size);
@@ -111,4 +111,4 @@ std::vector<JoinRow> contacts_of(Connection& connection, const WatchedTables& ta
   return rows;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// The tables of a watch, and what contact says of pairs of their objects.
+// The watched tables of a watch, and contact queries for pairs of their objects.
 //
 //   const WatchedTables tables = watched_tables(connection, "main", state);
 //   const auto rows = contacts_of(connection, tables, question_of(tables, state, {clock, h}), pairs);
@@ -12,28 +12,28 @@
 #include "sqlite/connection.h"
 #include "storage/watch/watch_state.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct WatchedTables {
   Connection::OpenTable a;
-  std::optional<Connection::OpenTable> b = {};  ///< none: pairs within a
+  std::optional<Connection::OpenTable> b = {};  ///< nothing: pairs within a
 
-  /// The same table twice: pairs in both orders.
+  /// Whether both are the same table: then pairs occur in both orders.
   bool are_one() const { return b && b->store == a.store; }
 };
 
-/// As SQLite finds them in the schema of the watch. Throws Error where there is no such table.
+/// The tables with the declared names in the schema of the watch. Throws Error if one does not exist.
 WatchedTables watched_tables(Connection& connection, const std::string& schema,
                              const WatchDeclaration& declaration);
 
-/// What the watch asks, during `horizon`; scenes without objects.
+/// The join query of the watch during `horizon`, with empty scenes.
 JoinQuestion question_of(const WatchedTables& tables, const WatchDeclaration& declaration,
                          const Horizon& horizon);
-/// The same about all objects.
+/// The same query with the scenes of all objects.
 JoinQuestion question_of_all(Connection& connection, const WatchedTables& tables,
                              const WatchDeclaration& declaration, const Horizon& horizon);
 
-/// The objects of these ids, as many as there are; ids rise.
+/// The existing objects among these ids. Requires: ids in rising order.
 std::shared_ptr<Scene> scene_of(Connection& connection, const Connection::OpenTable& table,
                                 std::span<const std::int64_t> ids);
 
@@ -43,9 +43,9 @@ struct PairIds {
   friend auto operator<=>(const PairIds&, const PairIds&) = default;
 };
 
-/// A row for each of the pairs that touches during the question's horizon, with what it wants. Cost: looking
-/// up each object in memory, and contact.
+/// One row for each of the pairs that is in contact within the horizon of `question`, with the fields that it
+/// wants. Cost: a look-up in memory per object, and a contact computation per pair.
 std::vector<JoinRow> contacts_of(Connection& connection, const WatchedTables& tables,
                                  const JoinQuestion& question, std::span<const PairIds> pairs);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

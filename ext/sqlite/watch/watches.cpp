@@ -4,18 +4,19 @@
 #include "sqlite/watch/settlement.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-/// Whether an error is about the watch itself, and not one that will pass or that all of SQLite has.
+/// Whether an error is about the watch itself, not a temporary one or one of the whole database.
 bool is_of_watch(const StoreError& error) {
   const int code = error.code & 0xff;
   return code == SQLITE_ERROR || code == SQLITE_CORRUPT;
 }
 
-/// Half a settlement cannot be told later: the rows that it has written look as if they had been told.
+/// Marks the watch as damaged after a settlement that failed half way. The rows that it wrote look as if
+/// their changes were logged, so a later settlement would not log them.
 void mark_damaged(WatchRows& rows) try { rows.write_damaged(); } catch (const StoreError& error) {
-  if (!is_of_watch(error)) throw;  // _meta is damaged too, which its reader sees
+  if (!is_of_watch(error)) throw;  // _meta is damaged too, which a reader detects
 }
 
 void settle_or_mark(Connection& connection, WatchRows& rows) {
@@ -60,18 +61,18 @@ void Watches::settle(Connection& connection, const QualifiedName& watch) try {
   if (!is_of_watch(error)) throw;
   forget(watch);
 } catch (const Error&) {
-  forget(watch);  // one of its tables is gone, or damaged, which it says itself where it is read
+  forget(watch);  // one of its tables is missing or damaged; a read of the watch reports that
 }
 
 void Watches::settle_table(Connection& connection, std::int64_t number) {
   const Connection::OpenTable* open = connection.find(number);
   if (!open) return;
-  const Connection::OpenTable table = *open;  // SQLite may connect it anew meanwhile
+  const Connection::OpenTable table = *open;  // a copy: SQLite may connect the table again meanwhile
   std::vector<std::string> names;
   try {
     names = table.store->watches();
   } catch (const StoreError& error) {
-    if (!is_of_watch(error)) throw;  // a table whose name a rollback took has none, nor has a damaged one
+    if (!is_of_watch(error)) throw;  // without a name after a rollback, or damaged: no watches
   }
   for (const std::string& name : names) settle(connection, {table.schema, name});
 }
@@ -112,7 +113,7 @@ void Watches::remove_from_tables(Connection& connection, const QualifiedName& wa
                    [&](Store& store) { store.remove_watch(watch.table); });
     } catch (const StoreError& error) {
       if (!is_of_watch(error)) throw;
-    } catch (const Error&) {  // the table is gone, and what it knew with it
+    } catch (const Error&) {  // the table is missing, and its list with it
     }
   };
   remove(declaration.tbl);
@@ -144,7 +145,7 @@ void Watches::require_unwatched(Connection& connection, std::int64_t number) {
                                         (state->other && same_name(*state->other, table.table)));
       if (!is_watched) continue;
       const std::string message = table.table + " is watched by " + name + ": DROP TABLE " + name + " first";
-      sqlite3_log(SQLITE_LOCKED, "%s", message.c_str());  // SQLite shows no message of xDestroy
+      sqlite3_log(SQLITE_LOCKED, "%s", message.c_str());  // SQLite drops the message of xDestroy
       throw StoreError(SQLITE_LOCKED, message);
     }
   } catch (const StoreError& error) {
@@ -152,4 +153,4 @@ void Watches::require_unwatched(Connection& connection, std::int64_t number) {
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,12 +1,12 @@
-// Which watches are there, and who keeps them? The upkeep of all watches of a connection.
+// Maintenance of all watches of a connection: settles them at COMMIT and follows renames of their tables.
 //
 //   Watches& watches = watches_of(connection);
 //   watches.rows(connection, {"main", "alerts"})->read_state();
 //   watches.settle(connection, {"main", "alerts"});      // in xSync of a watch or of its tables
 //
-// A table knows the names of its watches (Store::watches), a watch those of its tables. A watch that is
-// damaged or gone is passed over when its table commits, and is no reason to refuse anything; its own reader
-// is told.
+// A table stores the names of its watches (Store::watches), a watch those of its tables. When a table
+// commits, a damaged or missing watch is skipped without an error. A statement that reads the watch gets the
+// error.
 #pragma once
 
 #include <map>
@@ -18,17 +18,17 @@
 #include "sqlite/watch_upkeep.h"
 #include "storage/watch/watch_rows.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class Watches final : public WatchUpkeep {
  public:
-  /// The statements of a watch, compiled once. Throws StoreError where its tables are no tables.
+  /// The prepared statements of a watch, from a cache. Throws StoreError if a shadow table is not a table.
   std::shared_ptr<WatchRows> rows(Connection& connection, const QualifiedName& watch);
   void forget(const QualifiedName& watch) noexcept;
 
-  /// Changes become rows of the watch, or it stays as it is.
+  /// Updates the rows of the watch by the changes of its tables; does nothing for a damaged or missing watch.
   void settle(Connection& connection, const QualifiedName& watch);
-  /// The tables of a watch learn of it, or forget it. Other watches of theirs go on as before.
+  /// Adds the watch to the lists of its tables, or removes it. Their other watches stay up to date.
   void add_to_tables(Connection& connection, const QualifiedName& watch, const WatchDeclaration& declaration);
   void remove_from_tables(Connection& connection, const QualifiedName& watch,
                           const WatchDeclaration& declaration);
@@ -39,19 +39,19 @@ class Watches final : public WatchUpkeep {
   void finalize() noexcept override { rows_.clear(); }
 
  private:
-  /// What it says of itself; nothing where it is damaged or gone.
+  /// The stored state of the watch; nothing if it is damaged or missing.
   std::optional<WatchState> known_state(Connection& connection, const QualifiedName& watch);
-  /// `change` writes a stamp of the table: watches that were about its contents still are.
+  /// Runs `change`, which writes a new stamp of the table. Watches that were up to date stay so.
   template <class Change>
   void change_stamp(Connection& connection, const Connection::OpenTable& table, Change change);
 
   std::map<std::pair<std::string, std::string>, std::shared_ptr<WatchRows>> rows_;
 };
 
-/// Those of a connection. Requires: they are registered.
+/// The watches of a connection. Requires: register_predictive_watch has run.
 Watches& watches_of(Connection& connection);
 
-/// Puts last_insert_rowid back: what a watch writes is no row of the user's.
+/// Restores last_insert_rowid, because the rows that a watch writes are not the user's.
 class KeptInsertRowid {
  public:
   explicit KeptInsertRowid(sqlite3* db) : db_(db), rowid_(sqlite3_last_insert_rowid(db)) {}
@@ -64,4 +64,4 @@ class KeptInsertRowid {
   sqlite3_int64 rowid_;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

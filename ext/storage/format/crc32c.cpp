@@ -9,7 +9,7 @@
 #include <arm_acle.h>
 #endif
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::uint32_t polynomial = 0x82F63B78;  // reflected
@@ -66,19 +66,19 @@ std::uint64_t word_at(const unsigned char* bytes) {
   return word;
 }
 
-// The checksum register after the bytes, `crc` being what it was before.
+// Returns the checksum register after these bytes; `crc` is the register before them.
 template <class Steps>
-std::uint32_t one_after_another(std::uint32_t crc, const unsigned char* bytes, std::size_t size) {
+std::uint32_t serial_crc(std::uint32_t crc, const unsigned char* bytes, std::size_t size) {
   for (; size >= 8; size -= 8, bytes += 8) crc = Steps::eight(crc, word_at(bytes));
   for (; size > 0; --size, ++bytes) crc = Steps::one(crc, *bytes);
   return crc;
 }
 
-// The instruction takes three cycles but one can start every cycle, so three blocks go side by side; a table
-// moves each block's register past the blocks behind it.
+// The CRC instruction has a latency of three cycles and a throughput of one per cycle, so three blocks are
+// computed in parallel. A table then shifts the register of each block past the blocks behind it.
 constexpr std::size_t block = 256;
 
-// The register after `block` zero bytes: linear in each of the register's four bytes.
+// The register after `block` zero bytes, as a table: it is linear in each of the register's four bytes.
 constexpr std::array<std::array<std::uint32_t, 256>, 4> make_block_shift() {
   std::array<std::array<std::uint32_t, 256>, 4> shift{};
   for (std::size_t place = 0; place < 4; ++place)
@@ -93,12 +93,12 @@ constexpr std::array<std::array<std::uint32_t, 256>, 4> make_block_shift() {
 
 constexpr auto block_shift = make_block_shift();
 
-std::uint32_t past_block(std::uint32_t crc) {
+std::uint32_t shift_past_block(std::uint32_t crc) {
   return block_shift[0][crc & 255] ^ block_shift[1][crc >> 8 & 255] ^ block_shift[2][crc >> 16 & 255] ^
          block_shift[3][crc >> 24];
 }
 
-std::uint32_t three_at_a_time(std::uint32_t crc, const unsigned char* bytes, std::size_t size) {
+std::uint32_t interleaved_crc(std::uint32_t crc, const unsigned char* bytes, std::size_t size) {
   for (; size >= 3 * block; size -= 3 * block, bytes += 3 * block) {
     std::uint32_t second = 0, third = 0;
     for (std::size_t i = 0; i < block; i += 8) {
@@ -106,19 +106,19 @@ std::uint32_t three_at_a_time(std::uint32_t crc, const unsigned char* bytes, std
       second = Steps::eight(second, word_at(bytes + block + i));
       third = Steps::eight(third, word_at(bytes + 2 * block + i));
     }
-    crc = past_block(past_block(crc) ^ second) ^ third;
+    crc = shift_past_block(shift_past_block(crc) ^ second) ^ third;
   }
-  return one_after_another<Steps>(crc, bytes, size);
+  return serial_crc<Steps>(crc, bytes, size);
 }
 
 }  // namespace
 
 std::uint32_t crc32c(const void* bytes, std::size_t size, std::uint32_t before) {
-  return ~three_at_a_time(~before, static_cast<const unsigned char*>(bytes), size);
+  return ~interleaved_crc(~before, static_cast<const unsigned char*>(bytes), size);
 }
 
 std::uint32_t crc32c_portable(const void* bytes, std::size_t size, std::uint32_t before) {
-  return ~one_after_another<PortableSteps>(~before, static_cast<const unsigned char*>(bytes), size);
+  return ~serial_crc<PortableSteps>(~before, static_cast<const unsigned char*>(bytes), size);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

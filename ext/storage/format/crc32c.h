@@ -1,22 +1,20 @@
-// CRC-32C (Castagnoli), the checksum of every stored node: any change within 32 neighbouring bits is noticed,
-// so any single byte.
+// CRC-32C (Castagnoli), the checksum of every stored node: it detects any change within 32 adjacent bits,
+// hence any changed byte.
 //
 //   crc32c("123456789", 9) == 0xE3069283
 //   crc32c(b, 5, crc32c(a, 4))        // of a followed by b
 //
-// Cost: some six bytes a cycle with the CPU's instruction, about one without.
+// Cost: about six bytes per cycle with the CPU's instruction, about one without.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 std::uint32_t crc32c(const void* bytes, std::size_t size, std::uint32_t before = 0);
 
-/// The same without the CPU's instruction: what other machines use, and what tests compare with.
+/// The same without the CPU's instruction, for other machines and as a reference in tests.
 std::uint32_t crc32c_portable(const void* bytes, std::size_t size, std::uint32_t before = 0);
 
-}  // namespace foresee::storage
+}  // namespace foresee

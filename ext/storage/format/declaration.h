@@ -1,4 +1,5 @@
-// What CREATE VIRTUAL TABLE said: the declared columns in their order, the auxiliary columns, the options.
+// Declaration of a moving_objects table: columns in their order, auxiliary columns and options of CREATE
+// VIRTUAL TABLE.
 #pragma once
 
 #include <cstdint>
@@ -7,27 +8,26 @@
 
 #include "shape/layout.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-/// One declared column of the motion vocabulary (the id is not among them) and its place in the stored
-/// record.
+/// A declared motion column (the id is not one of them) and its place in the stored record.
 struct MotionColumn {
-  std::string name;      ///< as docs/sql_reference.md#columns spells it: t, x, vy, fz, m, hx, r, shape, until
-  int place;             ///< index among the record's doubles
-  bool is_form = false;  ///< what stands there is the number of an outline
+  std::string name;      ///< as in docs/sql_reference.md#columns: t, x, vy, fz, m, hx, r, shape, until
+  int place;             ///< index of its double in the record
+  bool is_form = false;  ///< the double is the number of an outline or mesh
 };
 
-/// `+name TYPE`: carried along.
+/// `+name TYPE`: a value that is stored with each object and not interpreted.
 struct AuxiliaryColumn {
   std::string name;
-  std::string type;  ///< what stands behind the name, possibly empty
+  std::string type;  ///< text after the name, possibly empty
 };
 
 struct Declaration {
   Layout layout;
-  std::vector<MotionColumn> columns = {};  ///< in the order in which they were declared
+  std::vector<MotionColumn> columns = {};  ///< in declaration order
   std::vector<AuxiliaryColumn> auxiliaries = {};
-  double horizon = 60;  ///< the look-ahead for which the tree is tuned
+  double horizon = 60;  ///< look-ahead that the tree is optimized for
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

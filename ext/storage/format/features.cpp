@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-/// The first of the names, which loses it.
-std::string_view cut_first(std::string_view& names) {
+/// Removes the first name from the list and returns it.
+std::string_view pop_first(std::string_view& names) {
   const std::string_view first = names.substr(0, names.find(','));
   names.remove_prefix(std::min(names.size(), first.size() + 1));
   return first;
@@ -36,17 +36,17 @@ std::string features_of(const Declaration& declaration, std::span<const Feature>
 
 bool has_feature(std::string_view names, std::string_view name) {
   while (!names.empty())
-    if (cut_first(names) == name) return true;
+    if (pop_first(names) == name) return true;
   return false;
 }
 
 std::string unknown_feature(std::string_view names, std::span<const Feature> known) {
   while (!names.empty()) {
-    const std::string_view name = cut_first(names);
+    const std::string_view name = pop_first(names);
     if (std::none_of(known.begin(), known.end(), [&](const Feature& one) { return one.name == name; }))
       return name.empty() ? "," : std::string(name);
   }
   return "";
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,10 +1,11 @@
-// What does a stored table use that version 0.1 of foresee did not know?
+// Features of a stored table that version 0.1 of foresee does not know, as a list of names in `_meta`.
 //
-//   features_of(declaration)                          // "blocks,shapes", which _meta keeps
-//   unknown_feature("blocks,tiles") == "tiles"        // of two, this library knows the first
+//   features_of(declaration)                          // "blocks,shapes", the value of features in _meta
+//   unknown_feature("blocks,tiles") == "tiles"        // the first name that this library does not know
 //
-// The format's number says how nodes are drawn; a feature says that there is more to a table than that. A
-// library that does not know one of them would answer wrongly, so it refuses the table and says which.
+// The format number defines the layout of nodes; a feature is anything else that a reader must know. A
+// library that does not know a feature would give wrong results, so it refuses the table and names the
+// feature.
 #pragma once
 
 #include <span>
@@ -13,39 +14,39 @@
 
 #include "storage/format/declaration.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 struct Feature {
   std::string_view name;  ///< one word
   bool (*is_used)(const Declaration&);
 };
 
-/// Rows of <name>_map that are blocks of ids (format/id_block.h). Every new table has it.
+/// Rows of <name>_map are blocks of ids (format/id_block.h). Every new table has this feature.
 constexpr std::string_view map_blocks = "blocks";
 
-/// What <name>_shape has, which records name by number. Tables with a column `shape` have it.
+/// Records refer to rows of <name>_shape by number. Tables with a column `shape` have this feature.
 constexpr std::string_view stored_shapes = "shapes";
 
-/// That what it has are meshes, and bounds those of three axes. Tables with `shape` and z, but no hz, have
-/// it.
+/// Rows of <name>_shape are meshes, and bounds have three axes. Tables with `shape` and z, but without hz,
+/// have this feature.
 constexpr std::string_view stored_meshes = "meshes";
 
-/// That shapes grow: bounds move in tables at rest too. Tables with `growth` or `growth_z` have it.
+/// Shapes grow, so bounds move even in tables at rest. Tables with `growth` or `growth_z` have this feature.
 constexpr std::string_view stored_growth = "growth";
 
-/// Bytes that are read of their names.
-constexpr std::size_t most_features = 1000;
+/// Maximum length in bytes of the list that is read.
+constexpr std::size_t max_features = 1000;
 
-/// Those that this library knows.
+/// The features that this library knows.
 std::span<const Feature> known_features();
 
-/// The names of those that a table uses, with commas between them.
+/// The comma-separated names of the features that a table uses.
 std::string features_of(const Declaration& declaration, std::span<const Feature> known = known_features());
 
-/// Is `name` one of `names`?
+/// True if `name` is in the comma-separated list `names`.
 bool has_feature(std::string_view names, std::string_view name);
 
-/// The first name that is not known; "" if all are.
+/// The first name that is not known; "" if all are known.
 std::string unknown_feature(std::string_view names, std::span<const Feature> known = known_features());
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstring>
 
-namespace foresee::storage {
+namespace foresee {
 
 std::vector<std::byte> IdBlock::encode() const {
   std::uint64_t any = 1;
@@ -11,10 +11,10 @@ std::vector<std::byte> IdBlock::encode() const {
   const auto width = static_cast<std::size_t>(std::bit_width(any) + 7) / 8;
   std::vector<std::byte> bytes(1 + count_ * (1 + width));
   bytes[0] = static_cast<std::byte>(width);
-  std::byte *place = bytes.data() + 1, *leaves = place + count_;
+  std::byte *offset = bytes.data() + 1, *leaves = offset + count_;
   for (std::size_t i = 0; i < leaves_.size(); ++i) {
     if (leaves_[i] == 0) continue;
-    *place++ = static_cast<std::byte>(i);
+    *offset++ = static_cast<std::byte>(i);
     std::memcpy(leaves, &leaves_[i], width);
     leaves += width;
   }
@@ -30,16 +30,16 @@ const char* IdBlock::decode(std::span<const std::byte> bytes) {
     return "its size fits no number of ids";
   const std::byte* leaves = bytes.data() + 1 + count;
   for (std::size_t i = 0; i < count; ++i, leaves += width) {
-    const auto place = static_cast<std::size_t>(bytes[1 + i]);
-    if (place >= leaves_.size()) return "an id is beyond its block";
+    const auto offset = static_cast<std::size_t>(bytes[1 + i]);
+    if (offset >= leaves_.size()) return "an id is beyond its block";
     if (i > 0 && bytes[1 + i] <= bytes[i]) return "its ids do not ascend";
     std::int64_t leaf = 0;
     std::memcpy(&leaf, leaves, width);
     if (leaf < 1) return "a leaf's number is not positive";
-    leaves_[place] = leaf;
+    leaves_[offset] = leaf;
   }
   count_ = count;
   return nullptr;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

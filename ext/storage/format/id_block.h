@@ -1,13 +1,13 @@
-// In which leaves are 64 consecutive ids? One row of <name>_map says it for all of them.
+// Block of an id map: the leaf numbers of 64 consecutive ids, which are one row of <name>_map.
 //
 //   IdBlock block(IdBlock::base_of(-5));             // ids -64 to -1
 //   block.set(-5, 7), block.leaf_of(-5) == 7
 //   std::vector<std::byte> bytes = block.encode();   // 4 bytes here
-//   if (const char* fault = other.decode(bytes)) …   // bytes of a file may be anything
+//   if (const char* fault = other.decode(bytes)) …   // checks bytes of a file, which may be damaged
 //
-// The bytes: how many a leaf's number takes; which ids there are, as their distances from the base,
-// ascending; their leaves, in the same order, little-endian. Some 3 bytes an id in a table of a million
-// objects, where a row of its own takes 10 and half a microsecond. Cost: a pass over the ids.
+// The bytes: the width of a leaf number; the ids that exist, as offsets from the base, ascending; their leaf
+// numbers in the same order, little-endian. In a table of a million objects that is about 3 bytes per id; a
+// row per id takes 10 bytes and half a microsecond. Cost: one pass over the ids.
 #pragma once
 
 #include <array>
@@ -16,9 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 class IdBlock {
  public:
@@ -29,20 +27,20 @@ class IdBlock {
   explicit IdBlock(std::int64_t base) : base_(base) {}
 
   std::int64_t base() const { return base_; }
-  /// The last id that may be in it.
+  /// The largest id of this block.
   std::int64_t last() const { return base_ + (ids - 1); }
-  /// How many ids there are.
+  /// The number of ids that have a leaf.
   std::size_t count() const { return count_; }
 
-  /// 0: there is no such object. Requires: base() <= id <= last().
-  std::int64_t leaf_of(std::int64_t id) const { return leaves_[place_of(id)]; }
+  /// 0: no such object. Requires: base() <= id <= last().
+  std::int64_t leaf_of(std::int64_t id) const { return leaves_[slot_of(id)]; }
   void set(std::int64_t id, std::int64_t leaf) {
-    std::int64_t& old = leaves_[place_of(id)];
+    std::int64_t& old = leaves_[slot_of(id)];
     count_ += static_cast<std::size_t>(leaf != 0) - static_cast<std::size_t>(old != 0);
     old = leaf;
   }
 
-  /// Calls each(id, leaf) with those that there are, ascending.
+  /// Calls each(id, leaf) for every id that has a leaf, ascending.
   template <class Each>
   void for_each(Each each) const {
     for (std::int64_t i = 0; i < ids; ++i)
@@ -50,15 +48,15 @@ class IdBlock {
   }
 
   std::vector<std::byte> encode() const;
-  /// What is wrong with the bytes of a block with this base; null: nothing, and the block says what they do.
+  /// Reads a block with this base. Returns what is wrong with the bytes; null: nothing.
   const char* decode(std::span<const std::byte> bytes);
 
  private:
-  std::size_t place_of(std::int64_t id) const { return static_cast<std::size_t>(id & (ids - 1)); }
+  std::size_t slot_of(std::int64_t id) const { return static_cast<std::size_t>(id & (ids - 1)); }
 
   std::int64_t base_;
   std::size_t count_ = 0;
   std::array<std::int64_t, ids> leaves_{};
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

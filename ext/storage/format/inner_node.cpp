@@ -4,21 +4,21 @@
 #include <cmath>
 #include <limits>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-enum EntryNumber { t_least, t_greatest, until_greatest, first_bound };
+enum EntryNumber { t_min, t_max, until_max, first_bound };
 
 std::size_t count_of(std::span<const std::byte> blob) {
   return load_number<std::uint16_t>(blob.data() + NodeFormat::count_at);
 }
 
-/// Doubles of an entry that are stored: a prefix of the node's.
+/// Number of doubles of an entry that are stored: a prefix of the entry in memory.
 std::size_t stored_numbers(const NodeFormat& format) {
   return format.inner_entry_size / sizeof(double) - 1;  // the child's number comes first
 }
 
-/// What is not a number is not ordered. A lower bound may be infinite as no bound, an upper one likewise.
+/// False for NaN. A lower bound of -infinity and an upper bound of infinity mean "unbounded".
 bool ordered(double lower, double upper) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return lower <= upper && lower < infinity && upper > -infinity;
@@ -26,12 +26,11 @@ bool ordered(double lower, double upper) {
 
 const char* entry_fault(const NodeFormat& format, const std::byte* entry, std::int64_t number) {
   const auto child = load_number<std::int64_t>(entry);
-  if (child < 1 || child == number) return "a child is no other node";
+  if (child < 1 || child == number) return "a child is not another node";
   const auto value = [entry](std::size_t i) { return load_number<double>(entry + (i + 1) * sizeof(double)); };
-  if (!std::isfinite(value(t_least)) || !std::isfinite(value(t_greatest)) ||
-      value(t_least) > value(t_greatest))
+  if (!std::isfinite(value(t_min)) || !std::isfinite(value(t_max)) || value(t_min) > value(t_max))
     return "reference times are out of order";
-  if (!(value(until_greatest) >= value(t_least))) return "a child ends before it begins";
+  if (!(value(until_max) >= value(t_min))) return "a child ends before it starts";
   const auto axes = static_cast<std::size_t>(format.layout.axes);
   for (std::size_t at = first_bound; at < stored_numbers(format); at += 2 * axes)
     for (std::size_t axis = 0; axis < axes; ++axis)
@@ -71,7 +70,7 @@ std::vector<std::byte> encode_inner(const NodeFormat& format, std::int64_t numbe
 
 const char* inner_fault(const NodeFormat& format, std::span<const std::byte> blob, std::int64_t number) {
   if (const char* fault = node_fault(format, blob, number)) return fault;
-  if (load_number<std::uint8_t>(blob.data() + NodeFormat::level_at) == 0) return "it is no inner node";
+  if (load_number<std::uint8_t>(blob.data() + NodeFormat::level_at) == 0) return "it is not an inner node";
   const std::size_t count = count_of(blob);
   if (count < 1 || count > format.inner_capacity) return "its count is wrong";
   if (!std::isfinite(load_number<double>(blob.data() + NodeFormat::epoch_at)))
@@ -97,7 +96,7 @@ Node decode_inner(const NodeFormat& format, std::span<const std::byte> blob) {
   node.parent = load_number<std::int64_t>(blob.data() + NodeFormat::parent_at);
   node.epoch = load_number<double>(blob.data() + NodeFormat::epoch_at);
   const std::size_t count = count_of(blob);
-  node.keys.reserve(count + 1);  // the tree puts one too many in before it splits a node
+  node.keys.reserve(count + 1);  // a node overflows by one entry before the tree splits it
   node.values.reserve((count + 1) * stride);
   node.values.resize(count * stride, 0.0);
   const std::byte* entry = blob.data() + NodeFormat::entries_at;
@@ -112,4 +111,4 @@ Node decode_inner(const NodeFormat& format, std::span<const std::byte> blob) {
   return node;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

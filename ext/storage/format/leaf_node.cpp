@@ -7,10 +7,10 @@
 #include "shape/shapes.h"
 #include "storage/format/form_blob.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-// Records are judged where they lie: SQLite's blobs are not aligned.
+// Records are checked in place with unaligned loads: SQLite does not align blobs.
 double number_at(const std::byte* record, int place) {
   return load_number<double>(record + static_cast<std::size_t>(place) * sizeof(double));
 }
@@ -30,17 +30,16 @@ const char* form_fault(const NodeFormat& format, const std::byte* record) {
   const int axes = bounded_axes(format.layout.shape);
   const double number = number_at(record, format.at.outline);
   if (!(0 <= number && number <= static_cast<double>(largest_form_number) && number == std::floor(number)))
-    return mesh ? "a mesh's number is none" : "an outline's number is none";
+    return mesh ? "the number of a mesh is out of range" : "the number of an outline is out of range";
   if (format.at.heading != Offsets::absent && std::abs(number_at(record, format.at.heading)) > 360)
     return "a heading is beyond 360 degrees";
   for (int axis = 0; axis < axes; ++axis) {
     const double lower = number_at(record, format.at.bounds + axis);
     const double upper = number_at(record, format.at.bounds + axes + axis);
     if (lower > upper)
-      return mesh ? "the bounds of a mesh are the wrong way round"
-                  : "the bounds of an outline are the wrong way round";
+      return mesh ? "the bounds of a mesh are reversed" : "the bounds of an outline are reversed";
     if (number == 0 && (lower != 0 || upper != 0))
-      return mesh ? "what has no mesh has bounds" : "what has no outline has bounds";
+      return mesh ? "an object without a mesh has bounds" : "an object without an outline has bounds";
   }
   return nullptr;
 }
@@ -66,7 +65,7 @@ const char* force_fault(const NodeFormat& format, const std::byte* record) {
 
 const char* until_fault(const NodeFormat& format, const std::byte* record) {
   const double start = format.at.t == Offsets::absent ? 0.0 : number_at(record, format.at.t);
-  return number_at(record, format.at.until) >= start ? nullptr : "an object ends before it begins";
+  return number_at(record, format.at.until) >= start ? nullptr : "an object ends before it starts";
 }
 
 const char* records_fault(const NodeFormat& format, const std::byte* records, std::size_t count) {
@@ -95,7 +94,7 @@ const char* record_fault(const NodeFormat& format, const double* record) {
 
 const char* leaf_fault(const NodeFormat& format, std::span<const std::byte> blob, std::int64_t number) {
   if (const char* fault = node_fault(format, blob, number)) return fault;
-  if (load_number<std::uint8_t>(blob.data() + NodeFormat::level_at) != 0) return "it is no leaf";
+  if (load_number<std::uint8_t>(blob.data() + NodeFormat::level_at) != 0) return "it is not a leaf";
   const LeafView leaf(format, blob);
   const int count = leaf.count();
   if (count < 1 || static_cast<std::size_t>(count) > format.leaf_capacity) return "its count is wrong";
@@ -143,7 +142,7 @@ std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number
               [&](std::uint16_t a, std::uint16_t b) { return leaf.keys[a] < leaf.keys[b]; });
   const auto same = [&](std::uint16_t a, std::uint16_t b) { return leaf.keys[a] == leaf.keys[b]; };
   if (std::adjacent_find(order.begin(), order.end(), same) != order.end())
-    throw BrokenTree("a leaf of the tree holds an object twice");
+    throw BrokenTree("a leaf has an object twice");
   std::byte* id = blob.data() + NodeFormat::ids_at;
   std::byte* record = blob.data() + format.records_at;
   for (const std::size_t slot : order) {
@@ -162,7 +161,7 @@ Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob) {
   const auto count = static_cast<std::size_t>(view.count());
   Node leaf;
   leaf.parent = load_number<std::int64_t>(blob.data() + NodeFormat::parent_at);
-  leaf.keys.reserve(count + 1);  // the tree puts one too many in before it splits a node
+  leaf.keys.reserve(count + 1);  // a node overflows by one entry before the tree splits it
   leaf.values.reserve((count + 1) * static_cast<std::size_t>(format.at.size));
   leaf.keys.resize(count);
   leaf.values.resize(count * static_cast<std::size_t>(format.at.size));
@@ -171,4 +170,4 @@ Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob) {
   return leaf;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "shape/mesh/mesh_check.h"
-#include "storage/format/form_frame.h"
+#include "storage/format/form_blob.h"
 #include "storage/format/node_format.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-/// How many of each a blob has, and so where everything stands.
+/// Counts of a blob, and the offsets that follow from them.
 struct MeshCounts {
   std::uint32_t triangles, corners;
 
@@ -36,19 +36,19 @@ FormKind form_kind_of(Mesh::Kind kind) {
   return FormKind::parts;
 }
 
-/// None: it is no mesh.
+/// Nothing if the kind is not one of a mesh.
 std::optional<Mesh::Kind> mesh_kind_of(FormKind kind) {
   for (const auto known : {Mesh::Kind::surface, Mesh::Kind::solid, Mesh::Kind::parts})
     if (form_kind_of(known) == kind) return known;
   return std::nullopt;
 }
 
-/// Three corners a triangle, as the blob names them.
+/// Appends three corners per triangle, in the order of the blob.
 const char* read_triangles(const std::byte* blob, const MeshCounts& counts,
                            std::vector<SpaceCorner>& corners) {
   for (std::size_t i = 0; i < std::size_t{3} * counts.triangles; ++i) {
     const auto number = load_number<std::uint32_t>(blob + form_header_size + 4 * i);
-    if (number >= counts.corners) return "a triangle has a corner that is none";
+    if (number >= counts.corners) return "a triangle has a corner that does not exist";
     const auto at = load_number<SpaceCorner>(blob + counts.corners_at() + sizeof(SpaceCorner) * number);
     if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z)) return "a corner is not finite";
     corners.push_back(at);
@@ -80,20 +80,20 @@ std::vector<std::byte> encode_mesh(const Mesh& mesh) {
 const char* decode_mesh(std::span<const std::byte> blob, Mesh& mesh) {
   mesh = {};
   if (const char* fault = form_frame_fault(blob)) return fault;
-  const auto kind = mesh_kind_of(storage::form_kind_of(blob));
+  const auto kind = mesh_kind_of(form_kind_of(blob));
   if (!kind) return "its format or kind is not known";
   const MeshCounts counts = mesh_counts_of(blob.data());
-  if (counts.triangles == 0 || counts.triangles > most_triangles || counts.corners > 3 * counts.triangles)
+  if (counts.triangles == 0 || counts.triangles > max_triangles || counts.corners > 3 * counts.triangles)
     return "its counts are wrong";
   if (blob.size() != counts.size()) return "its size does not fit its counts";
   std::vector<SpaceCorner> corners;
   if (const char* fault = read_triangles(blob.data(), counts, corners)) return fault;
   mesh = welded(*kind, std::move(corners));
-  // Nothing is normalised on the way in: what would be read back otherwise is not what was written.
+  // A blob that would be encoded differently is rejected, not normalized: foresee did not write it.
   const std::vector<std::byte> normal = encode_mesh(mesh);
   if (!std::equal(normal.begin(), normal.end(), blob.begin(), blob.end()))
     return "its corners are not those of its triangles";
   return is_sound(mesh) ? nullptr : "a triangle has no area, or its surface is not closed";
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

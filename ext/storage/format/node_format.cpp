@@ -4,7 +4,7 @@
 
 #include "storage/format/crc32c.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::size_t number_size = 8;
@@ -13,8 +13,8 @@ std::size_t record_bytes(const Layout& layout) {
   return number_size * static_cast<std::size_t>(record_offsets(layout).size);
 }
 
-// Child, least t, greatest t, greatest until; then two bounds an axis for position, velocity, acceleration,
-// as far as they move.
+// Child, smallest t, largest t, largest until; then two bounds per axis for position, velocity and
+// acceleration, as far as the declaration has them.
 std::size_t inner_entry_bytes(const Layout& layout) {
   const std::size_t bounded = !bounds_move(layout) ? 1 : degree_of(layout.law) < 2 ? 2 : 3;
   return number_size * (4 + 2 * bounded * static_cast<std::size_t>(layout.axes));
@@ -38,10 +38,10 @@ NodeFormat::NodeFormat(const Layout& layout, std::size_t node_size)
       inner_capacity((node_size - entries_at - checksum_size) / inner_entry_size) {}
 
 std::size_t NodeFormat::node_size_for(const Layout& layout, std::size_t page_size) {
-  const std::size_t leaf = ids_at + least_capacity * (number_size + record_bytes(layout));
-  const std::size_t inner = entries_at + least_capacity * inner_entry_bytes(layout);
-  const std::size_t least = std::max(leaf, inner) + number_size;  // the checksum, and still a multiple of 8
-  return std::max(page_size - page_reserve, least);
+  const std::size_t leaf = ids_at + min_capacity * (number_size + record_bytes(layout));
+  const std::size_t inner = entries_at + min_capacity * inner_entry_bytes(layout);
+  const std::size_t min_size = std::max(leaf, inner) + number_size;  // the checksum; a multiple of 8
+  return std::max(page_size - page_reserve, min_size);
 }
 
 void seal_node(std::span<std::byte> node, std::int64_t number) {
@@ -49,13 +49,13 @@ void seal_node(std::span<std::byte> node, std::int64_t number) {
 }
 
 const char* node_fault(const NodeFormat& format, std::span<const std::byte> node, std::int64_t number) {
-  if (node.size() != format.node_size) return "it has not the size of a node";
+  if (node.size() != format.node_size) return "it does not have the size of a node";
   const auto* end = node.data() + node.size() - NodeFormat::checksum_size;
   if (load_number<std::uint32_t>(end) != checksum(node, number)) return "its checksum does not match";
   if (load_number<std::uint8_t>(node.data() + NodeFormat::format_at) != NodeFormat::version)
     return "its format is unknown";
-  if (load_number<std::int64_t>(node.data() + NodeFormat::parent_at) < 0) return "its parent is no node";
+  if (load_number<std::int64_t>(node.data() + NodeFormat::parent_at) < 0) return "its parent is not a node";
   return nullptr;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// How large is a node, and where does everything in it stand? Fixed for a table when it is created.
+// Layout of a stored tree node: sizes, capacities and byte offsets, fixed when a table is created.
 //
 //     byte 0   1       2..3   4..7   8..15                        last 4
 //   +-------+--------+-------+------+--------+- - - - - - - - - +----------+
@@ -8,9 +8,9 @@
 //   leaf (level 0):    ids[leaf_capacity] from byte 16, ascending; then records[leaf_capacity]
 //   inner (level > 0): epoch at byte 16; entries[inner_capacity] from byte 24
 //
-// Little-endian; every number of 8 bytes is aligned to 8. The checksum is the CRC-32C of everything before it
-// followed by the node's number, so that a node in another's place is noticed too. docs/storage_format.md
-// says the same at length.
+// Little-endian; every number of 8 bytes is aligned to 8. The checksum is the CRC-32C of the bytes before it
+// and the node number, so a node that is stored under another number is detected too. docs/storage_format.md
+// has the details.
 #pragma once
 
 #include <bit>
@@ -21,10 +21,10 @@
 
 #include "shape/layout.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 static_assert(std::endian::native == std::endian::little,
-              "nodes are stored as a little-endian CPU sees them");
+              "nodes are stored in the byte order of a little-endian CPU");
 
 struct NodeFormat {
   static constexpr int version = 2;
@@ -36,19 +36,19 @@ struct NodeFormat {
   static constexpr std::size_t epoch_at = 16;
   static constexpr std::size_t entries_at = 24;
   static constexpr std::size_t checksum_size = 4;
-  static constexpr std::size_t least_capacity = 4;  ///< entries of a node, however small the page
-  static constexpr std::size_t page_reserve = 64;   ///< what SQLite needs of a page beside the blob
+  static constexpr std::size_t min_capacity = 4;   ///< entries per node at least, even on the smallest pages
+  static constexpr std::size_t page_reserve = 64;  ///< bytes of a page that SQLite needs besides the blob
 
   NodeFormat() = default;
-  /// Requires: node_size is what `node_size_for` gave for some page size.
+  /// Requires: `node_size_for` returned this node_size for some page size.
   NodeFormat(const Layout& layout, std::size_t node_size);
 
-  /// The size of the table's blobs: they fit a page, unless the page is so small that they would hold fewer
-  /// than `least_capacity` entries.
+  /// Size in bytes of a table's node blobs. A blob fits into one page, unless it would then hold fewer than
+  /// `min_capacity` entries.
   static std::size_t node_size_for(const Layout& layout, std::size_t page_size);
 
   Layout layout;
-  Offsets at;  ///< of a record
+  Offsets at;  ///< offsets in a record
   std::size_t node_size = 0;
   std::size_t record_size = 0;  ///< bytes
   std::size_t leaf_capacity = 0;
@@ -72,8 +72,8 @@ void store_number(std::byte* at, T value) {
 /// Writes the checksum of node `number` into its last bytes.
 void seal_node(std::span<std::byte> node, std::int64_t number);
 
-/// What is wrong with a blob that claims to be node `number`: size, checksum, format. Null: nothing so far;
-/// level, count and contents are for the caller.
+/// Returns what is wrong with size, checksum or format of a blob that claims to be node `number`; null:
+/// nothing. The caller checks level, count and contents.
 const char* node_fault(const NodeFormat& format, std::span<const std::byte> node, std::int64_t number);
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -3,18 +3,18 @@
 #include <cmath>
 
 #include "shape/outline/validity.h"
-#include "storage/format/form_frame.h"
+#include "storage/format/form_blob.h"
 #include "storage/format/node_format.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-/// How many of each a blob has, and so where everything stands.
+/// Counts of a blob, and the offsets that follow from them.
 struct Counts {
   std::uint32_t rings, parts, corners;
 
-  std::size_t part_begins_at() const { return form_header_size + std::size_t{4} * rings; }
-  std::size_t corners_at() const { return part_begins_at() + std::size_t{4} * parts; }
+  std::size_t part_starts_at() const { return form_header_size + std::size_t{4} * rings; }
+  std::size_t corners_at() const { return part_starts_at() + std::size_t{4} * parts; }
   std::size_t size() const { return corners_at() + sizeof(Corner) * corners + form_checksum_size; }
 };
 
@@ -24,15 +24,15 @@ Counts counts_of(const std::byte* blob) {
           load_number<std::uint32_t>(at + 8)};
 }
 
-/// Rings as the blob has them, as far as they are rings at all.
+/// Reads the rings; returns what is wrong with their structure, or null. Validity is checked later.
 const char* read_rings(const std::byte* blob, const Counts& counts, Outline& outline) {
   std::uint32_t corner = 0, part = 0;
   for (std::uint32_t ring = 0; ring < counts.rings; ++ring) {
-    const bool begins_part =
-        part < counts.parts && load_number<std::uint32_t>(blob + counts.part_begins_at() + 4 * part) == ring;
-    if (ring == 0 && !begins_part) return "its first ring begins no part";
-    part += begins_part;
-    begins_part ? outline.begin_part() : outline.begin_hole();
+    const bool starts_part =
+        part < counts.parts && load_number<std::uint32_t>(blob + counts.part_starts_at() + 4 * part) == ring;
+    if (ring == 0 && !starts_part) return "its first ring does not start a part";
+    part += starts_part;
+    starts_part ? outline.begin_part() : outline.begin_hole();
     const auto end = load_number<std::uint32_t>(blob + form_header_size + std::size_t{4} * ring);
     if (end <= corner || end > counts.corners) return "its rings do not follow one another";
     for (; corner < end; ++corner) {
@@ -40,9 +40,10 @@ const char* read_rings(const std::byte* blob, const Counts& counts, Outline& out
       if (!std::isfinite(at.x) || !std::isfinite(at.y)) return "a corner is not finite";
       outline.add(at);
     }
-    if (outline.close_ring()) return "a ring ends where it begins";
+    if (outline.close_ring()) return "a ring ends where it starts";
   }
-  return part == counts.parts && corner == counts.corners ? nullptr : "its rings are not all of it";
+  return part == counts.parts && corner == counts.corners ? nullptr
+                                                          : "it has parts or corners without a ring";
 }
 
 }  // namespace
@@ -58,9 +59,9 @@ std::vector<std::byte> encode_outline(const Outline& outline) {
     at += sizeof count;
   }
   for (std::uint32_t ring = 0; ring < counts.rings; ++ring, at += 4)
-    store_number(at, static_cast<std::uint32_t>(outline.ring_begin(ring) + outline.ring(ring).size()));
+    store_number(at, static_cast<std::uint32_t>(outline.ring_start(ring) + outline.ring(ring).size()));
   for (std::uint32_t part = 0; part < counts.parts; ++part, at += 4)
-    store_number(at, static_cast<std::uint32_t>(outline.part_begin(part)));
+    store_number(at, static_cast<std::uint32_t>(outline.part_start(part)));
   for (const Corner& corner : outline.corners()) {
     store_number(at, corner);
     at += sizeof corner;
@@ -74,13 +75,13 @@ const char* decode_outline(std::span<const std::byte> blob, Outline& outline) {
   if (const char* fault = form_frame_fault(blob)) return fault;
   if (form_kind_of(blob) != FormKind::outline) return "its format or kind is not known";
   const Counts counts = counts_of(blob.data());
-  if (counts.corners > most_corners || counts.rings > counts.corners || counts.parts > counts.rings)
+  if (counts.corners > max_corners || counts.rings > counts.corners || counts.parts > counts.rings)
     return "its counts are wrong";
   if (blob.size() != counts.size()) return "its size does not fit its counts";
   if (const char* fault = read_rings(blob.data(), counts, outline)) return fault;
-  // Nothing is normalised on the way in: what would be read back otherwise is not what was written.
-  if (outline.corners().size() != counts.corners) return "a corner comes twice";
-  return flaw_of(outline) ? "its rings cross, touch or lie wrongly" : nullptr;
+  // A blob that would be encoded differently is rejected, not normalized: foresee did not write it.
+  if (outline.corners().size() != counts.corners) return "a corner is repeated";
+  return flaw_of(outline) ? "its rings cross, touch or are nested wrongly" : nullptr;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

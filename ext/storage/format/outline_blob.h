@@ -1,13 +1,13 @@
-// An outline as it is stored: a row's blob of <name>_shape (form_frame.h).
+// Stored outline: the blob of a row of <name>_shape (form_blob.h).
 //
 //     byte 0   1      2..3   4..7    8..11   12..15
 //   +--------+------+------+-------+-------+---------+-----------------+------------------+----------+
 //   | format | kind | 0    | rings | parts | corners | ring ends, part | x, y of each     | checksum |
-//   |  1     | 1    |      |       |       |         | begins          | corner           |          |
+//   |  1     | 1    |      |       |       |         | starts          | corner           |          |
 //   +--------+------+------+-------+-------+---------+-----------------+------------------+----------+
 //
-// Counts, ends and begins are of 4 bytes, corners two doubles of 8, little-endian. The last four bytes are
-// the CRC-32C of all before. Equal outlines have equal blobs.
+// Counts, ring ends and part starts take 4 bytes each, a corner is two doubles; all are little-endian. The
+// last four bytes are the CRC-32C of all bytes before them. Equal outlines have equal blobs.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,12 @@
 
 #include "shape/outline/outline.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// Requires: a valid outline.
 std::vector<std::byte> encode_outline(const Outline& outline);
 
-/// What is wrong with a blob; null: nothing, and `outline` is a valid outline.
+/// Returns what is wrong with a blob; null: nothing, and `outline` is a valid outline.
 const char* decode_outline(std::span<const std::byte> blob, Outline& outline);
 
-}  // namespace foresee::storage
+}  // namespace foresee

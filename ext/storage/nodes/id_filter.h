@@ -1,27 +1,25 @@
-// Which ids are surely not stored? After a large load most look-ups are of new ids, which would each read
-// another block of the stored map.
+// Bloom filter of ids: rejects most look-ups of new ids, each of which would read another block of the stored
+// map. It is used after a large load.
 //
 //   IdFilter filter(10'000'000);
 //   filter.add(42);
-//   filter.may_have(42)                        // true; of others seldom
+//   filter.may_have(42)                        // true; rarely true for an id that was not added
 //
-// A Bloom filter in blocks of a cache line (F. Putze, P. Sanders, J. Singler, "Cache-, hash- and
-// space-efficient Bloom filters", J. Experimental Algorithmics 14, 2009): six bits an id, 16 bits of room for
-// each. Of ids that were never added about one in 500 may be there; more, where more are added than were
-// foreseen. Cost: one cache miss.
+// Blocked by cache lines (F. Putze, P. Sanders, J. Singler, "Cache-, hash- and space-efficient Bloom
+// filters", J. Experimental Algorithmics 14, 2009): six bits per id, in 16 bits of memory per id. The
+// false-positive rate is about 1 in 500, and higher if more ids are added than announced. Cost: one cache
+// miss.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 class IdFilter {
  public:
-  explicit IdFilter(std::size_t ids) : blocks_(ids / ids_a_block + 1) {}
+  explicit IdFilter(std::size_t ids) : blocks_(ids / ids_per_block + 1) {}
 
   void add(std::int64_t id) noexcept {
     const Bits bits(id, blocks_.size());
@@ -36,12 +34,13 @@ class IdFilter {
   std::size_t memory() const { return blocks_.size() * sizeof(Block); }
 
  private:
-  static constexpr std::size_t ids_a_block = 32;
+  static constexpr std::size_t ids_per_block = 32;
   struct alignas(64) Block {
     std::array<std::uint64_t, 8> words{};
   };
 
-  /// By MurmurHash3's finalizer: its upper half says the block, the lower, mixed again, six bits there.
+  /// Hash: MurmurHash3's finalizer. The upper half selects the block; the lower half, mixed again, selects
+  /// six bits in it.
   struct Bits {
     Bits(std::int64_t id, std::size_t blocks) {
       auto hash = static_cast<std::uint64_t>(id);
@@ -59,4 +58,4 @@ class IdFilter {
   std::vector<Block> blocks_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

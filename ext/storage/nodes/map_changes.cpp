@@ -1,9 +1,9 @@
 #include "storage/nodes/map_changes.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-// Log entries that are about stored_is_void_, not about an id: its value before.
+// Log entries for the old value of stored_is_void_; they belong to no id.
 constexpr std::int64_t was_void = -2, was_not_void = -3;
 
 }  // namespace
@@ -19,9 +19,9 @@ void MapChanges::log_change_of_void(bool before) {
 }
 
 void MapChanges::void_stored() {
-  const std::vector<IdHashMap::Entry> waiting = leaves_.known();
-  log_.reserve(log_.size() + waiting.size() + 1);
-  log_.insert(log_.end(), waiting.begin(), waiting.end());
+  const std::vector<IdHashMap::Entry> unwritten = leaves_.known();
+  log_.reserve(log_.size() + unwritten.size() + 1);
+  log_.insert(log_.end(), unwritten.begin(), unwritten.end());
   leaves_.reset();
   log_change_of_void(stored_is_void_);
   stored_is_void_ = true;
@@ -32,9 +32,9 @@ void MapChanges::written(bool may_rewind) {
     clear();
     return;
   }
-  const std::vector<IdHashMap::Entry> waiting = leaves_.known();
-  log_.reserve(log_.size() + waiting.size() + 1);
-  log_.insert(log_.end(), waiting.begin(), waiting.end());
+  const std::vector<IdHashMap::Entry> unwritten = leaves_.known();
+  log_.reserve(log_.size() + unwritten.size() + 1);
+  log_.insert(log_.end(), unwritten.begin(), unwritten.end());
   if (stored_is_void_) log_change_of_void(true);
   stored_is_void_ = false;
   leaves_.reset();
@@ -42,7 +42,7 @@ void MapChanges::written(bool may_rewind) {
 }
 
 void MapChanges::rewind(std::size_t position) noexcept {
-  if (position == 0 && began_with_nothing_) return clear();  // at once, where a bulk load is taken back
+  if (position == 0 && started_empty_) return clear();  // fast path: a bulk load is rolled back
   for (; log_.size() > position; log_.pop_back()) {
     const IdHashMap::Entry& before = log_.back();
     if (before.value == was_void || before.value == was_not_void)
@@ -58,7 +58,7 @@ void MapChanges::clear() noexcept {
   log_.clear();
   held_after_writing_ = 0;
   stored_is_void_ = false;
-  began_with_nothing_ = true;
+  started_empty_ = true;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

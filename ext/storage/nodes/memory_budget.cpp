@@ -2,21 +2,21 @@
 
 #include <algorithm>
 
-namespace foresee::storage {
+namespace foresee {
 
 void MemoryBudget::write_out() {
-  // A trigger on a shadow table may open more tables meanwhile.
+  // By index: a trigger on a shadow table may open more tables meanwhile.
   for (std::size_t i = 0; i < holders_.size(); ++i) holders_[i]->write_out();
 }
 
 void MemoryBudget::evict() {
-  const std::size_t most = limits_.memory;
-  if (kept_ < most) evict_at_ = 0;
-  if (kept_ < std::max(most, evict_at_)) return;
+  const std::size_t limit = limits_.memory;
+  if (kept_ < limit) evict_at_ = 0;
+  if (kept_ < std::max(limit, evict_at_)) return;
   for (MemoryHolder* holder : holders_) holder->drop_nodes(false);
-  if (kept_ > most / 2)
+  if (kept_ > limit / 2)
     for (MemoryHolder* holder : holders_) holder->drop_nodes(true);
-  evict_at_ = kept_ + most / 8;
+  evict_at_ = kept_ + limit / 8;
 }
 
 MemoryShare::MemoryShare(MemoryBudget& budget, MemoryHolder& holder) : budget_(budget), holder_(holder) {
@@ -29,4 +29,4 @@ MemoryShare::~MemoryShare() {
   std::erase(budget_.holders_, &holder_);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

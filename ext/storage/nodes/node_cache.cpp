@@ -8,7 +8,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 void NodeCache::damaged(const std::string& what) const {
   throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
@@ -26,7 +26,7 @@ const char* NodeCache::fault(NodeNumber number, std::span<const std::byte> blob)
 NodeNumber NodeCache::find_root() {
   if (head_.root == TreeHead::unknown) {
     const std::optional<std::int64_t> stored = shadow_rows_->read_root();
-    if (!stored || *stored < 0) damaged("the root is no node");
+    if (!stored || *stored < 0) damaged("the root is not a node");
     if (*stored == 0 && !shadow_rows_->map().is_empty()) damaged("there is no root, but the map has objects");
     head_.root = *stored;
   }
@@ -50,14 +50,14 @@ void NodeCache::evict_if_full() {
   share_.budget().evict();
 }
 
-// While there are few, room for as many as are ever kept: a large table that grows keeps somebody waiting.
+// Reserves the maximum number of slots early: to rehash a large table later would delay one statement.
 NodeCache::Slot& NodeCache::add_slot(NodeNumber number) {
   constexpr std::size_t few = 1024;
-  if (slots_.size() == few) slots_.reserve(share_.budget().most_kept() / format_.node_size);
+  if (slots_.size() == few) slots_.reserve(share_.budget().max_kept() / format_.node_size);
   return slots_[number];
 }
 
-/// Null if there is no such node.
+/// Null if no such node is stored.
 NodeCache::Slot* NodeCache::fetch_if_stored(NodeNumber number) {
   if (Slot* slot = in_memory(number)) {
     slot->used = use_;
@@ -86,37 +86,37 @@ NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
   damaged("node " + std::to_string(number) + " is missing");
 }
 
-std::optional<std::shared_ptr<const Node>> NodeCache::waiting(NodeNumber number) const {
+std::optional<std::shared_ptr<const Node>> NodeCache::dirty_node(NodeNumber number) const {
   if (dirty_ == 0) return std::nullopt;
   const auto found = slots_.find(number);
   if (found == slots_.end() || !found->second.state.dirty) return std::nullopt;
   return found->second.state.node;
 }
 
-NodeNumber NodeCache::next_waiting(NodeNumber after, NodeNumber before) {
+NodeNumber NodeCache::next_dirty(NodeNumber after, NodeNumber before) {
   if (dirty_ == 0 || before - after <= 1) return 0;
-  const std::vector<NodeNumber>& waiting = waiting_numbers();
-  const auto next = std::upper_bound(waiting.begin(), waiting.end(), after);
-  return next == waiting.end() || *next >= before ? 0 : *next;
+  const std::vector<NodeNumber>& numbers = dirty_numbers();
+  const auto next = std::upper_bound(numbers.begin(), numbers.end(), after);
+  return next == numbers.end() || *next >= before ? 0 : *next;
 }
 
-const std::vector<NodeNumber>& NodeCache::waiting_numbers() {
-  if (!waiting_is_stale_) return waiting_;
-  waiting_.clear();
+const std::vector<NodeNumber>& NodeCache::dirty_numbers() {
+  if (!dirty_numbers_are_stale_) return dirty_numbers_;
+  dirty_numbers_.clear();
   for (const NodeNumber number : changed_)
     if (const auto found = slots_.find(number); found != slots_.end() && found->second.state.dirty)
-      waiting_.push_back(number);
-  std::sort(waiting_.begin(), waiting_.end());
-  waiting_.erase(std::unique(waiting_.begin(), waiting_.end()), waiting_.end());
-  waiting_is_stale_ = false;
-  return waiting_;
+      dirty_numbers_.push_back(number);
+  std::sort(dirty_numbers_.begin(), dirty_numbers_.end());
+  dirty_numbers_.erase(std::unique(dirty_numbers_.begin(), dirty_numbers_.end()), dirty_numbers_.end());
+  dirty_numbers_are_stale_ = false;
+  return dirty_numbers_;
 }
 
 // --- changing
 
 void NodeCache::set_dirty(Slot& slot, bool dirty) noexcept {
   dirty_ += static_cast<std::size_t>(dirty) - static_cast<std::size_t>(slot.state.dirty);
-  waiting_is_stale_ |= slot.state.dirty != dirty;
+  dirty_numbers_are_stale_ |= slot.state.dirty != dirty;
   slot.state.dirty = dirty;
   const bool holds = dirty && slot.state.node;
   dirty_held_ += static_cast<std::size_t>(holds) - static_cast<std::size_t>(slot.holds);
@@ -129,7 +129,7 @@ void NodeCache::note_changed(NodeNumber number, Slot& slot) {
   slot.changed = transaction_;
 }
 
-void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
+void NodeCache::keep_before_change(NodeNumber number, Slot& slot) {
   note_changed(number, slot);
   if (slot.kept_by == newest_keeper_) return;
   if (in_change_ && !wrote_in_change_)
@@ -139,7 +139,7 @@ void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
   slot.kept_by = newest_keeper_;
 }
 
-NodeCache::Slot& NodeCache::overwritten(NodeNumber number) {
+NodeCache::Slot& NodeCache::slot_to_replace(NodeNumber number) {
   const auto found = slots_.find(number);
   if (found != slots_.end()) return found->second;
   Slot* stored = undo_.snapshots() > 0 ? fetch_if_stored(number) : nullptr;
@@ -148,7 +148,7 @@ NodeCache::Slot& NodeCache::overwritten(NodeNumber number) {
 
 Node& NodeCache::modify(NodeNumber number) {
   Slot& slot = fetch(number);
-  about_to_change(number, slot);
+  keep_before_change(number, slot);
   std::shared_ptr<Node>& node = slot.state.node;
   if (node.use_count() > 1) {
     if (!spare_) spare_ = std::make_shared<Node>();
@@ -188,7 +188,7 @@ NodeNumber NodeCache::allocate() {
   auto node = std::make_shared<Node>();
   const NodeNumber number = reserve(1);
   Slot& slot = add_slot(number);
-  about_to_change(number, slot);
+  keep_before_change(number, slot);
   slot.state.node = std::move(node);
   slot.learned = false;
   set_dirty(slot, true);
@@ -197,8 +197,8 @@ NodeNumber NodeCache::allocate() {
 
 void NodeCache::put(NodeNumber number, Node node) {
   auto shared = std::make_shared<Node>(std::move(node));
-  Slot& slot = overwritten(number);
-  about_to_change(number, slot);
+  Slot& slot = slot_to_replace(number);
+  keep_before_change(number, slot);
   slot.state.node = std::move(shared);
   slot.learned = false;
   set_dirty(slot, true);
@@ -208,26 +208,26 @@ void NodeCache::put(NodeNumber number, Node node) {
 void NodeCache::make_room() {
   note_memory();
   if (!share_.budget().too_many_nodes_wait(dirty_held_ * format_.node_size)) return;
-  about_to_write_early();
-  write_nodes(Gone::wait);  // their rows may be written anew
+  prepare_early_write();
+  write_nodes(Deletions::defer);  // a deleted number may be used again
   evict_if_full();
 }
 
-void NodeCache::about_to_write_early() {
+void NodeCache::prepare_early_write() {
   hand_change_to_undo_log();
-  wrote_in_change_ = in_change_;  // from here on only a rollback helps, or one to a savepoint
+  wrote_in_change_ = in_change_;  // from here on only a rollback can undo it, or one to a savepoint
   change_log_.clear();
   wrote_early_ = true;
 }
 
 void NodeCache::free(NodeNumber number) {
-  Slot& slot = overwritten(number);
-  about_to_change(number, slot);
+  Slot& slot = slot_to_replace(number);
+  keep_before_change(number, slot);
   slot.state.node.reset();
   set_dirty(slot, true);
 }
 
-// Numbers begin again when the tree does.
+// An empty tree numbers its nodes from 1 again.
 void NodeCache::set_root(NodeNumber number) {
   head_.root = number;
   head_.root_dirty = true;
@@ -245,8 +245,8 @@ void NodeCache::place(std::span<const std::int64_t> ids, NodeNumber leaf) {
 void NodeCache::other_objects() const {
   throw StoreError(SQLITE_IOERR,
                    name_.table +
-                       ": the objects are not those that were read before: somebody writes into "
-                       "the table's file or into its temporary file; roll back");
+                       ": the objects changed while they were read twice: another program writes to "
+                       "the database or to the temporary file; roll back");
 }
 
 void NodeCache::erase_everything() {
@@ -258,7 +258,7 @@ void NodeCache::erase_everything() {
       try {
         fetch(number);
       } catch (const StoreError&) {
-        slots_[number];  // a damaged node, which no snapshot can read
+        slots_[number];  // damaged: no snapshot can read it
       }
     }
     free(number);
@@ -268,4 +268,4 @@ void NodeCache::erase_everything() {
   filter_.reset();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

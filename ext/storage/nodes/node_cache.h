@@ -1,18 +1,18 @@
-// The tree's nodes between the tree and the table <name>_node: decoded when they are read, written once when
-// a transaction commits.
+// Write-back cache of TPR-tree nodes over the table <name>_node: nodes are decoded when they are read and
+// written once per transaction, at commit.
 //
 //   cache.forget_all();                      // another connection has changed the table
 //   auto tree = make_tpr_tree(cache, 60);    // index/pages.h says what a tree may do with its pages
-//   cache.begin_change(); tree->insert(42, record); cache.end_change();    // or cancel_change(): as if nothing was
-//   cache.write(interrupt);                  // everything that waits
+//   cache.begin_change(); tree->insert(42, record); cache.end_change();    // or cancel_change(): undo it
+//   cache.write(interrupt);                  // writes all dirty nodes, the map and the root
 //
-// Nodes that were read stay, within the connection's memory_budget.h, for as long as the stamp says that
-// nothing changed. Old states live in undo_log.h: savepoints, snapshots, and the change in progress. A node
-// is copied before it changes only while somebody holds it as it was; for the change alone one record is
-// enough.
+// Clean nodes stay in memory within the budget of the connection (memory_budget.h), as long as the stamp of
+// the table does not change. Old states for savepoints, snapshots and the change in progress are in
+// undo_log.h. A node is copied before it changes only while a snapshot or savepoint refers to its old state;
+// a single changed record is kept alone.
 //
-// Rows are hostile: a node without fault by leaf_fault() or inner_fault() is believed by itself, what nodes
-// say about one another is not.
+// Stored rows may be damaged or hostile. A node that passes leaf_fault() or inner_fault() is sound alone;
+// what nodes say about one another is checked by the tree.
 #pragma once
 
 #include <vector>
@@ -25,14 +25,14 @@
 #include "storage/nodes/undo_log.h"
 #include "storage/rows/shadow_rows.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class NodeCache final : public Pages {
  public:
-  /// `name` is what messages call the table; it and the share must outlive the cache.
+  /// `name` is the table name in messages; it and the share must outlive the cache.
   NodeCache(const NodeFormat& format, const QualifiedName& name, MemoryShare& share)
       : format_(format), name_(name), share_(share) {}
-  /// Where the rows are from now on.
+  /// Reads and writes these rows from now on.
   void connect(ShadowRows& rows) { shadow_rows_ = &rows; }
 
   // --- Pages
@@ -50,85 +50,88 @@ class NodeCache final : public Pages {
   void free(NodeNumber number) override;
   void set_root(NodeNumber number) override;
   std::optional<NodeNumber> find_leaf(std::int64_t id) override;
-  /// The record of an object; null: there is none. Good until the cache is called again.
+  /// The record of an object; null: no such object. Valid until the next call of the cache.
   const double* find_record(std::int64_t id);
-  /// The same, where memory alone can tell; null: it cannot.
+  /// The same without reading rows; null: not known in memory.
   const double* find_record_in_memory(std::int64_t id);
-  /// Asks the processor for what it will need to find these ids in memory. Requires: no id is too large.
+  /// Prefetches the memory that find_record_in_memory() reads for `many` ids from `first` on. Requires: none
+  /// of these ids overflows.
   void fetch_ahead(std::int64_t first, std::int64_t many);
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override;
   void forget(std::int64_t id) override { map_.set(id, MapChanges::erased); }
 
-  // --- what is stored, and what waits
-  /// Requires: nothing waits.
+  // --- stored and dirty state
+  /// Empties the cache. Requires: no change is unwritten.
   void forget_all() noexcept;
-  /// Nodes and root will be read from the rows again. Requires: nothing waits.
+  /// Drops clean nodes and the root, so that they are read again. Requires: no change is unwritten.
   void forget_clean();
-  bool waits() const { return dirty_ > 0 || map_.waits() || head_.root_dirty || wrote_early_; }
-  /// Tells the share what is held.
+  bool has_unwritten() const {
+    return dirty_ > 0 || map_.has_unwritten() || head_.root_dirty || wrote_early_;
+  }
+  /// Reports the memory in use to the share.
   void note_memory() noexcept {
     const std::size_t gone = dirty_ - dirty_held_, held = slots_.size() - std::min(gone, slots_.size());
     share_.hold_nodes(dirty_held_ * format_.node_size, map_.memory(), held * format_.node_size);
   }
-  /// Nodes that can be read again go: those not used since the last time, or all.
+  /// Drops clean nodes: those not used since the last call, or all.
   void drop_nodes(bool all);
-  /// Writes all that waits: nodes by number, then the map by id, then the root.
+  /// Writes all dirty state: nodes by number, then the map by id, then the root.
   void write(Interrupt& interrupt);
-  /// A node that is not as its row says: the node, or null if it is gone. Nothing: the row is right.
-  std::optional<std::shared_ptr<const Node>> waiting(NodeNumber number) const;
-  /// The first node between `after` and `before` (both excluded) that waits; 0: there is none.
-  NodeNumber next_waiting(NodeNumber after, NodeNumber before);
-  /// Frees every node, whatever the tree says, and voids the map.
+  /// The state of a dirty node: the node, or null if it is deleted. Nothing: the node is clean.
+  std::optional<std::shared_ptr<const Node>> dirty_node(NodeNumber number) const;
+  /// The first dirty node between `after` and `before` (both excluded); 0: none.
+  NodeNumber next_dirty(NodeNumber after, NodeNumber before);
+  /// Frees every node, whether or not the tree refers to it, and voids the map.
   void erase_everything();
-  /// place() tells this map of all objects that there will be, until write_packed_map() or cancel_change().
+  /// Until write_packed_map() or cancel_change(), place() records leaves in this map of all future objects.
   void place_into(PackedMap& map) noexcept { packed_map_ = &map; }
-  /// Writes it in place of the stored one. Requires: in a change.
+  /// Replaces the stored map by it. Requires: in a change.
   void write_packed_map(Interrupt& interrupt);
-  /// What is wrong with a node's bytes; null: nothing.
+  /// Returns what is wrong with a node's bytes; null: nothing.
   const char* fault(NodeNumber number, std::span<const std::byte> blob) const;
 
-  // --- one change of the tree: all or nothing
-  /// From now on what nodes, map and root were before they change is kept.
+  // --- one change of the tree: atomic
+  /// Starts to keep the old state of nodes, map and root.
   void begin_change();
-  /// The change holds; what was kept goes to the marks that can still go back, or nowhere.
+  /// The change is valid; the old state goes to the marks that may be restored, if any.
   void end_change();
-  /// Nodes, map and root are as they were at begin_change().
+  /// Restores nodes, map and root as of begin_change().
   void cancel_change() noexcept;
-  /// Cancelling no longer helps: rows were written during the change.
+  /// True if rows were written during the change: then cancel_change() cannot undo everything.
   bool wrote_in_change() const { return wrote_in_change_; }
 
   // --- marks
   UndoLog::Handle set_mark(bool is_snapshot);
   bool has_snapshots() const { return undo_.snapshots() > 0; }
   void give_up(UndoLog::Handle mark) noexcept { undo_.give_up(mark); }
-  /// The node as it was at the mark.
+  /// The node as of the mark.
   std::shared_ptr<const Node> read_at(UndoLog::Handle mark, NodeNumber number);
   std::size_t map_position() const { return map_.position(); }
-  /// Back to a savepoint. SQLite has taken the rows back already.
+  /// Restores the state of a savepoint. SQLite has restored the rows already.
   void restore(UndoLog::Handle mark, std::size_t map_position);
 
   // --- transactions
-  /// Nothing has changed yet. Nodes in memory stay.
+  /// A transaction starts. Nodes in memory stay.
   void begin();
-  /// What was written holds; nothing can be taken back any more.
+  /// The transaction is committed; nothing can be undone any more.
   void commit() noexcept;
-  /// Nodes that this transaction changed are forgotten. Snapshots keep what they saw.
+  /// Drops the nodes that this transaction changed. Snapshots keep what they saw.
   void roll_back() noexcept;
 
  private:
   struct Slot {
     NodeState state;
-    std::uint64_t kept_by = 0;  ///< the newest mark or change that knows what it was
-    std::uint64_t changed = 0;  ///< the transaction that changed it last
+    std::uint64_t kept_by = 0;  ///< newest mark or change that has its old state
+    std::uint64_t changed = 0;  ///< last transaction that changed it
     std::uint64_t used = 0;
-    bool learned = false;  ///< where its objects are
-    bool holds = false;    ///< it waits, and is not gone: counted in dirty_held_
+    bool learned = false;  ///< its objects are in hints_
+    bool holds = false;    ///< dirty and not deleted: counted in dirty_held_
   };
 
   [[noreturn]] void damaged(const std::string& what) const;
   [[noreturn]] void other_objects() const;
   struct Place {
-    NodeNumber leaf = 0;  ///< 0: nobody knows
+    NodeNumber leaf = 0;  ///< 0: not known
     Slot* slot = nullptr;
     std::size_t record = 0;
   };
@@ -136,38 +139,39 @@ class NodeCache final : public Pages {
   Place find_by_hint(std::int64_t id);
   void read_block(std::int64_t id);
 
-  /// Null if its node would have to be read.
+  /// Null if the node is not in memory.
   Slot* in_memory(NodeNumber number);
   Slot* fetch_if_stored(NodeNumber number);
-  /// The node in memory; read, checked and decoded if it was not. SQLITE_CORRUPT_VTAB if it is damaged or
-  /// gone.
+  /// The node, which is read, checked and decoded if it is not in memory. SQLITE_CORRUPT_VTAB if it is
+  /// damaged or missing.
   Slot& fetch(NodeNumber number);
   void learn(NodeNumber number, Slot& slot);
-  /// The slot of a node, new if there is none.
+  /// The slot of a node, created if necessary.
   Slot& add_slot(NodeNumber number);
   void erase_slot(NodeNumber number) noexcept;
-  /// The slot of a node that is replaced as a whole: read only for those who hold a snapshot.
-  Slot& overwritten(NodeNumber number);
-  /// This transaction changes the node: a rollback forgets it. Once a transaction; later calls cost nothing.
+  /// The slot of a node that is replaced as a whole: its old state is read only if a snapshot may need it.
+  Slot& slot_to_replace(NodeNumber number);
+  /// Records that this transaction changes the node, so that a rollback drops it. Only the first call per
+  /// transaction costs anything.
   void note_changed(NodeNumber number, Slot& slot);
-  /// Call it before a node changes and before it is written. Keeps what it was for the
-  /// change in progress, else for the newest mark; nothing is copied, both share the node. Nothing is lost if
-  /// it throws.
-  void about_to_change(NodeNumber number, Slot& slot);
-  void take_back_record() noexcept;
-  /// The node waits to be written, or no longer.
+  /// Call it before a node changes and before it is written. Keeps the old state for the change in progress,
+  /// else for the newest mark; nothing is copied, both share the node. If it throws, nothing is lost.
+  void keep_before_change(NodeNumber number, Slot& slot);
+  void restore_record() noexcept;
+  /// Marks the node as dirty or clean.
   void set_dirty(Slot& slot, bool dirty) noexcept;
-  void back_to(NodeNumber number, const NodeState& state) noexcept;
-  /// Nodes that wait, ascending. Cost: a sort of what this transaction has changed, once after each change.
-  const std::vector<NodeNumber>& waiting_numbers();
-  /// Those that are gone: their rows go, or wait on.
-  enum class Gone : std::uint8_t { go, wait };
-  /// Nodes that wait, by number.
-  void write_nodes(Gone gone);
-  /// In the middle of a change.
-  void about_to_write_early();
+  void restore_node(NodeNumber number, const NodeState& state) noexcept;
+  /// Numbers of dirty nodes, ascending. Cost: after each change, a sort of the nodes changed in this
+  /// transaction.
+  const std::vector<NodeNumber>& dirty_numbers();
+  /// Whether rows of deleted nodes are deleted too.
+  enum class Deletions : std::uint8_t { write, defer };
+  /// Writes dirty nodes, by number.
+  void write_nodes(Deletions deletions);
+  /// Prepares to write rows during a change.
+  void prepare_early_write();
   void hand_change_to_undo_log();
-  /// Before memory takes one more node: where the connection holds too many, some go.
+  /// Call it before a node enters memory: evicts nodes if the connection holds too many.
   void evict_if_full();
   void drop_unused(std::uint64_t before);
 
@@ -177,38 +181,39 @@ class NodeCache final : public Pages {
   ShadowRows* shadow_rows_ = nullptr;
 
   std::unordered_map<NodeNumber, Slot> slots_;
-  /// Where slots are, by the last digits of their numbers: a look-up in slots_ misses the processor's caches.
+  /// Direct-mapped cache of pointers into slots_, by the low bits of the number: a look-up in slots_ misses
+  /// the processor's caches.
   std::vector<std::pair<NodeNumber, Slot*>> places_;
   TreeHead head_;
   MapChanges map_;
   LeafHints hints_;
-  std::optional<IdBlock> last_block_;  ///< that was read, as the rows say
-  PackedMap* packed_map_ = nullptr;    ///< in place of map_, while all is loaded anew
-  std::optional<IdFilter> filter_;  ///< of all that is stored or waits: of large tables that were just loaded
+  std::optional<IdBlock> last_block_;  ///< last block read from the rows
+  PackedMap* packed_map_ = nullptr;    ///< in place of map_ while the whole table is reloaded
+  std::optional<IdFilter> filter_;     ///< all ids; only after the load of a large table
   std::size_t dirty_ = 0, dirty_held_ = 0;
-  std::uint64_t use_ = 1;  ///< moves whenever nodes that were not used are dropped
+  std::uint64_t use_ = 1;  ///< advances whenever unused nodes are dropped
 
   UndoLog undo_;
   std::uint64_t newest_keeper_ = 1;  ///< number of the newest mark or change, from 1
   std::uint64_t transaction_ = 1;
-  std::vector<NodeNumber> changed_;  ///< in this transaction, some of them repeatedly
-  bool dropped_changed_ = false;     ///< … and dropped from memory, once written
-  std::vector<NodeNumber> waiting_;  ///< dirty ones, ascending, unless stale
-  bool waiting_is_stale_ = false;
+  std::vector<NodeNumber> changed_;        ///< in this transaction, with repetitions
+  bool dropped_changed_ = false;           ///< some of them were written and then dropped
+  std::vector<NodeNumber> dirty_numbers_;  ///< dirty nodes, ascending, unless stale
+  bool dirty_numbers_are_stale_ = false;
 
   bool in_change_ = false, wrote_in_change_ = false;
-  bool wrote_early_ = false;  ///< nodes, in the middle of a change; the others have not followed
+  bool wrote_early_ = false;  ///< some nodes were written during a change, the rest is still dirty
   std::vector<std::pair<NodeNumber, NodeState>> change_log_;
-  /// Most updates change one record and nothing else: it is kept alone.
+  /// Old state of a single record: most updates change one record and nothing else.
   struct {
-    NodeNumber leaf = 0;  ///< 0: there is none
+    NodeNumber leaf = 0;  ///< 0: none
     std::size_t slot;
     bool dirty;
     std::vector<double> values;
   } record_before_;
   TreeHead head_before_change_;
   std::size_t map_before_change_ = 0;
-  std::shared_ptr<Node> spare_;  ///< room for the next copy of a node
+  std::shared_ptr<Node> spare_;  ///< memory for the next copy of a node
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// Where is this object? By what memory knows, else by the map.
+// NodeCache: look-up of the leaf and the record of an object, by hints in memory, else by the stored map.
 #include <algorithm>
 #include <array>
 
 #include "storage/nodes/node_cache.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 void NodeCache::learn(NodeNumber number, Slot& slot) {
   if (slot.learned || !slot.state.node->is_leaf()) return;
@@ -28,7 +28,7 @@ std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
   return found;
 }
 
-/// From now on hints know the ids around, too.
+/// Reads the block of `id`; the hints learn all its ids.
 void NodeCache::read_block(std::int64_t id) {
   last_block_ = shadow_rows_->map().find(id);
   hints_.reserve(static_cast<std::size_t>(IdBlock::ids));
@@ -52,21 +52,21 @@ const double* NodeCache::record_at(const Place& place) {
   return place.slot->state.node->values.data() + place.record * static_cast<std::size_t>(format_.at.size);
 }
 
-// A leaf in memory is as it is now, and a hint is looked up there. But where the object has moved in this
-// transaction its old leaf may not know.
+// A leaf in memory is up to date, and the hint is checked there. If the object has moved in this transaction,
+// its old leaf may be out of date.
 const double* NodeCache::find_record_in_memory(std::int64_t id) {
   if (map_.find(id) != MapChanges::unknown) return nullptr;
   const Place place = find_by_hint(id);
   return place.leaf == 0 ? nullptr : record_at(place);
 }
 
-// Ids that count up lead all over memory, from hint to slot to node to record, and each step would wait for
-// the one before it. Many ids take a step at a time, so that the processor waits for all of them at once.
+// Consecutive ids are spread over memory: hint, slot, node and record are each a dependent cache miss. Many
+// ids advance one step at a time, so that their cache misses overlap.
 void NodeCache::fetch_ahead(std::int64_t first, std::int64_t many) {
-  constexpr std::int64_t most = 16;
-  std::array<LeafHints::Hint, most> hints;
-  std::array<const Slot*, most> slots;
-  const auto count = static_cast<std::size_t>(std::min(many, most));
+  constexpr std::int64_t limit = 16;
+  std::array<LeafHints::Hint, limit> hints;
+  std::array<const Slot*, limit> slots;
+  const auto count = static_cast<std::size_t>(std::min(many, limit));
   for (std::size_t i = 0; i < count; ++i) hints[i] = hints_.find(first + static_cast<std::int64_t>(i));
   for (std::size_t i = 0; i < count; ++i) slots[i] = hints[i].leaf == 0 ? nullptr : in_memory(hints[i].leaf);
   for (std::size_t i = 0; i < count; ++i) {
@@ -96,4 +96,4 @@ const double* NodeCache::find_record(std::int64_t id) {
   return record_at(place);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,12 +1,12 @@
-// Out of memory: what leaves because there is no room, and what is written.
+// NodeCache: eviction of clean nodes, and writing of dirty nodes, map and root.
 #include <algorithm>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/nodes/node_cache.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 // --- memory
 
@@ -37,10 +37,10 @@ void NodeCache::erase_slot(NodeNumber number) noexcept {
 // --- writing
 
 void NodeCache::write(Interrupt& interrupt) {
-  write_nodes(Gone::go);
-  if (map_.waits()) {
+  write_nodes(Deletions::write);
+  if (map_.has_unwritten()) {
     if (map_.stored_is_void()) shadow_rows_->map().erase_all();
-    std::vector<IdHashMap::Entry> changes = map_.waiting();
+    std::vector<IdHashMap::Entry> changes = map_.unwritten();
     Steps step(interrupt);
     std::sort(changes.begin(), changes.end(),
               [&](const IdHashMap::Entry& a, const IdHashMap::Entry& b) { return step(), a.id < b.id; });
@@ -56,12 +56,12 @@ void NodeCache::write(Interrupt& interrupt) {
 
 void NodeCache::write_packed_map(Interrupt& interrupt) {
   if (!packed_map_->is_complete()) other_objects();
-  about_to_write_early();
+  prepare_early_write();
   map_.void_stored();
   shadow_rows_->map().erase_all();
-  packed_map_->for_each_part([&](std::span<const IdHashMap::Entry> part) {
+  packed_map_->for_each_chunk([&](std::span<const IdHashMap::Entry> chunk) {
     interrupt.check();
-    shadow_rows_->write_map(part);
+    shadow_rows_->write_map(chunk);
   });
   filter_.emplace(packed_map_->ids().size());
   for (const std::int64_t id : packed_map_->ids()) filter_->add(id);
@@ -70,14 +70,14 @@ void NodeCache::write_packed_map(Interrupt& interrupt) {
   last_block_.reset();
 }
 
-void NodeCache::write_nodes(Gone gone) {
-  const std::vector<NodeNumber> numbers = waiting_numbers();
+void NodeCache::write_nodes(Deletions deletions) {
+  const std::vector<NodeNumber> numbers = dirty_numbers();
   wrote_in_change_ |= in_change_ && !numbers.empty();
   for (const NodeNumber number : numbers) {
     Slot& slot = slots_.at(number);
     const Node* node = slot.state.node.get();
-    if (!node && gone == Gone::wait) continue;
-    about_to_change(number, slot);
+    if (!node && deletions == Deletions::defer) continue;
+    keep_before_change(number, slot);
     if (node)
       shadow_rows_->write_node(number, node->is_leaf() ? encode_leaf(format_, number, *node)
                                                        : encode_inner(format_, number, *node));
@@ -89,4 +89,4 @@ void NodeCache::write_nodes(Gone gone) {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,14 +1,14 @@
-// Going back: one change, a savepoint, a transaction; and reading what was.
+// NodeCache: undo of a change, a savepoint or a transaction, and reads of old states.
 #include <algorithm>
 #include <utility>
 
 #include "storage/nodes/node_cache.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-// Requires: slots to be restored exist, or rows say what they were.
-void NodeCache::back_to(NodeNumber number, const NodeState& state) noexcept {
+// Requires: slots to be restored exist, or their rows are valid.
+void NodeCache::restore_node(NodeNumber number, const NodeState& state) noexcept {
   const auto found = slots_.find(number);
   if (found == slots_.end()) return;
   found->second.state.node = state.node;
@@ -41,8 +41,8 @@ void NodeCache::end_change() {
   in_change_ = false;
 }
 
-/// What was before the change, for those who go back to before it: once rows are written only a savepoint
-/// helps, and nodes that leave memory then cannot be had back from the change's own log.
+/// Keeps the old states for savepoints and snapshots. Once rows are written only a savepoint can undo the
+/// change, and nodes that leave memory cannot be restored from the change's own log.
 void NodeCache::hand_change_to_undo_log() {
   if (undo_.none()) return;
   for (const auto& [number, state] : change_log_) undo_.keep(number, state);
@@ -50,9 +50,9 @@ void NodeCache::hand_change_to_undo_log() {
 
 void NodeCache::cancel_change() noexcept {
   for (auto change = change_log_.rbegin(); change != change_log_.rend(); ++change)
-    back_to(change->first, change->second);
+    restore_node(change->first, change->second);
   change_log_.clear();
-  take_back_record();
+  restore_record();
   map_.rewind(map_before_change_);
   filter_.reset();
   head_ = head_before_change_;
@@ -60,8 +60,8 @@ void NodeCache::cancel_change() noexcept {
   in_change_ = false;
 }
 
-/// After all else: if its leaf changed as a whole too, that was later.
-void NodeCache::take_back_record() noexcept {
+/// Call it last: if the leaf was also changed as a whole, that happened later.
+void NodeCache::restore_record() noexcept {
   const NodeNumber leaf = std::exchange(record_before_.leaf, 0);
   if (leaf == 0) return;
   const auto found = slots_.find(leaf);
@@ -81,7 +81,7 @@ UndoLog::Handle NodeCache::set_mark(bool is_snapshot) {
 
 std::shared_ptr<const Node> NodeCache::read_at(UndoLog::Handle mark, NodeNumber number) {
   if (mark->broken)
-    throw StoreError(SQLITE_ABORT, name_.table + ": a rollback ended this question; ask again");
+    throw StoreError(SQLITE_ABORT, name_.table + ": a rollback ended this query; run it again");
   const NodeState* before = undo_.find(mark, number);
   if (!before) return read(number);
   if (!before->node) damaged("node " + std::to_string(number) + " is missing");
@@ -99,10 +99,10 @@ void NodeCache::restore(UndoLog::Handle mark, std::size_t map_position) {
     if (!as_stored) slots_[number];
     const auto slot = slots_.find(number);
     if (slot == slots_.end()) continue;
-    if (watched) about_to_change(number, slot->second);
+    if (watched) keep_before_change(number, slot->second);
     slot->second.changed = transaction_;
     changed_.push_back(number);
-    back_to(number, state);
+    restore_node(number, state);
   }
   head_ = mark->head;
   map_.rewind(map_position);
@@ -119,8 +119,8 @@ void NodeCache::forget_all() noexcept {
   last_block_.reset();
   filter_.reset();
   changed_.clear();
-  waiting_.clear();
-  waiting_is_stale_ = wrote_early_ = false;
+  dirty_numbers_.clear();
+  dirty_numbers_are_stale_ = wrote_early_ = false;
   dirty_ = dirty_held_ = 0;
   note_memory();
 }
@@ -149,7 +149,7 @@ void NodeCache::commit() noexcept {
   last_block_.reset();
 }
 
-// SQLite has taken the rows back.
+// SQLite has restored the rows already.
 void NodeCache::roll_back() noexcept {
   if (undo_.snapshots() > 0) try {
       for (const NodeNumber number : changed_)
@@ -162,10 +162,10 @@ void NodeCache::roll_back() noexcept {
     undo_.break_snapshots();
     forget_all();
   }
-  for (const NodeNumber number : changed_) back_to(number, {});
+  for (const NodeNumber number : changed_) restore_node(number, {});
   head_ = {};
   filter_.reset();
   commit();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,6 +1,6 @@
 #include "storage/nodes/object_changes.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 void ObjectChanges::add(std::int64_t id, std::span<const double> before) {
   known_.prepare(id);
@@ -23,9 +23,9 @@ void ObjectChanges::rewind(std::size_t position) noexcept {
   records_.resize(firsts_.empty() ? 0 : firsts_.back().end);
 }
 
-// With the room that a large transaction took.
+// Also releases the memory that a large transaction took.
 void ObjectChanges::clear() noexcept {
   if (!firsts_.empty()) *this = ObjectChanges();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,16 +6,16 @@
 
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-constexpr std::size_t largest_row = 256 << 10;  // bytes: more makes no write cheaper
+constexpr std::size_t largest_row = 256 << 10;  // bytes; larger rows are not cheaper to write
 
-/// Who may not ask, as an authorizer may say, gets a file.
+/// False, hence a file, if an authorizer forbids the PRAGMA.
 bool keeps_in_memory(sqlite3* db) try {
   constexpr std::int64_t memory = 2;
-  Statement asks(db, "PRAGMA temp_store");
-  Statement::Run run(asks);
+  Statement pragma(db, "PRAGMA temp_store");
+  Statement::Run run(pragma);
   return run.step() && run.integer(0) == memory;
 } catch (const StoreError&) {
   return false;
@@ -30,14 +30,14 @@ void append(std::span<const std::byte> bytes, std::vector<T>& values) {
 
 }  // namespace
 
-ObjectSpill::ObjectSpill(sqlite3* db, const QualifiedName& name, std::size_t record_size, std::size_t parts,
-                         std::size_t most_held)
+ObjectSpill::ObjectSpill(sqlite3* db, const QualifiedName& name, std::size_t record_size,
+                         std::size_t partitions, std::size_t max_held)
     : table_(name.table),
       record_size_(record_size),
-      objects_a_row_(std::max<std::size_t>(
-          1, std::min(largest_row, most_held / parts) / ((record_size + 1) * sizeof(double)))),
-      parts_(parts),
-      counts_(parts) {
+      objects_per_row_(std::max<std::size_t>(
+          1, std::min(largest_row, max_held / partitions) / ((record_size + 1) * sizeof(double)))),
+      partitions_(partitions),
+      counts_(partitions) {
   const char* where = keeps_in_memory(db) ? ":memory:" : "";
   in_file([&] {
     sqlite3* file = nullptr;
@@ -60,51 +60,52 @@ void ObjectSpill::in_file(Body body) {
   } catch (const StoreError& error) {
     throw StoreError(
         error.code,
-        table_ + ": a temporary file for loading it anew (where SQLITE_TMPDIR says): " + error.what());
+        table_ + ": a temporary file for a reload (in the directory of SQLITE_TMPDIR): " + error.what());
   }
 }
 
-void ObjectSpill::add(std::size_t part_number, std::int64_t id, const double* record) {
-  Part& part = parts_[part_number];
-  part.ids.push_back(id);
-  part.records.insert(part.records.end(), record, record + record_size_);
-  ++counts_[part_number];
-  if (part.ids.size() >= objects_a_row_) write(part);
+void ObjectSpill::add(std::size_t partition_number, std::int64_t id, const double* record) {
+  Partition& partition = partitions_[partition_number];
+  partition.ids.push_back(id);
+  partition.records.insert(partition.records.end(), record, record + record_size_);
+  ++counts_[partition_number];
+  if (partition.ids.size() >= objects_per_row_) write(partition);
 }
 
-void ObjectSpill::write(Part& part) {
-  if (part.ids.empty()) return;
+void ObjectSpill::write(Partition& partition) {
+  if (partition.ids.empty()) return;
   in_file([&] {
     Statement::Run run(write_);
     run.bind(1, ++rows_);
-    run.bind(2, std::as_bytes(std::span(part.ids)));
-    run.bind(3, std::as_bytes(std::span(part.records)));
+    run.bind(2, std::as_bytes(std::span(partition.ids)));
+    run.bind(3, std::as_bytes(std::span(partition.records)));
     run.step();
   });
-  part.rows.push_back(rows_);
-  part.ids.clear(), part.records.clear();
+  partition.rows.push_back(rows_);
+  partition.ids.clear(), partition.records.clear();
 }
 
 void ObjectSpill::finish() {
-  for (Part& part : parts_) {
-    write(part);
-    part.ids = {}, part.records = {};
+  for (Partition& partition : partitions_) {
+    write(partition);
+    partition.ids = {}, partition.records = {};
   }
 }
 
-void ObjectSpill::read(std::size_t part, std::vector<std::int64_t>& ids, std::vector<double>& records) {
+void ObjectSpill::read(std::size_t partition, std::vector<std::int64_t>& ids, std::vector<double>& records) {
   ids.clear(), records.clear();
-  ids.reserve(counts_[part]), records.reserve(counts_[part] * record_size_);
+  ids.reserve(counts_[partition]), records.reserve(counts_[partition] * record_size_);
   in_file([&] {
-    for (const std::int64_t row : parts_[part].rows) {
+    for (const std::int64_t row : partitions_[partition].rows) {
       Statement::Run run(read_);
       run.bind(1, row);
       if (!run.step()) continue;
       append(run.blob(0), ids), append(run.blob(1), records);
     }
   });
-  if (ids.size() != counts_[part] || records.size() != ids.size() * record_size_)
-    throw StoreError(SQLITE_IOERR, table_ + ": a temporary file gave back other bytes than were written");
+  if (ids.size() != counts_[partition] || records.size() != ids.size() * record_size_)
+    throw StoreError(SQLITE_IOERR,
+                     table_ + ": a temporary file returns other bytes than were written; load again");
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

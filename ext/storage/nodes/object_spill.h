@@ -1,17 +1,17 @@
-// Where do the objects of a table wait that memory cannot hold, while it is loaded anew? In a temporary file,
-// part by part.
+// Temporary file for the objects of a table that is reloaded and does not fit into memory, divided into
+// partitions.
 //
 //   ObjectSpill spill(db, name, record_size, 9, 16 << 20);
-//   spill.add(part, id, record);                    // all of them
+//   spill.add(partition, id, record);                    // for all objects
 //   spill.finish();
-//   tree->bulk_load_parts(spill, interrupt);        // reads one part after another
+//   tree->bulk_load_partitions(spill, interrupt);        // reads one partition at a time
 //
-// The file is a database of its own, SQLite's for one connection and its life: where SQLite keeps temporary
-// files (SQLITE_TMPDIR), in memory where the connection's PRAGMA temp_store says MEMORY, gone when it is
-// closed or the process ends. Nothing of it is in the table's file or in its transaction.
+// The file is a temporary database of SQLite with its own connection. It is where SQLite keeps temporary
+// files (SQLITE_TMPDIR), or in memory if PRAGMA temp_store of the connection is MEMORY. It disappears when it
+// is closed or the process ends. Neither the table's file nor its transaction contains any of it.
 //
-// Errors: StoreError with SQLite's code, and a message that says which file it is about. Cost: as many bytes
-// of disk as the objects have; of memory some MB, and lists of what was written.
+// Errors: StoreError with SQLite's code, and a message that names the file. Cost: as many bytes of disk as
+// the objects have; some MB of memory, and a list of the rows written.
 #pragma once
 
 #include <memory>
@@ -22,25 +22,25 @@
 #include "storage/rows/shadow_tables.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-class ObjectSpill final : public ObjectParts {
+class ObjectSpill final : public ObjectPartitions {
  public:
-  /// `db`: the connection that says whether the file is in memory; `record_size` in doubles; `most_held`:
-  /// bytes of objects that may wait for a write.
-  ObjectSpill(sqlite3* db, const QualifiedName& name, std::size_t record_size, std::size_t parts,
-              std::size_t most_held);
+  /// `db`: the connection whose temp_store decides whether the file is in memory; `record_size` in doubles;
+  /// `max_held`: maximum bytes of objects that wait for a write.
+  ObjectSpill(sqlite3* db, const QualifiedName& name, std::size_t record_size, std::size_t partitions,
+              std::size_t max_held);
 
-  void add(std::size_t part, std::int64_t id, const double* record);
-  /// All are there.
+  void add(std::size_t partition, std::int64_t id, const double* record);
+  /// Call it after the last add().
   void finish();
 
   std::span<const std::size_t> counts() const override { return counts_; }
-  void read(std::size_t part, std::vector<std::int64_t>& ids, std::vector<double>& records) override;
+  void read(std::size_t partition, std::vector<std::int64_t>& ids, std::vector<double>& records) override;
 
  private:
-  /// Objects of a part that are not written yet, and the rows that have the others.
-  struct Part {
+  /// Objects of a partition that are not written yet, and the rows of the others.
+  struct Partition {
     std::vector<std::int64_t> ids;
     std::vector<double> records;
     std::vector<std::int64_t> rows;
@@ -51,15 +51,15 @@ class ObjectSpill final : public ObjectParts {
 
   template <class Body>
   void in_file(Body body);
-  void write(Part& part);
+  void write(Partition& partition);
 
   std::string table_;
-  std::size_t record_size_, objects_a_row_;
-  std::vector<Part> parts_;
+  std::size_t record_size_, objects_per_row_;
+  std::vector<Partition> partitions_;
   std::vector<std::size_t> counts_;
   std::int64_t rows_ = 0;
   std::unique_ptr<sqlite3, Close> file_;
   Statement write_, read_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <new>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 template <class T>
@@ -65,7 +65,7 @@ void PendingObjects::forget_past() noexcept {
     fresh.log_.clear();
     *this = std::move(fresh);
   } catch (const std::bad_alloc&) {
-    // It stays as it is, which is as good.
+    // Without memory for a copy the holes stay, which is also correct.
   }
 }
 
@@ -89,4 +89,4 @@ void PendingObjects::rewind(std::size_t position) noexcept {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

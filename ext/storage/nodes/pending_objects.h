@@ -1,20 +1,19 @@
-// Which objects were written and are not in the tree yet?
+// Objects that INSERT and UPDATE have written and that are not in the tree yet.
 //
 //   pending.add(42, record);
 //   pending.find(42)                           // its record, or null
-//   const auto position = pending.position();  // … and back to it: pending.rewind(position)
+//   const auto position = pending.position();  // later: pending.rewind(position)
 //
-// What INSERT and UPDATE write waits here, so that many objects, of however many statements, go into the tree
-// together; of an object that was updated the tree still has what it was. Objects are only ever appended; one
-// that is erased or replaced leaves a hole, so that going back is cutting off the end and filling holes
-// again.
+// Written objects wait here, so that objects of many statements go into the tree together; until then the
+// tree has the old record of an updated object. Objects are only appended. An erased or replaced object
+// leaves a hole, so a rollback truncates the end and fills holes again.
 #pragma once
 
 #include <span>
 
 #include "storage/rows/id_hash_map.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class PendingObjects {
  public:
@@ -25,25 +24,25 @@ class PendingObjects {
   /// Valid until the next add() or replace().
   const double* find(std::int64_t id) const noexcept;
 
-  // Each all or nothing.
-  /// Requires: not here. Cost: a copy of the record.
+  // Each of these is atomic.
+  /// Requires: the id is not pending. Cost: a copy of the record.
   void add(std::int64_t id, std::span<const double> record);
-  /// Requires: here.
+  /// Requires: the id is pending.
   void erase(std::int64_t id);
   void replace(std::int64_t id, std::span<const double> record);
 
   std::size_t position() const { return log_.size(); }
   void rewind(std::size_t position) noexcept;
-  /// Nobody goes back to now or before: drops the log, and holes where they are the most of it.
+  /// No rewind() to a position up to now follows: drops the log, and the holes if they are the larger part.
   void forget_past() noexcept;
   void clear() noexcept;
 
-  /// All of them side by side, in the order of their arrival, where none has left a hole.
+  /// All ids and records, in the order of arrival. Requires: no holes.
   bool has_holes() const { return count_ != ids_.size(); }
   std::span<const std::int64_t> all_ids() const { return ids_; }
   std::span<const double> all_records() const { return records_; }
 
-  /// Calls each(id, record) for every object in the order of their arrival.
+  /// Calls each(id, record) for every object, in the order of arrival.
   template <class Each>
   void for_each(Each each) const {
     for (std::size_t slot = 0; slot < ids_.size(); ++slot)
@@ -57,7 +56,7 @@ class PendingObjects {
     bool added;  ///< else erased
   };
 
-  /// Room for one object and so many entries of the log, by doubling: what follows cannot throw.
+  /// Reserves memory for one object and `changes` log entries, by doubling: what follows cannot throw.
   void reserve(std::int64_t id, std::size_t changes);
 
   std::size_t record_size_;
@@ -68,4 +67,4 @@ class PendingObjects {
   std::size_t count_ = 0;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-namespace foresee::storage {
+namespace foresee {
 
 UndoLog::Handle UndoLog::set(const TreeHead& head, bool is_snapshot) {
   marks_.push_back({.head = head, .is_snapshot = is_snapshot, .before = {}});
@@ -19,7 +19,7 @@ void UndoLog::give_up(Handle mark) noexcept {
   if (mark != marks_.begin()) {
     const auto older = std::prev(mark);
     if (older->before.size() < mark->before.size()) {
-      // The fewer go to the more; of a node that both know the older state counts.
+      // The smaller set is merged into the larger one; for a node in both the older state is valid.
       for (auto& [number, state] : older->before)
         if (const auto both = mark->before.find(number); both != mark->before.end())
           std::swap(both->second, state);
@@ -28,7 +28,7 @@ void UndoLog::give_up(Handle mark) noexcept {
     try {
       older->before.merge(mark->before);
     } catch (const std::bad_alloc&) {
-      return;  // it stays as a mark that nobody goes back to
+      return;  // the mark stays, unused
     }
     marks_.erase(mark);
   }
@@ -64,4 +64,4 @@ void UndoLog::drop_stored() noexcept {
       if (!state.dirty) state.node.reset();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,14 +1,14 @@
-// How was the tree at an earlier moment? An undo log of nodes: marks in time, and what each node was like
-// before it changed.
+// Undo log of tree nodes: marks (savepoints and snapshots), and for each mark the old states of the nodes
+// that changed after it.
 //
-//   undo.set(head, false);                 // a mark: nothing is copied
-//   undo.keep(7, state);                   // node 7 is about to change: the newest mark keeps what it is
-//   undo.find(mark, 7)                     // node 7 as it was at that mark; null: it is so still
+//   undo.set(head, false);                 // sets a mark; copies nothing
+//   undo.keep(7, state);                   // before node 7 changes: the newest mark keeps its state
+//   undo.find(mark, 7)                     // node 7 as of that mark; null: unchanged since
 //
-// A savepoint and a question's snapshot are both a mark. A node that changes is kept once, by the newest
-// mark; an older one finds it there, because the node did not change in between. A mark that is given up
-// leaves what it keeps to the mark before it. Cost: one entry for each node that changes, none for a mark;
-// leaving what two marks keep to one of them: the fewer entries of both.
+// A savepoint and the snapshot of a query are both a mark. A node that changes is kept once, by the newest
+// mark; an older mark finds it there: the node is unchanged between the two marks. A mark that is given up
+// passes its states to the mark before it. Cost: one entry per changed node, none per mark; passing states on
+// costs the smaller of the two numbers of entries.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,16 @@
 
 #include "index/pages.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-/// A node between the tree and its row. No node and not dirty: whatever the row says. No node, but dirty: it
-/// is gone, and its row must go.
+/// State of a node in memory. No node and clean: the row is valid. No node, but dirty: the node is deleted,
+/// and its row must be deleted.
 struct NodeState {
   std::shared_ptr<Node> node;
-  bool dirty = false;  ///< the row says something else
+  bool dirty = false;  ///< the row has another state
 };
 
-/// What there is beside the nodes.
+/// State of the tree besides its nodes.
 struct TreeHead {
   static constexpr NodeNumber unknown = -1;
 
@@ -40,7 +40,7 @@ struct UndoMark {
   TreeHead head;
   bool is_snapshot = false;
   bool given_up = false;
-  bool broken = false;  ///< a rollback took away what this mark should know
+  bool broken = false;  ///< a rollback removed states that this mark needs
   std::unordered_map<NodeNumber, NodeState> before;
 };
 
@@ -56,14 +56,15 @@ class UndoLog {
 
   /// Requires: a mark is set.
   void keep(NodeNumber number, const NodeState& state) { marks_.back().before.try_emplace(number, state); }
-  /// What `number` was like at the mark, if it changed since; else null.
+  /// The state of `number` as of the mark, if it changed since; else null.
   const NodeState* find(Handle mark, NodeNumber number) const;
-  /// Every node that changed since the mark, as it was then.
+  /// The states, as of the mark, of all nodes that changed since.
   std::unordered_map<NodeNumber, NodeState> changed_since(Handle mark) const;
 
   bool snapshot_since(Handle mark) const;
   void break_snapshots() noexcept;
-  /// Where rows can be read again: drops the nodes that savepoints keep of them. Requires: no snapshots.
+  /// Drops the nodes that savepoints keep and that equal their rows, which can be read again. Requires: no
+  /// snapshots.
   void drop_stored() noexcept;
 
  private:
@@ -71,4 +72,4 @@ class UndoLog {
   int snapshots_ = 0;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,31 +1,31 @@
-// Rows whose first column is a number, each larger than the one before it.
+// Reads rows whose first column is an integer that ascends strictly; any other order is damage.
 //
 //   read_ascending(statement, {"ships", "map"}, [&](std::int64_t id, Statement::Run& run) { … });
 //
-// Anything else is SQLITE_CORRUPT_VTAB: pages of a damaged file may lead back to one another, and a reader
-// that believes them never ends.
+// Other rows are SQLITE_CORRUPT_VTAB: in a damaged file pages may refer back to one another, and a scan
+// without this check would never end.
 #pragma once
 
 #include <optional>
 
 #include "storage/rows/statement.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-/// For messages: the virtual table, and what stands behind `<table>_`.
+/// For messages: the virtual table, and the suffix after `<table>_`.
 struct RowsOf {
   const std::string& table;
   const char* suffix;
 };
 
-/// The number of the row on which `run` stands, behind the row `last` if there was one.
+/// The number of the current row of `run`. Throws unless it is larger than `last`, the previous one, if any.
 std::int64_t number_after(std::optional<std::int64_t> last, Statement::Run& run, const RowsOf& rows);
 
-/// Calls read(number, run) with every row of a statement.
+/// Calls read(number, run) for every row of a statement.
 template <class Read>
 void read_ascending(Statement& statement, const RowsOf& rows, Read read) {
   Statement::Run run(statement);
   for (std::optional<std::int64_t> last; run.step(); read(*last, run)) last = number_after(last, run, rows);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -4,32 +4,31 @@
 
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 IdHashMap::IdHashMap() {
   sqlite3_randomness(sizeof key_, &key_);
 }
 
-// Where `id` is, or would be. The mixing is MurmurHash3's finalizer.
-std::size_t IdHashMap::place_of(std::int64_t id) const noexcept {
+// The slot of `id`, or the free slot where it belongs. The mixing is MurmurHash3's finalizer.
+std::size_t IdHashMap::slot_of(std::int64_t id) const noexcept {
   std::uint64_t hash = static_cast<std::uint64_t>(id) ^ key_;
   hash = (hash ^ hash >> 33) * 0xff51afd7ed558ccd;
   hash = (hash ^ hash >> 33) * 0xc4ceb9fe1a85ec53;
-  std::size_t place = (hash ^ hash >> 33) & (slots_.size() - 1);
-  while (slots_[place].value != free_slot && slots_[place].id != id)
-    place = (place + 1) & (slots_.size() - 1);
-  return place;
+  std::size_t slot = (hash ^ hash >> 33) & (slots_.size() - 1);
+  while (slots_[slot].value != free_slot && slots_[slot].id != id) slot = (slot + 1) & (slots_.size() - 1);
+  return slot;
 }
 
 std::int64_t IdHashMap::find(std::int64_t id) const noexcept {
   if (size_ == 0) return unknown;
-  const Entry& entry = slots_[place_of(id)];
+  const Entry& entry = slots_[slot_of(id)];
   return entry.value == free_slot ? unknown : entry.value;
 }
 
 void IdHashMap::prepare(std::int64_t id) {
   if (2 * (size_ + 1) > slots_.size()) grow();
-  Entry& entry = slots_[place_of(id)];
+  Entry& entry = slots_[slot_of(id)];
   if (entry.value != free_slot) return;
   entry = {id, unknown};
   ++size_;
@@ -39,12 +38,12 @@ void IdHashMap::grow() {
   std::vector<Entry> old(std::max<std::size_t>(16, 2 * slots_.size()), Entry{0, free_slot});
   slots_.swap(old);
   for (const Entry& entry : old)
-    if (entry.value != free_slot) slots_[place_of(entry.id)] = entry;
+    if (entry.value != free_slot) slots_[slot_of(entry.id)] = entry;
 }
 
 void IdHashMap::set(std::int64_t id, std::int64_t value) noexcept {
   if (size_ == 0) return;
-  Entry& entry = slots_[place_of(id)];
+  Entry& entry = slots_[slot_of(id)];
   if (entry.value != free_slot) entry.value = value;
 }
 
@@ -66,4 +65,4 @@ std::vector<IdHashMap::Entry> IdHashMap::known() const {
   return all;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

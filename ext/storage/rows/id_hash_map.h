@@ -1,11 +1,11 @@
-// What is known of this id? A number for each of many ids, looked up in some nanoseconds.
+// Hash map from object id to a number, with a look-up of some nanoseconds and an assignment that cannot fail.
 //
-//   map.prepare(42);             // may throw; says nothing about 42 yet
-//   map.set(42, 7);              // cannot fail: the second half of a change that is all or nothing
+//   map.prepare(42);             // may throw; 42 is still unknown
+//   map.set(42, 7);              // cannot fail: the second half of an atomic change
 //   map.find(42) == 7
 //
-// An open hash table with linear probing, never more than half full. Its hash is keyed at random, so that no
-// choice of ids makes it slow. Cost: 16 bytes a slot.
+// Open addressing with linear probing, at most half full. The hash has a random key, so no choice of ids
+// makes it slow. Cost: 16 bytes per slot.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,11 @@
 #include <limits>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 class IdHashMap {
  public:
-  static constexpr std::int64_t unknown = -1;  ///< what find() says of an id that nobody set
+  static constexpr std::int64_t unknown = -1;  ///< find() of an id without a value
 
   struct Entry {
     std::int64_t id, value;
@@ -28,30 +26,30 @@ class IdHashMap {
   IdHashMap();
 
   std::int64_t find(std::int64_t id) const noexcept;
-  /// Makes room for `id`.
+  /// Reserves a slot for `id`.
   void prepare(std::int64_t id);
   /// Requires: prepared since the last clear(), or value is unknown.
   void set(std::int64_t id, std::int64_t value) noexcept;
-  /// All ids become unknown; those that are prepared stay so.
+  /// All ids become unknown, but stay prepared.
   void reset() noexcept;
-  /// Holds no memory afterwards.
+  /// Releases all memory.
   void clear() noexcept;
 
-  /// Ids that are prepared.
+  /// The number of prepared ids.
   std::size_t size() const noexcept { return size_; }
   std::size_t memory() const noexcept { return slots_.capacity() * sizeof(Entry); }
-  /// Everything known, in no order.
+  /// All ids with a value, in no order.
   std::vector<Entry> known() const;
 
  private:
   static constexpr std::int64_t free_slot = std::numeric_limits<std::int64_t>::min();
 
-  std::size_t place_of(std::int64_t id) const noexcept;
+  std::size_t slot_of(std::int64_t id) const noexcept;
   void grow();
 
-  std::vector<Entry> slots_;  // none, or a power of two; at least half of them free
+  std::vector<Entry> slots_;  // empty, or a power of two; at least half of them free
   std::size_t size_ = 0;
   std::uint64_t key_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

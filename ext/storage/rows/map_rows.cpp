@@ -5,7 +5,7 @@
 #include "storage/rows/ascending_rows.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 MapRows::MapRows(const ShadowTables& tables)
     : table_(tables.name().table),
@@ -25,7 +25,7 @@ IdBlock MapRows::row_of(Statement::Run& run) const {
   const std::int64_t id = number_after(std::nullopt, run, {table_, "map"});
   IdBlock block(IdBlock::base_of(id));
   if (run.is_blob(1)) {
-    if (id != block.base()) damaged(id, "a block begins at a multiple of 64");
+    if (id != block.base()) damaged(id, "a block starts at a multiple of 64");
     if (const char* fault = block.decode(run.blob(1))) damaged(id, fault);
   } else {
     if (!run.is_integer(1) || run.integer(1) < 1) damaged(id, "a leaf's number is a positive integer");
@@ -115,4 +115,4 @@ void MapRows::erase_all() {
   Statement::Run(erase_all_).step();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

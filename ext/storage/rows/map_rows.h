@@ -1,16 +1,15 @@
-// Where is each object, for good? The leaf of every id, in <name>_map(id INTEGER PRIMARY KEY, leaf).
+// Stored id map: the leaf of every object, in <name>_map(id INTEGER PRIMARY KEY, leaf).
 //
 //   MapRows map(tables);
-//   map.write(changes);                        // ids ascending; leaf 0: the id goes
+//   map.write(changes);                        // ids ascending; leaf 0 deletes the id
 //   map.find(42).leaf_of(42) == 7
 //
-// A row is a block: 64 ids with a blob of their leaves (format/id_block.h), under the first of them. In
-// tables of version 0.1 a row is one id with the number of its leaf. A write leaves what it touches as
-// blocks, so that such a table moves over bit by bit; no id has both.
+// A row is a block: a blob with the leaves of 64 consecutive ids (format/id_block.h), stored under the first
+// of them. In tables of version 0.1 a row is one id with the number of its leaf. A write converts the rows
+// that it changes to blocks, so such a table is migrated gradually; no id is in rows of both kinds.
 //
-// Rows are hostile: SQLITE_CORRUPT_VTAB for a blob that is no block, a number that is no leaf's, an id that
-// is in two rows. Cost: a look-up for find(), and it knows of 64 ids; a look-up and a write for each block
-// that write() touches.
+// Rows may be damaged: SQLITE_CORRUPT_VTAB for a blob that is not a block, a number that cannot be a leaf, or
+// an id in two rows. Cost: find() is one look-up for 64 ids; write() is a look-up and a write per block.
 #pragma once
 
 #include <optional>
@@ -21,7 +20,7 @@
 #include "storage/rows/shadow_tables.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class MapRows {
  public:
@@ -37,25 +36,25 @@ class MapRows {
   std::int64_t count_ids();
   bool is_empty();
 
-  /// Calls read(id, leaf) with every object, ids ascending.
+  /// Calls read(id, leaf) for every object, ids ascending.
   template <class Read>
   void read(Read read) {
     Statement::Run run(all_);
     for (std::optional<std::int64_t> last; run.step();) row_after(last, run).for_each(read);
   }
 
-  /// Each id's leaf; 0: the id goes. Requires: ids ascend.
+  /// Stores the leaf of each id; 0 deletes the id. Requires: ids ascend.
   void write(std::span<const IdHashMap::Entry> changes);
   void erase_all();
 
  private:
-  /// The row on which `run` stands.
+  /// The current row of `run`.
   IdBlock row_of(Statement::Run& run) const;
-  /// The same, behind the id `last`, which becomes the last one of this row.
+  /// The same. Throws unless its ids are larger than `last`, which becomes the last id of this row.
   IdBlock row_after(std::optional<std::int64_t>& last, Statement::Run& run) const;
-  /// What is stored of the block with this base, and, if wanted, the numbers of its rows.
+  /// Reads the block with this base; appends the numbers of its rows to `rows`, unless it is null.
   IdBlock read_block(std::int64_t base, std::vector<std::int64_t>* rows);
-  /// Stores a block of which `changes` are new; `is_new`: nothing of it is stored.
+  /// Applies `changes`, all in one block, to that block; `is_new`: nothing of it is stored yet.
   void write_block(std::span<const IdHashMap::Entry> changes, bool is_new);
   [[noreturn]] void damaged(std::int64_t row, const char* what) const;
 
@@ -63,4 +62,4 @@ class MapRows {
   Statement between_, largest_, all_, write_, erase_between_, erase_all_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,11 +1,11 @@
-// What does a virtual table say about itself? Keys and values in <name>_meta.
+// Keys and values that a virtual table stores about itself in <name>_meta.
 //
-//   MetaRows meta(tables);                      // MetaRows::table() is one of them
+//   MetaRows meta(tables);                      // MetaRows::table() is one of `tables`
 //   meta.write("format", std::int64_t{2});
 //   meta.read("format") == "2"
 //
-// Cost: a look-up each, under a microsecond; reading and writing are compiled once, at their first use.
-// Reading takes one variable, writing two: a connection may allow no more.
+// Cost: a look-up each, less than a microsecond; both statements are compiled at their first use. Reading
+// uses one SQL variable and writing two: a connection may limit their number.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 #include "storage/rows/shadow_tables.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class MetaRows {
  public:
@@ -23,15 +23,15 @@ class MetaRows {
       : read_(tables.statement("SELECT value FROM {meta} WHERE key = ?1")),
         write_(tables.statement("INSERT OR REPLACE INTO {meta} VALUES(?1, ?2)")) {}
 
-  /// What stands under a key, as text; "" where there is nothing. Of a text that is longer than `most` bytes
-  /// only the beginning: who reads it compares it with what is shorter.
-  std::string read(std::string_view key, std::size_t most = 100) {
+  /// The value of a key as text; "" if there is no value. A text longer than `limit` bytes is cut off, which
+  /// is enough to compare it with shorter ones.
+  std::string read(std::string_view key, std::size_t limit = 100) {
     Statement::Run run(read_);
     run.bind(1, key);
-    return run.step() ? run.text(0, most) : "";
+    return run.step() ? run.text(0, limit) : "";
   }
 
-  /// Nothing if the key is missing or its value is no integer.
+  /// Nothing if the key is missing or its value is not an integer.
   std::optional<std::int64_t> read_integer(std::string_view key) {
     Statement::Run run(read_);
     run.bind(1, key);
@@ -50,4 +50,4 @@ class MetaRows {
   Statement read_, write_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "storage/format/features.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 std::string insert_auxiliaries_sql(int columns) {
@@ -12,7 +12,7 @@ std::string insert_auxiliaries_sql(int columns) {
   return sql + ")";
 }
 
-// ?3 has a digit a column: 1 if it keeps its value, else the new one follows.
+// ?3 has a digit per column: 1 keeps the old value, 0 sets the new one.
 std::string update_auxiliaries_sql(int columns) {
   std::string sql = "UPDATE OR REPLACE {aux} SET id = ?2";
   for (int i = 0; i < columns; ++i)
@@ -54,13 +54,13 @@ std::size_t ShadowRows::variables() const {
   return static_cast<std::size_t>(sqlite3_limit(db_, SQLITE_LIMIT_VARIABLE_NUMBER, -1));
 }
 
-/// SQLite's own message would speak of SQL that nobody has written.
+/// SQLite's own message would refer to SQL that the user has not written.
 void ShadowRows::require_variables(std::size_t needed) const {
   if (needed > variables())
-    throw StoreError(SQLITE_ERROR,
-                     table_ + ": to write its auxiliary columns takes " + std::to_string(needed) +
-                         " SQL variables, and this connection allows " + std::to_string(variables()) +
-                         "; raise SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
+    throw StoreError(SQLITE_ERROR, table_ + ": its auxiliary columns need " + std::to_string(needed) +
+                                       " SQL variables, but this connection allows " +
+                                       std::to_string(variables()) +
+                                       "; raise SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
 }
 
 std::int64_t ShadowRows::read_largest_node() {
@@ -84,8 +84,8 @@ void ShadowRows::erase_node(std::int64_t number) {
 void ShadowRows::write_map(std::span<const IdHashMap::Entry> changes) {
   if (changes.empty()) return;
   map_.write(changes);
-  // A table of version 0.1 has blocks from now on, and that version would not understand them.
-  if (const std::string features = meta_.read("features", most_features); !has_feature(features, map_blocks))
+  // A table of version 0.1 now has blocks, which that version cannot read.
+  if (const std::string features = meta_.read("features", max_features); !has_feature(features, map_blocks))
     meta_.write("features", features + (features.empty() ? "" : ",") + std::string(map_blocks));
 }
 
@@ -162,4 +162,4 @@ void ShadowRows::match_auxiliaries_to_map() {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -7,9 +7,9 @@
 #include "storage/rows/map_rows.h"
 #include "storage/rows/shape_rows.h"
 #include "storage/rows/store_error.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::array<const char*, 5> suffixes{"node", "map", "meta", "aux", "shape"};
@@ -26,7 +26,7 @@ std::int64_t page_size(sqlite3* db, const QualifiedName& name) {
 }
 
 void require_known_features(MetaRows& meta, const QualifiedName& name) {
-  const std::string unknown = unknown_feature(meta.read("features", most_features));
+  const std::string unknown = unknown_feature(meta.read("features", max_features));
   if (!unknown.empty())
     refuse(SQLITE_ERROR, name,
            "written with '" + without_nul(unknown) + "', which this foresee does not know: use a newer one");
@@ -94,9 +94,9 @@ NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const De
 }
 
 std::optional<std::int64_t> read_object_count(MetaRows& meta) {
-  constexpr std::int64_t most = std::int64_t{1} << 53;
+  constexpr std::int64_t limit = std::int64_t{1} << 53;
   const std::optional<std::int64_t> stored = meta.read_integer("objects");
-  return stored && 0 <= *stored && *stored <= most ? stored : std::nullopt;
+  return stored && 0 <= *stored && *stored <= limit ? stored : std::nullopt;
 }
 
 void refuse_unknown_features(sqlite3* db, const QualifiedName& name) {
@@ -114,7 +114,7 @@ NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const De
     refuse(SQLITE_ERROR, name,
            "stored in format '" + format + "'; this version of foresee reads format " + version +
                ". Copy the table with the version that wrote it (CREATE TABLE copy AS SELECT * FROM " +
-               name.table + "), drop it, make it anew and insert the copy");
+               name.table + "), drop it, create it again and insert the copy");
   require_known_features(meta, name);
   const std::string declared = describe_columns(declaration);
   if (const std::string columns = meta.read("columns", 2 * declared.size() + 1000); columns != declared)
@@ -129,4 +129,4 @@ NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const De
   refuse(SQLITE_CORRUPT_VTAB, name, "the stored node size '" + stored + "' belongs to no page size");
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

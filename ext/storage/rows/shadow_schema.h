@@ -1,15 +1,15 @@
-// Which tables hold a moving_objects table, and what do they say about themselves?
+// Schema of the shadow tables of a moving_objects table, and what their `_meta` says about the format.
 //
 //   <name>_node(nodeno INTEGER PRIMARY KEY, data BLOB)                 leaves and inner nodes
-//   <name>_map(id INTEGER PRIMARY KEY, leaf INTEGER)                   where each object is (map_rows.h)
+//   <name>_map(id INTEGER PRIMARY KEY, leaf INTEGER)                   the leaves of 64 ids per row (map_rows.h)
 //   <name>_aux(id INTEGER PRIMARY KEY, a0, a1, …)                      only with auxiliary columns
-//   <name>_shape(number INTEGER PRIMARY KEY, hash, data BLOB)          only with outlines (shape_rows.h)
+//   <name>_shape(number INTEGER PRIMARY KEY, hash, data BLOB)          only with outlines or meshes (shape_rows.h)
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
 //
-// _meta: `format` version of all this, `columns` as declared, `node_size`, `horizon`, `root` (0: there are no
-// objects), `stamp` (random, rewritten by every write transaction), `objects` how many there are and
-// `features` what the table has that version 0.1 did not know (format/features.h); that version wrote
-// neither.
+// `format` in _meta is the version of the format, `columns` the columns as declared, `root` is 0 in an empty
+// table. `stamp` is a random number that every write transaction replaces. `objects` is the number of
+// objects, `features` a list of what version 0.1 does not know (format/features.h); version 0.1 has neither
+// key. The others are `node_size` and `horizon`.
 #pragma once
 
 #include <cstdint>
@@ -22,31 +22,31 @@
 #include "storage/rows/meta_rows.h"
 #include "storage/rows/shadow_tables.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-/// True for node, map, aux, meta and shape: what stands behind `<name>_` in a shadow table's name.
+/// True for node, map, aux, meta and shape: the suffixes after `<name>_` of a shadow table's name.
 bool is_shadow_suffix(std::string_view suffix);
 
-/// The record's columns in their order, then the auxiliary ones: what `columns` holds in _meta.
+/// The columns of the record in their order, then the auxiliary ones: the value of `columns` in _meta.
 std::string describe_columns(const Declaration& declaration);
 
-/// The tables themselves.
+/// The shadow tables of a table with this declaration.
 ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
-/// Makes the shadow tables of a new, empty table and returns its nodes' format.
+/// Creates the shadow tables of a new, empty table and returns its node format.
 NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
-/// The nodes' format of an existing table, of which `meta` are the rows. Throws StoreError if the shadow
-/// tables were written for another declaration or by a version of foresee that this one does not understand,
-/// or if one of them is no table. Cost: two statements are compiled, and four look-ups in _meta.
+/// Returns the node format of an existing table; `meta` are its rows. Throws StoreError if the shadow tables
+/// were written for another declaration or by an unknown version of foresee, or if one of them is not an
+/// ordinary table. Cost: two statements to compile, and four look-ups in _meta.
 NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const Declaration& declaration);
 
-/// How many objects a table says it has; nothing where it does not say, or what no table can have. Believed
-/// by nobody but the planner, and by who keeps it.
+/// The stored number of objects; nothing if it is missing or out of range. It may be wrong in a damaged file:
+/// only the query planner uses it, and the commit that updates it.
 std::optional<std::int64_t> read_object_count(MetaRows& meta);
 
-/// Throws StoreError if an existing table was written with a feature that this foresee does not know. For a
-/// declaration that cannot be read: the feature says why.
+/// Throws StoreError if an existing table was written with a feature that this version of foresee does not
+/// know. Call it for a declaration that cannot be parsed: the feature explains why.
 void refuse_unknown_features(sqlite3* db, const QualifiedName& name);
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,7 +6,7 @@
 
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 bool is_one_of(std::string_view suffix, std::span<const char* const> suffixes) {
   for (const char* known : suffixes)
@@ -39,8 +39,8 @@ void ShadowTables::drop() const {
   for (const ShadowTable& table : tables_) execute(db_, "DROP TABLE IF EXISTS " + full_name(table.suffix));
 }
 
-/// False where one is a view, which has no columns of its own, or virtual: then no statement may name it. Or
-/// where one is missing, or SQLite cannot say.
+/// False if one is a view, which has no columns of its own, or a virtual table: then no statement may name
+/// it. False also if one is missing, or SQLite cannot tell.
 bool ShadowTables::are_tables() const try {
   std::string sql = "SELECT 1 FROM ";
   for (const ShadowTable& table : tables_) {
@@ -66,7 +66,7 @@ void ShadowTables::require_tables() const {
   while (run.step()) {
     const std::string shadow = run.text(0), type = run.text(1);
     const bool is_view = type == "view";
-    if ((!is_view && type != "table") || !is_ours(shadow)) continue;
+    if ((!is_view && type != "table") || !is_shadow_table(shadow)) continue;
     throw StoreError(SQLITE_CORRUPT_VTAB,
                      name_.table + ": " + shadow + " is a " + (is_view ? "view" : "virtual table") +
                          ", where foresee keeps a table of its own: DROP " + (is_view ? "VIEW " : "TABLE ") +
@@ -74,7 +74,7 @@ void ShadowTables::require_tables() const {
   }
 }
 
-bool ShadowTables::is_ours(const std::string& name) const {
+bool ShadowTables::is_shadow_table(const std::string& name) const {
   return std::any_of(tables_.begin(), tables_.end(), [&](const ShadowTable& table) {
     return sqlite3_stricmp(name.c_str(), (name_.table + "_" + table.suffix).c_str()) == 0;
   });
@@ -92,4 +92,4 @@ Statement ShadowTables::statement(const std::string& sql) const {
   return {db_, result.append(sql, done)};
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

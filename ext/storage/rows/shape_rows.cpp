@@ -5,7 +5,7 @@
 #include "storage/format/form_blob.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 ShapeRows::ShapeRows(const ShadowTables& tables, Shape shape)
     : table_(tables.name().table),
@@ -22,8 +22,8 @@ std::int64_t ShapeRows::number_of(std::optional<std::int64_t> last, Statement::R
   const std::int64_t number = number_after(last, run, {table_, "shape"});
   if (number < 1 || number > largest_form_number)
     throw StoreError(SQLITE_CORRUPT_VTAB, table_ + ": " + table_ + "_shape is damaged: row " +
-                                              std::to_string(number) + " is no " + name_of_form(shape_) +
-                                              "'s number");
+                                              std::to_string(number) + " cannot be the number of " +
+                                              (shape_ == Shape::mesh ? "a mesh" : "an outline"));
   return number;
 }
 
@@ -45,8 +45,8 @@ std::int64_t ShapeRows::read_largest_number() {
 
 void ShapeRows::add(std::int64_t number, std::span<const std::byte> blob) {
   if (number > largest_form_number)
-    throw StoreError(SQLITE_FULL, table_ + ": there is no number left for " +
-                                      (shape_ == Shape::mesh ? "a mesh" : "an outline"));
+    throw StoreError(SQLITE_FULL,
+                     table_ + ": no number is left for " + (shape_ == Shape::mesh ? "a mesh" : "an outline"));
   Statement::Run run(add_);
   run.bind(1, number);
   run.bind(2, std::int64_t{checksum_of_form(blob)});
@@ -72,11 +72,11 @@ void ShapeRows::erase(std::int64_t number) {
 }
 
 const char* ShapeRows::row_fault(Statement::Run& run, std::shared_ptr<const Form>& form) const {
-  if (!run.is_blob(2)) return "it is no blob";
+  if (!run.is_blob(2)) return "it is not a blob";
   const std::span<const std::byte> blob = run.blob(2);
   if (const char* fault = decode_form(blob, shape_, form)) return fault;
   const bool agrees = run.is_integer(1) && run.integer(1) == std::int64_t{checksum_of_form(blob)};
   return agrees ? nullptr : "its hash is not that of its content";
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

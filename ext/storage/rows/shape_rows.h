@@ -1,14 +1,13 @@
-// Which outlines or meshes does a table have, for good? Each once, by number, in <name>_shape(number, hash,
-// data).
+// Stored outlines or meshes of a table: each once, by number, in <name>_shape(number, hash, data).
 //
 //   ShapeRows shapes(tables, Shape::outline);
 //   const std::int64_t number = shapes.find(blob).value_or(0);      // equal bytes, equal number
 //   shapes.add(8, blob);
-//   shapes.read(8)                                                  // throws where there is no such number
+//   shapes.read(8)                                                  // throws if there is no such number
 //
-// Rows are hostile: SQLITE_CORRUPT_VTAB for a number that is missing, or not from 1 to 2^53, as records hold
-// it in a double, and for a blob that is none of this shape (format/form_blob.h). `hash` is the blob's
-// checksum, by which find() looks. Cost: a look-up each.
+// Rows may be damaged. SQLITE_CORRUPT_VTAB reports a missing number, a number outside 1 to 2^53 (a record
+// holds it in a double), or a blob that is not a form of this shape (format/form_blob.h). `hash` is the
+// checksum of the blob, the key of find(). Cost: one look-up per call.
 #pragma once
 
 #include <optional>
@@ -18,7 +17,7 @@
 #include "storage/rows/ascending_rows.h"
 #include "storage/rows/shadow_tables.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class ShapeRows {
  public:
@@ -31,15 +30,15 @@ class ShapeRows {
 
   /// The number of the form with these bytes.
   std::optional<std::int64_t> find(std::span<const std::byte> blob);
-  /// 0: there is none.
+  /// 0: no rows.
   std::int64_t read_largest_number();
-  /// Requires: there is no such number.
+  /// Requires: the number is not in use.
   void add(std::int64_t number, std::span<const std::byte> blob);
   std::shared_ptr<const Form> read(std::int64_t number);
   void erase(std::int64_t number);
 
-  /// Calls read(number, fault, form) with every row, numbers ascending; fault: what is wrong with the row,
-  /// or null.
+  /// Calls read(number, fault, form) for every row, numbers ascending; fault: what is wrong with the row, or
+  /// null.
   template <class Read>
   void read_all(Read read) {
     read_ascending(all_, {table_, "shape"}, [&](std::int64_t number, Statement::Run& run) {
@@ -54,9 +53,10 @@ class ShapeRows {
   }
 
  private:
-  /// The number of the row on which `run` stands, behind the row `last` if there was one.
+  /// The number of the current row of `run`. Throws unless it is larger than `last`, the previous one, if
+  /// any.
   std::int64_t number_of(std::optional<std::int64_t> last, Statement::Run& run) const;
-  /// Of a row whose columns 1 and 2 are hash and data.
+  /// Returns what is wrong with a row whose columns 1 and 2 are hash and data; null: nothing.
   const char* row_fault(Statement::Run& run, std::shared_ptr<const Form>& form) const;
 
   std::string table_;
@@ -64,4 +64,4 @@ class ShapeRows {
   Statement by_hash_, largest_, add_, read_, erase_, all_, numbers_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

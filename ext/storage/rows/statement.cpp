@@ -3,12 +3,14 @@
 #include <cstdarg>
 #include <memory>
 #include <new>
+#include <string>
 #include <utility>
 
 #include "storage/rows/store_error.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::storage {
+namespace foresee {
+
 namespace {
 
 struct FreeSqlite {
@@ -67,8 +69,10 @@ sqlite3_stmt* Statement::prepare() {
 }
 
 Statement::Run::Run(Statement& statement) : owner_(statement), statement_(statement.prepare()) {
-  // A trigger that somebody put on a shadow table might lead back here.
-  if (owner_.running_) throw StoreError(SQLITE_LOCKED_VTAB, "the table is in use by its own shadow tables");
+  // A trigger on a shadow table may call back.
+  if (owner_.running_)
+    throw StoreError(SQLITE_LOCKED_VTAB,
+                     "a trigger on a shadow table uses the virtual table itself; DROP the trigger");
   owner_.running_ = true;
 }
 
@@ -109,8 +113,8 @@ bool Statement::Run::step() {
   throw_sqlite_error(owner_.db_, code);
 }
 
-std::string Statement::Run::text(int column, std::size_t most) {
-  return text_of(statement_, column, most);
+std::string Statement::Run::text(int column, std::size_t limit) {
+  return text_of(statement_, column, limit);
 }
 
 std::span<const std::byte> Statement::Run::blob(int column) {
@@ -121,4 +125,44 @@ std::span<const std::byte> Statement::Run::blob(int column) {
   return {bytes, size};
 }
 
-}  // namespace foresee::storage
+namespace {
+
+/// SQLite calls a progress handler once per N of its instructions; a usual N is a thousand. A poll about once
+/// per millisecond runs as many, in a few microseconds.
+std::string thousand_instructions() {
+  std::string sql = "SELECT count(*) FROM (VALUES(0)";
+  for (int i = 1; i < 200; ++i) sql += ",(0)";
+  return sql + ")";
+}
+
+}  // namespace
+
+void StatementInterrupt::finalize() noexcept {
+  sqlite3_finalize(statement_);
+  statement_ = nullptr;
+}
+
+// While the statement runs this function alone owns it: SQLite may recompile it, and before that disconnect
+// tables, which calls finalize().
+void StatementInterrupt::poll() {
+  sqlite3_stmt* statement = std::exchange(statement_, nullptr);
+  int rc = SQLITE_OK;
+  const auto prepare = [&](const std::string& sql) {
+    return sqlite3_prepare_v3(db_, sql.c_str(), -1, SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
+  };
+  if (statement == nullptr) rc = prepare(thousand_instructions());
+  // The host may limit the length of statements, or forbid functions.
+  if (rc == SQLITE_ERROR || rc == SQLITE_AUTH || rc == SQLITE_TOOBIG) rc = prepare("SELECT 1");
+  if (rc == SQLITE_OK) {
+    sqlite3_step(statement);
+    rc = sqlite3_reset(statement);
+  }
+  statement_ = statement;
+  if (rc == SQLITE_OK) return;
+  next_ = {};  // if the caller ignores the error, the next check reports it again
+  if (rc == SQLITE_INTERRUPT) throw Interrupted();
+  if (rc == SQLITE_NOMEM) throw std::bad_alloc();
+  throw StoreError(rc, sqlite3_errmsg(db_));
+}
+
+}  // namespace foresee

@@ -1,34 +1,34 @@
-// SQL that the extension runs on its own: text with quoted names, and prepared statements that never stay
-// open.
+// Prepared SQL statements of the extension itself, which are reset after every run, and SQL text with quoted
+// names.
 //
 //   Statement find(db, format_sql("SELECT leaf FROM \"%w\".\"%w_map\" WHERE id = ?", schema, table));
 //   Statement::Run run(find);
 //   run.bind(1, id);
 //   if (run.step()) use(run.integer(0));
 //
-// Guarantee: a statement is compiled at its first use and reset at the end of every run, whatever happens, so
-// that none holds a read lock or stands in the way of VACUUM and DROP. Failures are StoreError with SQLite's
-// code and message.
+// Guarantee: a statement is compiled at its first use and reset at the end of every run, also after an error.
+// So none holds a read lock or blocks VACUUM and DROP. Errors are StoreError with SQLite's code and message.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "base/rooms.h"
+#include "base/error.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-/// SQL text by the rules of sqlite3_mprintf: "%w" for a name, %Q for a string.
+/// Formats SQL text by the rules of sqlite3_mprintf: "%w" for a name, %Q for a string.
 std::string format_sql(const char* format, ...);
 
-/// A name as SQL writes it whatever is in it: "my ships".
+/// Quotes a name for SQL, whatever its characters: "my ships".
 std::string quoted_name(const std::string& name);
 
-/// Runs statements that give no rows.
+/// Runs statements without results.
 void execute(sqlite3* db, const std::string& sql);
 
 /// Throws the connection's last error as StoreError.
@@ -36,8 +36,8 @@ void execute(sqlite3* db, const std::string& sql);
 
 class Statement {
  public:
-  /// A name of ours may have become a virtual table's, which would run what it likes: such a statement fails
-  /// unless it says that it wants them.
+  /// A shadow table may have been replaced by a virtual table, which would run any code. A statement fails on
+  /// one unless it allows virtual tables.
   enum class Reads : std::uint8_t { tables, virtual_tables_too };
 
   Statement() = default;
@@ -49,10 +49,10 @@ class Statement {
 
   class Run;
 
-  /// Compiles it if that has not been done.
+  /// Compiles the statement unless that is done.
   sqlite3_stmt* prepare();
-  /// A schema that it reads, or all of them, changed between two of its runs or before the first.
-  bool was_compiled_anew() const {
+  /// True if a schema change made SQLite recompile the statement, at its first run or between two runs.
+  bool was_recompiled() const {
     return statement_ && sqlite3_stmt_status(statement_, SQLITE_STMTSTATUS_REPREPARE, 0) > 0;
   }
 
@@ -64,12 +64,12 @@ class Statement {
   bool running_ = false;
 };
 
-/// One execution, from compiling the statement if need be until its reset in the destructor. Any call may
-/// throw StoreError. Bound texts and blobs, and the blobs that a row shows, are not copied: they must live
-/// until the run or the row ends.
+/// One execution, from compiling the statement if necessary to its reset in the destructor. Any call may
+/// throw StoreError. Bound texts and blobs, and the blobs of a row, are not copied: they must live until the
+/// run or the row ends.
 class Statement::Run {
  public:
-  /// SQLITE_LOCKED_VTAB if the statement is running: a trigger on a shadow table may lead back to us.
+  /// SQLITE_LOCKED_VTAB if the statement is already running: a trigger on a shadow table may call back.
   explicit Run(Statement& statement);
   ~Run();
   Run(const Run&) = delete;
@@ -88,9 +88,9 @@ class Statement::Run {
   bool is_blob(int column) { return sqlite3_column_type(statement_, column) == SQLITE_BLOB; }
   bool is_null(int column) { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
   std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }
-  /// Of a longer text only the beginning, at most so many bytes and no part of a character.
-  std::string text(int column, std::size_t most = std::string::npos);
-  /// Empty if the column is no blob.
+  /// The text; a longer one is cut off after at most `limit` bytes, between characters.
+  std::string text(int column, std::size_t limit = std::string::npos);
+  /// Empty if the column is not a blob.
   std::span<const std::byte> blob(int column);
   sqlite3_value* value(int column) { return sqlite3_column_value(statement_, column); }
 
@@ -101,4 +101,40 @@ class Statement::Run {
   sqlite3_stmt* statement_;
 };
 
-}  // namespace foresee::storage
+// Polls for sqlite3_interrupt() during a long computation, on every version of SQLite.
+//
+// sqlite3_is_interrupted() needs SQLite 3.41. Stepping a statement reports an interrupt on all versions and
+// also calls the application's progress handler: a handler for every N instructions of SQLite about once per
+// N microseconds. Each check reads the clock; the statement is stepped about once per millisecond. Cost: about
+// 30 ns per check.
+//
+// A connection cannot be closed while a statement exists. The owner calls finalize() before that, at the
+// latest when SQLite disconnects its table.
+
+class StatementInterrupt final : public Interrupt {
+ public:
+  explicit StatementInterrupt(sqlite3* db) : db_(db) {}
+  ~StatementInterrupt() override { finalize(); }
+  StatementInterrupt(const StatementInterrupt&) = delete;
+  StatementInterrupt& operator=(const StatementInterrupt&) = delete;
+
+  /// Requires: called on the thread that runs the SQL statement, while it runs.
+  void check() override {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    next_ = now + std::chrono::milliseconds(1);
+    poll();
+  }
+
+  /// Destroys the statement; the next check makes a new one.
+  void finalize() noexcept;
+
+ private:
+  void poll();
+
+  sqlite3* db_;
+  sqlite3_stmt* statement_ = nullptr;
+  std::chrono::steady_clock::time_point next_{};
+};
+
+}  // namespace foresee

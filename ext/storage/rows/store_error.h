@@ -1,4 +1,4 @@
-// How storage says what went wrong.
+// Exception of storage: an error message with SQLite's result code.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 #include "base/error.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-/// A failure of SQLite or of the stored bytes; `code` is what the callback returns.
+/// An error of SQLite or damage of the stored bytes; `code` is the result code of the callback.
 struct StoreError : Error {
   StoreError(int code, const std::string& message) : Error(message), code(code) {}
   int code;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

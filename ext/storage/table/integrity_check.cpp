@@ -1,19 +1,86 @@
 #include "storage/table/integrity_check.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 
-#include "base/steps.h"
+#include "base/error.h"
+#include "base/interrupt_steps.h"
 #include "index/tpr_tree/tpr_tree.h"
+#include "shape/extents_cache.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
+#include "storage/format/node_format.h"
+#include "storage/rows/shape_rows.h"
 #include "storage/rows/store_error.h"
-#include "storage/rows/text.h"
-#include "storage/table/form_check.h"
+#include "storage/rows/value_text.h"
 
-namespace foresee::storage {
+namespace foresee {
+
+// Check of outlines or meshes as part of the integrity check: those that objects refer to exist, and the
+// boxes of the objects fit them.
+//
+//   FormCheck check(rows, format);
+//   check.read(say);                          // all stored forms; reports each damaged one
+//   check.object(42, record, say);            // reports what is wrong with one object
+//
+// Cost: all forms in memory; usually a form is rotated once for all objects of one heading.
+
+class FormCheck {
+ public:
+  FormCheck(ShapeRows& rows, const NodeFormat& format) : rows_(rows), format_(format) {}
+
+  template <class Say>
+  void read(Say say) {
+    rows_.read_all([&](std::int64_t number, const char* fault, std::shared_ptr<const Form> form) {
+      if (fault) say(name(number) + " is damaged: " + fault);
+      forms_[number] = fault ? nullptr : std::move(form);
+    });
+  }
+
+  /// Requires: `record` is from a leaf without fault.
+  template <class Say>
+  void object(std::int64_t id, const double* record, Say say) {
+    const std::string fault = object_fault(record);
+    if (!fault.empty()) say("object " + std::to_string(id) + " " + fault);
+  }
+
+ private:
+  /// "outline 3"
+  std::string name(std::int64_t number) const {
+    return name_of_form(format_.layout.shape) + (' ' + std::to_string(number));
+  }
+  std::string object_fault(const double* record);
+
+  ShapeRows& rows_;
+  const NodeFormat& format_;
+  std::map<std::int64_t, std::shared_ptr<const Form>> forms_;  // null: damaged
+  ExtentsCache known_;
+};
+
+std::string FormCheck::object_fault(const double* record) {
+  const auto number = static_cast<std::int64_t>(record[format_.at.outline]);
+  if (number == 0) return "";
+  const std::string named = name(number);
+  const auto found = forms_.find(number);
+  if (found == forms_.end()) return "has " + named + ", which is missing";
+  if (!found->second) return "";  // damaged: reported already
+  Extents<3> around = Extents<3>::none();
+  try {
+    around = known_.of(number, *found->second, value_or(record, format_.at.heading, 0));
+  } catch (const Error& error) {
+    return "has a heading that " + named + " cannot have: " + error.what();
+  }
+  const double* const bounds = record + format_.at.bounds;
+  const int axes = bounded_axes(format_.layout.shape);
+  const bool agree = std::equal(bounds, bounds + axes, around.lower.data()) &&
+                     std::equal(bounds + axes, bounds + 2 * axes, around.upper.data());
+  return agree ? "" : "has other bounds than " + named;
+}
+
 namespace {
 
-constexpr std::size_t most_faults = 100;
+constexpr std::size_t max_faults = 100;
 
 struct Entry {
   std::int64_t id, leaf;
@@ -71,7 +138,7 @@ class IntegrityCheck {
     note(error);
   }
 
-  /// A leaf that is damaged has been said already.
+  /// Skips damaged leaves, which are reported already.
   void forms(ShapeRows& rows) try {
     FormCheck check(rows, format_);
     const auto say = [this](const std::string& fault) { this->say(fault); };
@@ -103,10 +170,10 @@ class IntegrityCheck {
     for (; next < objects_.size(); ++next) not_in("auxiliary columns", objects_[next]);
   }
 
-  // What sound nodes say about one another. A fault found before would only be found again, object by object.
+  // Relations between sound nodes. After an earlier fault they would only repeat it, once per object.
   void tree() {
     if (!faults_.empty()) return;
-    objects_ = {};  // the tree's own list comes in its place
+    objects_ = {};  // check_tree() needs memory for a list of its own
     try {
       const TreeReport report = check_tree(cache_, interrupt_);
       for (const std::string& problem : report.problems) say(problem);
@@ -123,7 +190,7 @@ class IntegrityCheck {
     if (!shadow_rows_.read_stamp()) say("the stamp is missing");
   }
 
-  // Version 0.1 kept no count. Where objects are missing or twice it may be as wrong as the rest.
+  // Version 0.1 stored no count. After other faults the count may be wrong too, so it is not checked.
   void count() {
     const std::string said = shadow_rows_.meta().read("objects");
     if (faults_.empty() && !said.empty() && said != std::to_string(count_))
@@ -137,13 +204,13 @@ class IntegrityCheck {
   void not_in(const char* table, const Entry& entry) {
     say(object(entry.id) + " of node " + std::to_string(entry.leaf) + " is missing in the " + table);
   }
-  /// Damage is a fault that was found; any other error ends the check.
+  /// Damage is reported as a fault; any other error ends the check.
   void note(const StoreError& error) {
     if ((error.code & 0xff) != SQLITE_CORRUPT) throw error;
     faults_.push_back(error.what());
   }
   void say(const std::string& fault) {
-    if (faults_.size() < most_faults) faults_.push_back(name_.table + ": " + fault);
+    if (faults_.size() < max_faults) faults_.push_back(name_.table + ": " + fault);
   }
 
   ShadowRows& shadow_rows_;
@@ -152,7 +219,7 @@ class IntegrityCheck {
   const QualifiedName& name_;
   Interrupt& interrupt_;
   Steps step_;
-  std::vector<Entry> objects_;  // where each object is, by id
+  std::vector<Entry> objects_;  // the leaf of each object, by id
   std::vector<std::string> faults_;
   std::size_t nodes_ = 0, count_ = 0;
 };
@@ -173,4 +240,4 @@ std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, con
   return std::move(check).faults();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

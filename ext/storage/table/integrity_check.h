@@ -1,10 +1,10 @@
-// Is what the shadow tables say consistent? 'integrity-check' and its SQLite 3.44 counterpart.
+// Integrity check of the shadow tables: 'integrity-check', and PRAGMA integrity_check since SQLite 3.44.
 //
-// Looks at every byte: each node's checksum and contents, no id twice, map and leaves agree both ways, one
-// auxiliary row an object, every outline or mesh and each object's box around its own; then at the tree:
-// levels and parents, times, every object within the bounds of all entries above it (as they are stored, so
-// at every moment), no node that no way leads to. Cost: one pass over the tables, one walk, and some tens of
-// bytes an object.
+// Of the bytes it checks checksum and contents of each node, that no id is stored twice, and that map and
+// leaves agree in both directions. It also checks for one auxiliary row per object, every outline or mesh,
+// and the box of each object with one. Of the tree it checks levels, parents and times. Every object must be
+// within the stored bounds of all entries above it at every time, and no node may be unreachable. Cost: one
+// pass over the tables, one tree traversal, and some tens of bytes per object.
 #pragma once
 
 #include <string>
@@ -15,12 +15,12 @@
 #include "storage/rows/shadow_rows.h"
 #include "storage/rows/shape_rows.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-/// What is wrong, a sentence each, at most some hundred; empty: nothing. `shapes`: null in a table without.
-/// Requires: nothing waits in `cache`.
+/// Returns what is wrong, one sentence each, at most some hundred; empty: nothing. `shapes`: null in a table
+/// without. Requires: no unwritten changes in `cache`.
 std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
                                          const QualifiedName& name, bool has_auxiliaries, ShapeRows* shapes,
                                          Interrupt& interrupt);
 
-}  // namespace foresee::storage
+}  // namespace foresee

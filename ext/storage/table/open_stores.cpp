@@ -6,10 +6,10 @@
 
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-// Process-wide, because nothing that SQLite 3.40 offers belongs to a connection and is found from it.
+// Process-wide, because SQLite 3.40 has no means to attach an object to a connection and find it again.
 struct OpenStores {
   std::mutex mutex;
   std::map<std::tuple<sqlite3*, std::string, std::string>, std::weak_ptr<Store>> stores;
@@ -47,4 +47,4 @@ std::shared_ptr<MemoryBudget> memory_budget_of(sqlite3* db) {
   return budget;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

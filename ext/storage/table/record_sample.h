@@ -1,12 +1,13 @@
-// What are the objects like of which only some fit into memory? Some are drawn, each with the same chance, so
-// that they stand for all, however many come and in whatever order.
+// Random sample of records: represents all objects of a table that does not fit into memory, whatever their
+// number and order.
 //
 //   RecordSample sample(6);
-//   sample.add(record);                     // of each object
-//   sample.records()                        // at most 16384, of more at least some thousand
+//   sample.add(record);                     // for each object
+//   sample.records()                        // at most 16384; some thousand at least, if there are so many
 //
-// Every 2^k-th would not do: rows often come in rounds, of a grid or of a fleet, and such a sample has seen
-// one column of the grid, one ship of the fleet. The same objects give the same sample.
+// Each record has the same chance. A sample of every 2^k-th record would be biased: rows often repeat
+// periodically, as columns of a grid or ships of a fleet. The sample is deterministic: the same objects give
+// the same sample.
 #pragma once
 
 #include <algorithm>
@@ -14,56 +15,54 @@
 #include <span>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 class RecordSample {
  public:
   explicit RecordSample(std::size_t record_size) : record_size_(record_size) {}
 
   void add(const double* record) {
-    const std::uint64_t lot = lot_of(seen_++);
-    if (!is_drawn(lot)) return;
-    while (lots_.size() == most) draw_half();
-    if (!is_drawn(lot)) return;
+    const std::uint64_t draw = draw_of(seen_++);
+    if (!is_drawn(draw)) return;
+    while (draws_.size() == limit) drop_half();
+    if (!is_drawn(draw)) return;
     records_.insert(records_.end(), record, record + record_size_);
-    lots_.push_back(lot);
+    draws_.push_back(draw);
   }
 
   std::span<const double> records() const { return records_; }
 
  private:
-  static constexpr std::size_t most = 1 << 14;
+  static constexpr std::size_t limit = 1 << 14;
 
   /// The finalizer of SplitMix64 (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators",
-  /// OOPSLA 2014): neighbours get bits that have nothing to do with one another.
-  static std::uint64_t lot_of(std::uint64_t number) {
+  /// OOPSLA 2014): the bits of consecutive numbers are independent.
+  static std::uint64_t draw_of(std::uint64_t number) {
     std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
     z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
     return z ^ (z >> 31);
   }
-  bool is_drawn(std::uint64_t lot) const { return (lot & undrawn_) == 0; }
+  bool is_drawn(std::uint64_t draw) const { return (draw & undrawn_) == 0; }
 
-  void draw_half() {
+  void drop_half() {
     undrawn_ = 2 * undrawn_ + 1;
     std::size_t kept = 0;
     const auto at = [&](std::size_t i) {
       return records_.begin() + static_cast<std::ptrdiff_t>(i * record_size_);
     };
-    for (std::size_t i = 0; i < lots_.size(); ++i) {
-      if (!is_drawn(lots_[i])) continue;
-      if (kept != i) std::copy_n(at(i), record_size_, at(kept)), lots_[kept] = lots_[i];
+    for (std::size_t i = 0; i < draws_.size(); ++i) {
+      if (!is_drawn(draws_[i])) continue;
+      if (kept != i) std::copy_n(at(i), record_size_, at(kept)), draws_[kept] = draws_[i];
       ++kept;
     }
-    lots_.resize(kept), records_.resize(kept * record_size_);
+    draws_.resize(kept), records_.resize(kept * record_size_);
   }
 
   std::size_t record_size_;
-  std::uint64_t seen_ = 0, undrawn_ = 0;  ///< undrawn_: bits of a lot that must be zero
-  std::vector<std::uint64_t> lots_;       ///< of those that are kept
+  std::uint64_t seen_ = 0, undrawn_ = 0;  ///< undrawn_: bits of a draw that must be zero
+  std::vector<std::uint64_t> draws_;      ///< of the kept records
   std::vector<double> records_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

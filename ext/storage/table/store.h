@@ -1,25 +1,21 @@
-// Where do the bytes rest? The objects of one table in its shadow tables, behind plain calls.
+// Storage of one moving_objects table: a TPR-tree in shadow tables, with transactions and snapshots.
 //
 //   store.insert(42, record, auxiliaries);                // record: record_offsets(layout).size doubles
-//   store.read_all(ids, rows, interrupt);                 // everything, for a query
+//   store.read_all(ids, rows, interrupt);                 // all objects, for a query
 //
-// Between SQLite and the rows stand a TPR-tree, and before it what a write transaction has changed but not
-// written yet:
+// A write goes through memory; a read sees everything that is still unwritten there:
 //
-//   write  ─► PendingObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once a transaction
-//   read   ─► pending, else the cache, else the tables
+//   write  ─► PendingObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once per transaction
+//   read   ─► pending objects, else the cache, else the shadow rows
 //
-// Every double comes back bit for bit. All state lives in SQLite's tables, so transactions, WAL readers,
-// VACUUM and backup are SQLite's own. Changes wait in memory until sync(), or until many MB wait in all
-// tables of the connection together, and every read sees them. A savepoint is a mark in memory (undo_log.h):
-// it writes nothing, and going back to it undoes what memory did since, while SQLite takes back what was
-// written. What was read in one transaction is believed in the next only under the same stamp. Blobs are
-// checked before they are believed.
+// Every double is returned bit for bit. All state is in SQLite's tables, so transactions, WAL readers, VACUUM
+// and backup are SQLite's own. Changes wait in memory until sync(), or until the tables of the connection
+// together exceed their budget. A savepoint is a mark in memory (undo_log.h) and writes nothing. A rollback
+// to it undoes later changes in memory, while SQLite restores the rows. The cache stays valid in the next
+// transaction only under the same stamp. Blobs are checked when they are read.
 //
-// Auxiliary values are written at once. Every change is atomic (store_change.h): all or nothing.
-//
-// Errors: SQLite's result codes as StoreError; a blob that is not what this code wrote is
-// SQLITE_CORRUPT_VTAB.
+// Auxiliary values are written at once. Every change is atomic (store_change.h). Errors: SQLite's result
+// codes as StoreError; SQLITE_CORRUPT_VTAB for a blob that foresee did not write.
 #pragma once
 
 #include <functional>
@@ -34,23 +30,21 @@
 #include "storage/nodes/object_changes.h"
 #include "storage/nodes/pending_objects.h"
 #include "storage/rows/store_error.h"
-#include "storage/table/content_version.h"
-#include "storage/table/forms.h"
-#include "storage/table/object_count.h"
-#include "storage/table/store_savepoint.h"
+#include "storage/table/store_state.h"
+#include "storage/table/stored_forms.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class LeafView;
 
 class Store final : private MemoryHolder, public FormSource, public std::enable_shared_from_this<Store> {
  public:
-  /// Makes the shadow tables of a new table.
+  /// Creates the shadow tables of a new table.
   static std::shared_ptr<Store> create(sqlite3* db, const std::string& schema, const std::string& table,
                                        const Declaration& declaration);
-  /// Opens the shadow tables of an existing one. Reads nothing but _meta. In the middle of a transaction
-  /// SQLite may connect a table again (any ALTER does it) while the old virtual table still holds unwritten
-  /// changes: then both share one store, hence shared_ptr.
+  /// Opens the shadow tables of an existing table. Reads only _meta. During a transaction SQLite may connect
+  /// a table again (any ALTER does) while the old virtual table has unwritten changes; then both share one
+  /// store, hence shared_ptr.
   static std::shared_ptr<Store> open(sqlite3* db, const std::string& schema, const std::string& table,
                                      const Declaration& declaration);
 
@@ -58,97 +52,92 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   const NodeFormat& format() const { return format_; }
 
   // --- reading
-  /// Of the contents as this connection sees them now. Cost: one look-up.
+  /// The version of the contents that this connection sees now. Cost: one look-up.
   ContentVersion read_version();
   bool contains(std::int64_t id);
   /// The record of `id`, or nothing.
   std::optional<std::vector<double>> read(std::int64_t id);
-  /// The same for a statement that reads the table, again and again: empty if there is none, and good until
-  /// the store is called again. Cost: the stamp once a statement; where the leaf is in memory some 100 ns.
-  std::span<const double> find(std::int64_t id, StatementBelief& belief);
-  /// So many ids from `first` on will probably be looked up soon: what memory has of them comes near to the
-  /// processor. Changes nothing.
+  /// The same for a statement that reads repeatedly; empty if there is no object. Valid until the next call.
+  /// Cost: one look-up of the stamp per statement, then about 100 ns if the leaf is in memory.
+  std::span<const double> find(std::int64_t id, StatementReadState& statement_state);
+  /// Prefetches `many` ids from `first` on, as far as they are in memory. Changes nothing.
   void fetch_ahead(std::int64_t first, std::int64_t many) { cache_.fetch_ahead(first, many); }
-  /// All ids and rows (row_from_record of each record), leaf by leaf, as this connection sees them now.
-  /// SQLITE_CORRUPT_VTAB for a damaged leaf, and as expect_objects() says.
+  /// All ids and rows (row_from_record of each record), one leaf after another, as this connection sees them
+  /// now. SQLITE_CORRUPT_VTAB for a damaged leaf, and as in expect_objects().
   void read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt);
-  /// The leaf that follows leaf number `after` (0 to begin): its number, or 0 at the end; fills ids and
-  /// records.
+  /// Reads the leaf after leaf `after` (0: the first one). Returns its number, or 0 at the end.
   std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
-  /// Hands the auxiliary column of `id` to `context` as the result; NULL where there is none.
+  /// Sets the auxiliary column of `id` as the result of `context`; NULL if there is no value.
   void result_auxiliary(sqlite3_context* context, std::int64_t id, int column);
-  /// The tree as it is at this moment. Reads stay as of this moment while it is held, whatever this
-  /// connection then writes, commits or rolls back to. It must not outlive the statement that asks.
+  /// A snapshot of the tree. Its reads do not change while it exists, whatever this connection writes,
+  /// commits or rolls back. It must not outlive the statement that takes it.
   std::shared_ptr<NodeSource> take_snapshot();
-  /// The newest reference time stored; 0 without objects or without t. Reads one node.
+  /// The largest reference time stored; 0 without objects or without t. Reads one node.
   double read_newest_t();
-  /// Of the outlines or meshes that records name by number; null in a table without.
+  /// The outlines or meshes, by the number in a record; null in a table without.
   FormSource* forms() { return forms_ ? this : nullptr; }
   /// One of them, as this connection sees them now.
   std::shared_ptr<const Form> form(std::int64_t number) override;
-  /// The same for a statement that reads the table, again and again.
-  std::shared_ptr<const Form> form(std::int64_t number, StatementBelief& belief);
-  /// For snapshots; null in a table without.
+  /// The same for a statement that reads the table repeatedly.
+  std::shared_ptr<const Form> form(std::int64_t number, StatementReadState& statement_state);
+  /// The forms in memory, for snapshots; null in a table without.
   std::shared_ptr<const StoredForms::ByNumber> known_forms() { return forms_ ? forms_->known() : nullptr; }
-  /// Whoever has read every leaf says how many objects there were: SQLITE_CORRUPT_VTAB if the map has others.
-  /// While changed leaves wait to be written, nothing can be said.
+  /// Call it after reading every leaf: SQLITE_CORRUPT_VTAB if the map, when written, has another count.
   void expect_objects(std::size_t found);
-  /// How many objects there are as far as memory knows: those of the stamp that was seen last and this
-  /// transaction's; for a file of version 0.1 an estimate. Reads nothing.
+  /// Estimated number of objects, without reading: the last known count plus changes of this transaction.
   std::int64_t likely_objects() const noexcept { return count_.likely(); }
 
-  // --- writing: each is atomic, all or nothing
-  /// The id that SQLite would give to a row without one: one more than the largest.
+  // --- writing: each call is atomic
+  /// The id that SQLite gives to a row without one: the largest plus one.
   std::int64_t find_next_id();
-  /// The outline or mesh of a well-known text, stored if it is not yet: for a record to name it by number.
-  /// Throws Error for a text that is none. Requires: the layout is one whose shapes are stored apart.
+  /// Finds or stores the outline or mesh of a well-known text, for a record to refer to by number. Throws
+  /// Error for an invalid text. Requires: a layout with `shape`.
   StoredForms::Known find_or_add_form(std::string_view text);
   /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column.
   void insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries);
-  /// Requires: `id` exists. Auxiliary values that are sqlite3_value_nochange stay as they are. Another object
-  /// that has `new_id` is replaced; so INSERT OR REPLACE of an existing id is update(id, id, …).
+  /// Requires: `id` exists. Auxiliary values that are sqlite3_value_nochange stay. Another object with
+  /// `new_id` is replaced, so INSERT OR REPLACE of an existing id is update(id, id, …).
   void update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
               std::span<sqlite3_value*> auxiliaries);
   /// Requires: `id` exists.
   void erase(std::int64_t id);
 
-  // --- what a transaction has changed
-  /// From now on for_each_change() knows; where nobody wants it nothing is kept. Not wanted any more: from
-  /// the end of this transaction on. After a schema change SQLite may open another store of the table, but
-  /// never while this one has changes: whoever wants them says so at each begin().
+  // --- changes of a transaction
+  /// Enables for_each_change() from now on. Disabling takes effect at the end of the transaction. After a
+  /// schema change SQLite may open another store of the table, but never while this one has changes, so the
+  /// caller enables it again at each begin().
   void keep_changes(bool wanted);
-  /// Calls each(id, before, after) for every object whose record is not bit for bit what it was when the
-  /// transaction began, or keep_changes() within it; an empty record: there was, or is, no such object. What
-  /// was taken back is no change. In the order of the first changes. Cost: a read() for each.
+  /// Calls each(id, before, after) for every object whose record differs, bit for bit, from the start of the
+  /// transaction or from keep_changes(); in the order of first changes. An empty record: no such object.
+  /// Rolled-back changes are left out. Cost: a read() per object.
   void for_each_change(const std::function<void(std::int64_t id, std::span<const double> before,
                                                 std::span<const double> after)>& each);
   std::size_t changes_memory() const { return object_changes_.memory(); }
 
-  // --- who watches this table (sqlite/watch/)
-  /// Names of the watches that are to be told of each commit, as this connection sees them now. Cost: a
-  /// look-up, and a scan of them where another connection has written.
+  // --- watches of this table (sqlite/watch/)
+  /// Names of the watches to update at each commit, as this connection sees them now. Cost: one look-up, and
+  /// a scan of the names if another connection has written.
   const std::vector<std::string>& watches();
-  /// One more, or one less. Writes a stamp, so that every connection that can write the table learns of it.
+  /// Adds or removes a name. Writes a stamp, so that every connection reads the names again.
   void add_watch(const std::string& name);
   void remove_watch(const std::string& name);
-  /// The stamp of what is stored; nothing while changes wait in memory. Equal stamps: equal contents.
+  /// The stored stamp; nothing while changes are unwritten. Equal stamps: equal contents.
   std::optional<std::int64_t> settled_stamp();
-  /// The stamp that is in the rows, whatever waits in memory.
+  /// The stored stamp, even if changes are unwritten.
   std::optional<std::int64_t> stored_stamp() { return shadow_rows().read_stamp(); }
-  /// The stamp from before all that for_each_change() tells: what is stored, where this transaction has
-  /// changed nothing; nothing if it cannot be told what has changed ('rebuild').
+  /// The stamp before all changes of for_each_change(); nothing if these are unknown (after 'rebuild').
   std::optional<std::int64_t> stamp_before_changes();
 
   // --- commands
-  /// Writes tree and map anew from what the leaves hold, whatever else says, neighbours in space and velocity
-  /// together; drops auxiliary values that belong to no object.
+  /// Rebuilds tree and map from the leaves alone, clustered by position and velocity; deletes auxiliary
+  /// values of missing objects.
   void rebuild(Interrupt& interrupt);
-  /// The same for a table without fault; SQLITE_CORRUPT_VTAB if integrity_check() finds any.
+  /// The same for a table without damage; SQLITE_CORRUPT_VTAB if integrity_check() finds any.
   void optimize(Interrupt& interrupt);
-  /// What is wrong with the stored bytes, a sentence each; empty: nothing.
+  /// What is wrong with the stored bytes, one sentence each; empty: nothing.
   std::vector<std::string> integrity_check(Interrupt& interrupt);
 
-  // --- the virtual table's life, named as SQLite's callbacks
+  // --- callbacks of the virtual table, named as SQLite names them
   void begin();
   void sync();
   void commit();
@@ -163,13 +152,13 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format,
         std::unique_ptr<ShadowRows> rows, bool is_new, std::shared_ptr<MemoryBudget> memory);
 
-  /// The table was dropped, or its creation was rolled back: every callback does nothing.
+  /// True if the table was dropped, or its creation was rolled back: then every callback does nothing.
   bool is_gone() const { return gone_; }
 
-  // For a table that is connected again.
-  bool goes_by(const std::string& table) const { return !gone_ && name_.table == table; }
-  /// Everything that this transaction did here is gone, and nobody said so.
-  bool is_taken_back();
+  // For open().
+  bool is_named(const std::string& table) const { return !gone_ && name_.table == table; }
+  /// True if SQLite has rolled back all that this transaction wrote, without a callback.
+  bool was_rolled_back();
 
   // For snapshots.
   NodeCache& nodes();
@@ -179,93 +168,87 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   class OwnStatements;
   class AtomicChange;
 
-  using Largest = LargestId;
-  using Savepoint = StoreSavepoint;
-
   void write_out() override;
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
-  /// Tells the budget how much this table holds and how much waits.
+  /// Reports the memory in use to the budget.
   void note_memory() noexcept;
 
-  /// The rows, unless the store is torn: then SQLITE_ABORT, until SQLite rolls back. SQLITE_SCHEMA for a
-  /// table that is gone: SQLite prepares the statement again.
+  /// The rows. Throws SQLITE_ABORT if the store is torn, until SQLite rolls back; SQLITE_SCHEMA if the table
+  /// is gone, so that SQLite prepares the statement again.
   ShadowRows& shadow_rows();
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
   [[noreturn]] void damaged(const std::string& what) const;
   template <class Body>
   auto with_sound_tree(Body body);
-  /// Forgets all nodes if another connection has committed since they were read. Cost: one look-up, none
-  /// where this connection is writing.
-  void believe_only_this_stamp();
+  /// Empties the cache if another connection has committed meanwhile. Cost: at most one look-up.
+  void revalidate_cache();
   void revalidate_at_begin();
   bool read_stored(std::int64_t id, std::vector<double>& record);
 
   // reading (store_read.cpp)
-  /// As the cache knows it while this connection writes, else as the rows say: not for pending objects.
+  /// From the cache while this connection writes, else from the rows. Does not find pending objects.
   std::optional<std::int64_t> find_leaf(std::int64_t id);
-  /// Every leaf once by ascending number, pending objects apart: as it waits in memory, or else as it is
-  /// stored, checked. SQLITE_CORRUPT_VTAB for a damaged one.
+  /// Reads every leaf once, by ascending number, without pending objects: from memory if it is dirty, else
+  /// from its row, checked. SQLITE_CORRUPT_VTAB for a damaged leaf.
   void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
-                   const std::function<void(const Node&)>& waiting);
-  /// Hands a sound leaf to `use`; false for a sound inner node. Anything else is SQLITE_CORRUPT_VTAB.
+                   const std::function<void(const Node&)>& dirty);
+  /// Calls `use` with a sound leaf; false for a sound inner node; else throws SQLITE_CORRUPT_VTAB.
   bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
                         const std::function<void(const LeafView&)>& use) const;
 
   // watches (store_watches.cpp)
-  /// Reads their names where memory does not know them any more.
-  void know_watches();
+  /// Reads the names of the watches unless they are known.
+  void load_watches();
   void write_stamp_of_watches();
 
   // writing (store_write.cpp)
-  /// What every change begins with: the record is fit to be stored, the transaction has begun and its stamp
-  /// is written, memory has room. Throws before anything changes.
+  /// Checks the record, starts the transaction, writes its stamp, frees memory. Throws before any change.
   void start_change(std::span<const double> record);
-  /// Stores a random stamp and believes it. Costs one row.
+  /// Stores a random stamp, under which the cache is valid. Costs one row.
   void write_new_stamp();
-  /// The stamp that read_version() tells: a flush, which changes no object, does not move it.
+  /// The stamp that read_version() returns: a flush, which changes no object, does not change it.
   std::int64_t shown(std::int64_t stored_stamp) const;
-  void about_to_change(std::int64_t id);
+  void log_before_change(std::int64_t id);
   [[noreturn]] void throw_missing(std::int64_t id) const;
-  void take_out(std::int64_t id);
+  void remove(std::int64_t id);
   void add(std::int64_t id, std::span<const double> record);
-  /// Asks the map once a transaction.
-  const Largest& read_largest();
+  /// Reads the map once per transaction.
+  const LargestId& read_largest();
   void write_count(std::int64_t objects);
 
   // from memory to the tables (store_flush.cpp)
-  /// All objects are in the tree from now on: in memory, as far as there is room. Costs nothing where none is
-  /// pending.
+  /// Moves all pending objects into the tree: in memory, as far as the budget allows.
   void merge_pending();
   void merge_into_tree(Interrupt& interrupt);
-  void load_anew(Interrupt& interrupt);
+  void reload(Interrupt& interrupt);
   void append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const;
   void flush();
 
-  // the tree anew (store_pack.cpp)
-  class LoadInParts;
-  /// Every stored leaf, sound, until use() says false; false: it did.
+  // reload of the whole tree (store_pack.cpp)
+  class PartitionedLoad;
+  /// Calls use() for every stored leaf, checked, until it returns false; returns whether it never did.
   bool read_stored_leaves(Interrupt& interrupt, const std::function<bool(const LeafView&)>& use);
-  /// Sorts them.
+  /// Sorts the ids; throws if one is repeated.
   void require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt) const;
   void pack(Interrupt& interrupt);
-  void pack_in_parts(Interrupt& interrupt);
-  void load_anew_in_parts(Interrupt& interrupt);
+  void pack_partitioned(Interrupt& interrupt);
+  void load_partitioned(Interrupt& interrupt);
   std::int64_t form_of(const double* record) const;
-  /// Outlines that none of these numbers names go, unless a snapshot may still ask for them.
+  /// Deletes all forms but these, unless a snapshot may still read them.
   void keep_only_forms(const std::unordered_set<std::int64_t>& used);
 
-  // transactions (store_life.cpp)
-  /// Something is not stored yet.
-  bool waits() const { return cache_.waits() || pending_->count() > 0 || count_.added != 0; }
-  void back_to(const Savepoint& savepoint);
-  void back_to_begin() noexcept;
-  void go_by(const std::string& table);
+  // transactions (store_transactions.cpp)
+  /// True if something is unwritten.
+  bool has_unwritten() const { return cache_.has_unwritten() || pending_->count() > 0 || count_.added != 0; }
+  void restore(const StoreSavepoint& savepoint);
+  void undo_transaction() noexcept;
+  void set_table_name(const std::string& table);
   std::size_t savepoints_before(int level) const noexcept;
   void give_up_savepoints(std::size_t from) noexcept;
-  /// Memory knows of no transaction any more: no savepoint, nothing pending, not torn.
+  /// Resets the state of the transaction: savepoints, pending objects, torn_.
   void end_transaction() noexcept;
-  /// SQLite has no such table any more. It reports the end of the transaction only to tables that exist,
-  /// while a statement that was prepared before may keep this store: so the store forgets everything at once.
+  /// The table does not exist any more. SQLite reports the end of a transaction only to existing tables,
+  /// while an old prepared statement may keep this store: so it forgets everything at once.
   void close() noexcept;
   void note_change() noexcept { ++undo_position_, differs_from_version_ = true; }
 
@@ -278,43 +261,40 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   MemoryShare share_;
   NodeCache cache_;
   std::unique_ptr<TprTree> tree_;
-  std::shared_ptr<PendingObjects> pending_;  ///< shared with savepoints that would take it back
-  std::unique_ptr<StoredForms> forms_;       ///< null: the layout has none
-  ObjectChanges object_changes_;             ///< empty where nobody wants them
+  std::shared_ptr<PendingObjects> pending_;  ///< shared with the savepoints that would restore it
+  std::unique_ptr<StoredForms> forms_;       ///< null: the layout has no forms
+  ObjectChanges object_changes_;             ///< empty unless keeps_changes_
   bool keeps_changes_ = false, wants_changes_ = false;
-  bool changes_unknown_ = false;      ///< more than object_changes_ tells may have changed
-  std::vector<std::string> watches_;  ///< under the believed stamp
+  bool changes_unknown_ = false;      ///< objects beyond object_changes_ may have changed
+  std::vector<std::string> watches_;  ///< valid if watches_known_
   bool watches_known_ = false;
 
   bool in_transaction_;
-  bool is_new_;               ///< this transaction has made the table
-  bool gone_ = false;         ///< the table is dropped, or was never made: nothing is read or written
-  bool writing_ = false;      ///< this transaction has changed something: nobody else can
-  bool stamped_ = false;      ///< … and what is stored now has a stamp of its own
-  bool torn_ = false;         ///< rows were written by a change that then failed: only rolling back helps
-  int own_statements_ = 0;    ///< our own statements under way: callbacks that come now are about them
-  bool rolled_back_ = false;  ///< … SQLite rolled everything back among them
-  std::vector<Savepoint> savepoints_;
-  std::uint64_t transaction_ = 1;               ///< moves whenever one ends
-  std::vector<double> first_found_;             ///< what find() read past the cache, if it ever did
-  std::optional<std::int64_t> believed_stamp_;  ///< the cache is as the tables were under this stamp
-  std::optional<std::int64_t> stamp_before_;    ///< … before this transaction
-  std::optional<std::int64_t> own_stamp_;       ///< what this transaction has written last and not taken back
-  /// … by a flush, which changes no object: read_version() goes on showing the stamp from before it.
-  struct {
-    std::optional<std::int64_t> stored;
-    std::int64_t shown = 0;
-  } same_contents_;
-  std::string table_at_begin_;  ///< the table's name then: renaming can be taken back
+  bool is_new_;               ///< this transaction has created the table
+  bool gone_ = false;         ///< the table is dropped, or its creation was rolled back
+  bool writing_ = false;      ///< this transaction has written, so no other connection can
+  bool stamped_ = false;      ///< … and has written a stamp of its own
+  bool torn_ = false;         ///< a change failed after it wrote rows: only a rollback helps
+  int own_statements_ = 0;    ///< own statements in progress: callbacks now are due to them
+  bool rolled_back_ = false;  ///< … during which SQLite rolled everything back
+  std::vector<StoreSavepoint> savepoints_;
+  std::uint64_t transaction_ = 1;             ///< advances at the end of each
+  std::vector<double> first_found_;           ///< the record that find() has read without the cache
+  std::optional<std::int64_t> cached_stamp_;  ///< the stamp under which the cache is valid
+  std::optional<std::int64_t> stamp_before_;  ///< … before this transaction
+  std::optional<std::int64_t> own_stamp_;     ///< the last stamp of this transaction, unless rolled back
+  /// After a flush, which changes no object: read_version() still returns the stamp before it.
+  SameContents same_contents_;
+  std::string table_at_begin_;  ///< name at begin(), restored by a rollback
 
-  Largest largest_;
-  ObjectCount count_;         ///< under the believed stamp
+  LargestId largest_;
+  ObjectCount count_;         ///< under cached_stamp_
   ObjectCount count_before_;  ///< … before this transaction
 
-  bool differs_from_version_ = false;  ///< something changed since read_version() was last asked
-  std::uint64_t version_changes_ = 0;  ///< the `changes` that it told then
-  std::uint64_t synced_position_ = 0;  ///< of undo_position_, where all was written last
-  std::uint64_t undo_position_ = 0;    ///< moves with everything that a savepoint would have to take back
+  bool differs_from_version_ = false;  ///< something changed since the last read_version()
+  std::uint64_t version_changes_ = 0;  ///< the `changes` that it returned
+  std::uint64_t synced_position_ = 0;  ///< undo_position_ at the last complete write
+  std::uint64_t undo_position_ = 0;    ///< advances with every change that a savepoint would undo
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,18 +1,18 @@
-// What a change of a store is wrapped in, so that it is all or nothing.
+// Guards that make a change of a store atomic: own statements, undo in memory, and errors of a damaged tree.
 //
-//   AtomicChange atomic_change(*this);          // from here on memory can go back
-//   add(id, record);                            // may throw: then everything is as it was
-//   atomic_change.done();                       // it holds
+//   AtomicChange atomic_change(*this);          // starts to keep old states
+//   add(id, record);                            // if it throws, everything is restored
+//   atomic_change.done();                       // the change is valid
 #pragma once
 
 #include "base/float_environment.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-/// Our own statements inside a callback. SQLite may call the table back about them: while this lives their
-/// savepoints are passed over, and a rollback of everything (after a disk error) waits until it ends. Nobody
-/// sees them in last_insert_rowid(). Nests; costs two calls of SQLite.
+/// Own SQL statements inside a callback. SQLite may call the table back for them: while this object exists
+/// their savepoints are ignored, and a complete rollback (after a disk error) is deferred until it ends.
+/// last_insert_rowid() does not show them. Nests; costs two calls of SQLite.
 class Store::OwnStatements {
  public:
   explicit OwnStatements(Store& store) : store_(store), rowid_(sqlite3_last_insert_rowid(store.db_)) {
@@ -32,10 +32,10 @@ class Store::OwnStatements {
   sqlite3_int64 rowid_;
 };
 
-/// One change, and own statements all the while. Unless it is done(), its end takes back all that memory
-/// knows: nodes, map, pending objects, the log of changed objects, the largest id, the count. Where rows were
-/// written during the change that does not help: the store is torn, and refuses everything until SQLite rolls
-/// back. Cost: a few positions; a node is copied when it is changed, not before.
+/// One change, including its own statements. Unless it is done(), its end restores all state in memory:
+/// nodes, map, pending objects, the log of changed objects, the largest id, the count. If rows were written
+/// during the change, the store is torn and refuses everything until SQLite rolls back. Cost: a few
+/// positions; a node is copied when it is changed, not before.
 class Store::AtomicChange {
  public:
   explicit AtomicChange(Store& store)
@@ -59,7 +59,7 @@ class Store::AtomicChange {
     store_.count_ = count_;
   }
 
-  /// It holds. Whoever takes it back from now on goes back to a savepoint, or to the transaction's begin.
+  /// The change is valid. Only a savepoint or the start of the transaction can be restored from now on.
   void done() {
     store_.cache_.end_change();
     done_ = true;
@@ -72,13 +72,13 @@ class Store::AtomicChange {
   Store& store_;
   std::shared_ptr<PendingObjects> pending_;
   std::size_t pending_position_, changes_position_;
-  Largest largest_;
+  LargestId largest_;
   ObjectCount count_;
   bool done_ = false;
 };
 
-/// Work of the tree, which rounds its bounds outward. Where nodes contradict one another it is the table's
-/// error.
+/// Runs an operation of the tree, which rounds its bounds outward. Contradictions between nodes are reported
+/// as damage of the table.
 template <class Body>
 auto Store::with_sound_tree(Body body) {
   const FloatEnvironment environment;
@@ -89,4 +89,4 @@ auto Store::with_sound_tree(Body body) {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,18 +1,18 @@
-// From memory to the tables: pending objects into the tree, and all that waits into the rows.
+// Store: moves pending objects into the tree, and writes all changes to the shadow rows.
 #include <algorithm>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
-#include "storage/rows/statement_interrupt.h"
+#include "storage/rows/statement.h"
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-// Bulk loading everything anew costs a twentieth of so many inserts, and leaves a better tree.
-constexpr double worth_loading = 1.0 / 8;
+// Per object a bulk load of the whole table costs a twentieth of an insert, and it gives a better tree.
+constexpr double min_reload_ratio = 1.0 / 8;
 
 }  // namespace
 
@@ -20,21 +20,21 @@ void Store::merge_pending() {
   if (pending_->count() == 0) return;
   shadow_rows();
   StatementInterrupt interrupt(db_);
-  auto none = std::make_shared<PendingObjects>(static_cast<std::size_t>(format_.at.size));
+  auto empty = std::make_shared<PendingObjects>(static_cast<std::size_t>(format_.at.size));
   AtomicChange atomic_change(*this);
   with_sound_tree([&] {
     const double pending = static_cast<double>(pending_->count()), stored = estimate_objects(cache_);
     const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
-    if (stored > 0 && pending <= stored * worth_loading)
+    if (stored > 0 && pending <= stored * min_reload_ratio)
       merge_into_tree(interrupt);
-    else if (stored > 0 && bytes > static_cast<double>(memory_->most_ordered()))
-      load_anew_in_parts(interrupt);
+    else if (stored > 0 && bytes > static_cast<double>(memory_->max_ordered()))
+      load_partitioned(interrupt);
     else
-      load_anew(interrupt);
+      reload(interrupt);
   });
   const std::uint64_t undo_position = undo_position_;
   const bool differs = differs_from_version_;
-  pending_ = std::move(none);
+  pending_ = std::move(empty);
   atomic_change.done();
   undo_position_ = undo_position + 1;
   differs_from_version_ = differs;  // the same objects as before
@@ -48,7 +48,7 @@ void Store::merge_into_tree(Interrupt& interrupt) {
   tree_->merge(ids, records, interrupt);
 }
 
-void Store::load_anew(Interrupt& interrupt) {
+void Store::reload(Interrupt& interrupt) {
   std::vector<std::int64_t> ids;
   std::vector<double> records;
   collect_objects(cache_, ids, records, interrupt);
@@ -70,7 +70,7 @@ void Store::load_anew(Interrupt& interrupt) {
   }
   ids.resize(kept), records.resize(kept * size);
   append_pending(ids, records);
-  tree_->load_anew(ids, records, interrupt);
+  tree_->reload(ids, records, interrupt);
 }
 
 void Store::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const {
@@ -82,12 +82,12 @@ void Store::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& 
   });
 }
 
-// If it fails half-way what was not written waits on: writing the same again does no harm. The new stamp
-// comes last: who reads uncommitted rows (shared cache) has seen the first one with other rows.
+// If it fails half-way the rest stays unwritten; writing the same again is harmless. The new stamp comes
+// last: a connection that reads uncommitted rows (shared cache) has seen the first stamp with other rows.
 void Store::flush() {
-  if (!waits()) return;
-  if (is_taken_back()) {
-    back_to_begin();
+  if (!has_unwritten()) return;
+  if (was_rolled_back()) {
+    undo_transaction();
     stamped_ = false;
     return;
   }
@@ -116,10 +116,10 @@ void Store::note_memory() noexcept {
   cache_.note_memory();
 }
 
-/// Another table of the connection may ask, or a trigger that somebody put on a shadow table in mid-change.
+/// Called by another table of the connection, or by a trigger on a shadow table during a change.
 void Store::write_out() {
   if (own_statements_ == 0 && !torn_) flush();
   note_memory();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

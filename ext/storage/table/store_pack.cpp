@@ -1,13 +1,13 @@
-// The tree anew: 'rebuild' and 'optimize', and loads that leave little as it was.
+// Store: reload of the whole tree, for 'rebuild', 'optimize' and loads that change most of the table.
 //
-// Where there are more objects than memory_budget.h lets be ordered together they wait in a temporary file
-// (object_spill.h), divided by where they are and how they move, and become leaves part by part. The old
-// nodes are read twice, first for the ids and a sample of the records, so that nothing is written before
-// everything was read and is sound. Memory beyond the parts: 12 bytes an object (packed_map.h).
+// If the objects exceed the memory for sorting (memory_budget.h), they wait in a temporary file
+// (object_spill.h), partitioned by position and motion, and become leaves one partition at a time. The old
+// nodes are read twice, first for the ids and a sample of the records. So nothing is written before
+// everything was read and is sound. Memory besides the partitions: 12 bytes per object (packed_map.h).
 #include <algorithm>
 #include <unordered_set>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/nodes/object_spill.h"
@@ -15,7 +15,7 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 template <class Each>
@@ -34,10 +34,10 @@ void for_each_object(const Node& leaf, std::size_t record_size, Each each) {
 
 }  // namespace
 
-/// The steps of a load in parts: see() every object, divide(), add() every one again, write().
-class Store::LoadInParts {
+/// Steps of a partitioned load: see() every object, divide(), add() every object again, write().
+class Store::PartitionedLoad {
  public:
-  LoadInParts(Store& store, Interrupt& interrupt)
+  PartitionedLoad(Store& store, Interrupt& interrupt)
       : store_(store),
         interrupt_(interrupt),
         record_size_(static_cast<std::size_t>(store.format_.at.size)),
@@ -48,25 +48,27 @@ class Store::LoadInParts {
     sample_.add(record);
   }
 
-  /// Throws if an id was seen twice. `newest`: as TprTree::divide().
+  /// Throws if an id was seen twice. `newest`: as in TprTree::divide().
   void divide(std::span<const double> newest) {
     store_.require_unique(ids_, interrupt_);
-    const std::size_t most = std::max<std::size_t>(1, store_.memory_->most_ordered());
-    const std::size_t parts = ids_.size() * store_.format_.record_size / most + 1;
-    division_ = store_.tree_->divide(sample_.records(), parts, newest, interrupt_);
-    spill_.emplace(store_.db_, store_.name_, record_size_, parts, most / 4);
+    const std::size_t limit = std::max<std::size_t>(1, store_.memory_->max_ordered());
+    const std::size_t partitions = ids_.size() * store_.format_.record_size / limit + 1;
+    division_ = store_.tree_->divide(sample_.records(), partitions, newest, interrupt_);
+    spill_.emplace(store_.db_, store_.name_, record_size_, partitions, limit / 4);
   }
 
-  void add(std::int64_t id, const double* record) { spill_->add(division_->part_of(record), id, record); }
+  void add(std::int64_t id, const double* record) {
+    spill_->add(division_->partition_of(record), id, record);
+  }
 
-  /// In a change. The table holds what was added, and nothing else.
+  /// Replaces the contents by the added objects. Requires: in a change.
   void write() {
     spill_->finish();
     store_.cache_.drop_nodes(true);
     store_.cache_.erase_everything();
     PackedMap map(std::move(ids_));
     store_.cache_.place_into(map);
-    store_.tree_->bulk_load_parts(*spill_, interrupt_);
+    store_.tree_->bulk_load_partitions(*spill_, interrupt_);
     store_.cache_.write_packed_map(interrupt_);
   }
 
@@ -76,12 +78,12 @@ class Store::LoadInParts {
   std::size_t record_size_;
   std::vector<std::int64_t> ids_;
   RecordSample sample_;
-  std::unique_ptr<SpaceDivision> division_;
+  std::unique_ptr<SpacePartitioning> division_;
   std::optional<ObjectSpill> spill_;
 };
 
 void Store::rebuild(Interrupt& interrupt) {
-  changes_unknown_ = true;  // of a damaged table it may bring objects back
+  changes_unknown_ = true;  // in a damaged table it may recover objects
   pack(interrupt);
   const OwnStatements own(*this);
   if (!has_auxiliaries()) return;
@@ -103,7 +105,7 @@ void Store::require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt)
   if (twice != ids.end()) damaged("object " + std::to_string(*twice) + " is in two leaves");
 }
 
-/// Every object that a stored leaf holds, whether or not the tree leads there. Inner nodes may be anything.
+/// Reads every stored leaf, whether or not the tree refers to it. The contents of inner nodes are ignored.
 bool Store::read_stored_leaves(Interrupt& interrupt, const std::function<bool(const LeafView&)>& use) {
   unsigned nodes = 0;
   bool goes_on = true;
@@ -126,11 +128,11 @@ void Store::pack(Interrupt& interrupt) {
       ids.push_back(id);
       records.insert(records.end(), record, record + size);
     });
-    return records.size() * sizeof(double) <= memory_->most_ordered();
+    return records.size() * sizeof(double) <= memory_->max_ordered();
   });
   if (!fits) {
     ids = {}, records = {};
-    return pack_in_parts(interrupt);
+    return pack_partitioned(interrupt);
   }
   std::vector<std::int64_t> sorted = ids;
   require_unique(sorted, interrupt);
@@ -148,10 +150,10 @@ void Store::pack(Interrupt& interrupt) {
   atomic_change.done();
 }
 
-void Store::pack_in_parts(Interrupt& interrupt) {
+void Store::pack_partitioned(Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   with_sound_tree([&] {
-    LoadInParts load(*this, interrupt);
+    PartitionedLoad load(*this, interrupt);
     std::unordered_set<std::int64_t> used;
     std::int64_t objects = 0;
     const auto for_each = [&](auto use) {
@@ -172,12 +174,12 @@ void Store::pack_in_parts(Interrupt& interrupt) {
   });
 }
 
-/// Within a change, as load_anew().
-void Store::load_anew_in_parts(Interrupt& interrupt) {
+/// As reload(), for many objects. Requires: in a change.
+void Store::load_partitioned(Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
-  LoadInParts load(*this, interrupt);
+  PartitionedLoad load(*this, interrupt);
   std::size_t stored = 0, replaced = 0;
-  bool all_are_new = false;  // of those that wait: known once all were seen
+  bool all_are_new = false;  // no pending object replaces a stored one; known after one pass
   const auto for_each = [&](auto use) {
     stored = 0;
     const auto use_stored = [&](std::int64_t id, const double* record) {
@@ -209,4 +211,4 @@ void Store::keep_only_forms(const std::unordered_set<std::int64_t>& used) {
   if (!cache_.has_snapshots()) forms_->keep_only(used);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,4 +1,5 @@
-// Reading: what waits first, then the tables.
+// Store: reads, from pending objects and dirty nodes first, then from the shadow rows.
+#include <atomic>
 #include <limits>
 
 #include "storage/format/leaf_node.h"
@@ -6,12 +7,12 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::max();
 
-/// All of a leaf, behind what is there.
+/// Appends all objects of a leaf.
 void append(const LeafView& leaf, std::size_t record_size, std::vector<std::int64_t>& ids,
             std::vector<double>& records) {
   const std::size_t before = ids.size();
@@ -28,46 +29,74 @@ void append(const Node& leaf, std::size_t, std::vector<std::int64_t>& ids, std::
 
 }  // namespace
 
+// While this connection writes no other one can. At any other time another one may have written.
+void Store::revalidate_cache() {
+  if (writing_) return;
+  const auto stamp = shadow_rows().read_stamp();
+  if (!stamp) damaged("the stamp is missing");
+  if (cached_stamp_ == stamp) return;
+  cache_.forget_all();
+  if (forms_) forms_->forget_all();
+  cached_stamp_.reset();
+  count_.stored = shadow_rows().read_objects();
+  watches_known_ = false;
+  cached_stamp_ = stamp;
+}
+
+ContentVersion Store::read_version() {
+  static std::atomic<std::uint64_t> last_change{0};
+  if (differs_from_version_) version_changes_ = ++last_change;
+  differs_from_version_ = false;
+  revalidate_cache();
+  const auto stamp = writing_ ? shadow_rows().read_stamp() : cached_stamp_;
+  if (!stamp) damaged("the stamp is missing");
+  return {static_cast<std::uint64_t>(shown(*stamp)), version_changes_};
+}
+
+std::int64_t Store::shown(std::int64_t stored_stamp) const {
+  return same_contents_.stored == stored_stamp ? same_contents_.shown : stored_stamp;
+}
+
 std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
   return writing_ ? nodes().find_leaf(id) : shadow_rows().map().find_leaf(id);
 }
 
 bool Store::contains(std::int64_t id) {
   if (pending_->find(id)) return true;
-  // Ascending new ids, the common case, are larger than any known one.
+  // New ascending ids, the common case, are larger than any known id.
   if (largest_.known && (!largest_.id || *largest_.id < id)) return false;
   return find_leaf(id).has_value();
 }
 
 std::optional<std::vector<double>> Store::read(std::int64_t id) {
   const auto size = static_cast<std::size_t>(format_.at.size);
-  const double* waiting = pending_->find(id);
-  if (!waiting && writing_) waiting = nodes().find_record(id);
-  if (waiting) return std::vector<double>(waiting, waiting + size);
+  const double* found = pending_->find(id);
+  if (!found && writing_) found = nodes().find_record(id);
+  if (found) return std::vector<double>(found, found + size);
   std::vector<double> record;
   if (writing_ || !read_stored(id, record)) return std::nullopt;
   return record;
 }
 
-std::span<const double> Store::find(std::int64_t id, StatementBelief& belief) {
+std::span<const double> Store::find(std::int64_t id, StatementReadState& statement_state) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   const auto found = [size](const double* record) { return std::span(record, record ? size : 0); };
   if (const double* record = pending_->find(id)) return found(record);
   if (writing_) return found(nodes().find_record(id));
-  if (belief.transaction == transaction_) {
+  if (statement_state.transaction == transaction_) {
     if (const double* record = nodes().find_record_in_memory(id)) return found(record);
     if (!cache_.find_leaf(id)) return found(nullptr);
   }
-  // The first row after opening should not wait for one more statement to be compiled.
-  if (!believed_stamp_ && first_found_.empty())
+  // The first row after opening should not wait until one more statement is compiled.
+  if (!cached_stamp_ && first_found_.empty())
     return read_stored(id, first_found_) ? found(first_found_.data()) : found(nullptr);
-  // Before a node is read too: to who reads uncommitted rows (shared cache) it may be one of another stamp.
-  believe_only_this_stamp();
-  belief.transaction = transaction_;
+  // Also before a node is read: with uncommitted reads (shared cache) it may belong to another stamp.
+  revalidate_cache();
+  statement_state.transaction = transaction_;
   return found(cache_.find_record(id));
 }
 
-/// Past the cache.
+/// Reads without the cache.
 bool Store::read_stored(std::int64_t id, std::vector<double>& record) {
   const std::optional<std::int64_t> number = shadow_rows().map().find_leaf(id);
   if (!number) return false;
@@ -95,28 +124,28 @@ bool Store::read_stored_leaf(std::int64_t number, std::span<const std::byte> blo
 }
 
 void Store::read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
-                        const std::function<void(const Node&)>& waiting) {
+                        const std::function<void(const Node&)>& dirty) {
   std::int64_t done = 0;
-  const auto waiting_up_to = [&](std::int64_t end) {
-    for (std::int64_t next; (next = cache_.next_waiting(done, end)) != 0; done = next)
-      if (const auto node = *cache_.waiting(next); node && node->is_leaf()) waiting(*node);
+  const auto dirty_up_to = [&](std::int64_t end) {
+    for (std::int64_t next; (next = cache_.next_dirty(done, end)) != 0; done = next)
+      if (const auto node = *cache_.dirty_node(next); node && node->is_leaf()) dirty(*node);
     done = std::max(done, end - 1);
   };
   unsigned leaves = 0;
   shadow_rows().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
     if (++leaves % 16 == 0) interrupt.check();
-    waiting_up_to(number);
-    if (!cache_.waiting(number)) read_stored_leaf(number, blob, stored);
+    dirty_up_to(number);
+    if (!cache_.dirty_node(number)) read_stored_leaf(number, blob, stored);
   });
-  waiting_up_to(no_number);
+  dirty_up_to(no_number);
 }
 
 void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) {
   merge_pending();
   ids.clear();
   rows.clear();
-  const bool waits = cache_.waits();
-  const auto expected = waits ? 0 : static_cast<std::size_t>(this->shadow_rows().map().count_ids());
+  const bool has_unwritten = cache_.has_unwritten();
+  const auto expected = has_unwritten ? 0 : static_cast<std::size_t>(this->shadow_rows().map().count_ids());
   const auto row_size = static_cast<std::size_t>(row_offsets(format_.layout).size);
   const auto record_size = static_cast<std::size_t>(format_.at.size);
   const bool rows_are_records = format_.layout.law != Law::forced;
@@ -141,7 +170,7 @@ void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
 
 void Store::expect_objects(std::size_t found) {
   count_.note_all(found);
-  if (cache_.waits()) return;
+  if (cache_.has_unwritten()) return;
   const auto mapped = static_cast<std::size_t>(shadow_rows().map().count_ids());
   if (found != mapped)
     damaged("the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));
@@ -158,13 +187,13 @@ std::int64_t Store::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids
     bool is_leaf = false;
     shadow_rows().read_node_after(after, [&](std::int64_t stored, std::span<const std::byte> blob) {
       number = stored;
-      if (cache_.next_waiting(after, stored) == 0 && !cache_.waiting(stored))
+      if (cache_.next_dirty(after, stored) == 0 && !cache_.dirty_node(stored))
         is_leaf =
             read_stored_leaf(stored, blob, [&](const LeafView& leaf) { append(leaf, size, ids, records); });
     });
-    if (const std::int64_t waiting = cache_.next_waiting(after, number)) number = waiting;
+    if (const std::int64_t dirty = cache_.next_dirty(after, number)) number = dirty;
     if (number == no_number) return 0;
-    if (const auto node = cache_.waiting(number); node && *node && (*node)->is_leaf()) {
+    if (const auto node = cache_.dirty_node(number); node && *node && (*node)->is_leaf()) {
       append(**node, size, ids, records);
       is_leaf = true;
     }
@@ -178,19 +207,19 @@ void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int colu
 }
 
 double Store::read_newest_t() {
-  believe_only_this_stamp();
+  revalidate_cache();
   merge_pending();
-  return with_sound_tree([&] { return index::read_newest_t(nodes()); });
+  return with_sound_tree([&] { return foresee::read_newest_t(nodes()); });
 }
 
 std::shared_ptr<const Form> Store::form(std::int64_t number) {
-  believe_only_this_stamp();  // under another one the number may be another form's
+  revalidate_cache();  // under another stamp the number may refer to another form
   return forms_->form(number);
 }
 
-std::shared_ptr<const Form> Store::form(std::int64_t number, StatementBelief& belief) {
-  if (belief.transaction != transaction_) believe_only_this_stamp();
-  belief.transaction = transaction_;
+std::shared_ptr<const Form> Store::form(std::int64_t number, StatementReadState& statement_state) {
+  if (statement_state.transaction != transaction_) revalidate_cache();
+  statement_state.transaction = transaction_;
   return forms_->form(number);
 }
 
@@ -203,4 +232,4 @@ std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
   });
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

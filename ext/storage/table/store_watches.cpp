@@ -1,23 +1,24 @@
-// Who watches the table: names in _meta, so that every connection that can write it knows them.
+// Store: names of the watches of a table, in its `_meta`, so that every connection that can write it knows
+// them.
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee::storage {
+namespace foresee {
 
-void Store::know_watches() {
+void Store::load_watches() {
   if (watches_known_) return;
   watches_ = shadow_rows().read_watches();
   watches_known_ = true;
 }
 
 const std::vector<std::string>& Store::watches() {
-  believe_only_this_stamp();
-  know_watches();
+  revalidate_cache();
+  load_watches();
   return watches_;
 }
 
-// SQLite may not have told this table of a transaction, and then tells it of no end either: so memory is left
-// as it is, and believes the new stamp when it meets it.
+// SQLite may not have called begin() for this transaction, and then calls neither commit() nor rollback(). So
+// memory is left unchanged, and the cache is revalidated when the new stamp is read.
 void Store::write_stamp_of_watches() {
   watches_known_ = false;
   if (writing_) {
@@ -42,7 +43,7 @@ void Store::remove_watch(const std::string& name) {
 }
 
 std::optional<std::int64_t> Store::settled_stamp() {
-  if (waits()) return std::nullopt;
+  if (has_unwritten()) return std::nullopt;
   return shadow_rows().read_stamp();
 }
 
@@ -51,4 +52,4 @@ std::optional<std::int64_t> Store::stamp_before_changes() {
   return writing_ ? stamp_before_ : shadow_rows().read_stamp();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

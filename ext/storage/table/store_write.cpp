@@ -1,4 +1,4 @@
-// Writing: each change is atomic, all or nothing.
+// Store: inserts, updates and deletes; each is atomic.
 #include <cstring>
 #include <limits>
 
@@ -6,18 +6,18 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee::storage {
-// Writing early here, not after the change, keeps the change all or nothing.
+namespace foresee {
+// Memory is freed here, before the change: so the change stays atomic.
 void Store::start_change(std::span<const double> record) {
   if (!record.empty())
     if (const char* fault = record_fault(format_, record.data())) throw Error(name_.table + ": " + fault);
   if (!in_transaction_) begin();
   shadow_rows();
   if (!writing_) {
-    believe_only_this_stamp();
-    stamp_before_ = believed_stamp_;
+    revalidate_cache();
+    stamp_before_ = cached_stamp_;
     count_before_ = count_;
-    know_watches();
+    load_watches();
     keeps_changes_ |= !watches_.empty();
   }
   note_memory();
@@ -25,7 +25,7 @@ void Store::start_change(std::span<const double> record) {
   if (stamped_) return;
   const OwnStatements own(*this);
   write_new_stamp();
-  differs_from_version_ = true;  // even if this change fails: the stamp is not yet that of a commit
+  differs_from_version_ = true;  // even if this change fails: the stamp is not committed yet
   ++undo_position_;
 }
 
@@ -33,13 +33,13 @@ void Store::write_new_stamp() {
   std::int64_t stamp;
   sqlite3_randomness(sizeof stamp, &stamp);
   shadow_rows().write_stamp(stamp);
-  believed_stamp_ = own_stamp_ = stamp;
+  cached_stamp_ = own_stamp_ = stamp;
   writing_ = stamped_ = true;
 }
 
-const Store::Largest& Store::read_largest() {
+const LargestId& Store::read_largest() {
   // Unknown: no object was added in this transaction.
-  if (!largest_.known) largest_ = {true, !cache_.waits(), shadow_rows().map().read_largest_id()};
+  if (!largest_.known) largest_ = {true, !cache_.has_unwritten(), shadow_rows().map().read_largest_id()};
   return largest_;
 }
 
@@ -63,18 +63,18 @@ std::int64_t Store::find_next_id() {
 StoredForms::Known Store::find_or_add_form(std::string_view text) {
   start_change({});
   const OwnStatements own(*this);
-  ++undo_position_;  // a row may be written, which only going back takes away
+  ++undo_position_;  // a row may be written, which only a rollback removes
   return forms_->find_or_add(text);
 }
 
-// --- what a transaction has changed
+// --- changes of a transaction
 
 void Store::keep_changes(bool wanted) {
   wants_changes_ = wanted;
   if (wanted || !in_transaction_) keeps_changes_ = wanted;
 }
 
-void Store::about_to_change(std::int64_t id) {
+void Store::log_before_change(std::int64_t id) {
   if (!keeps_changes_ || object_changes_.knows(id)) return;
   const std::optional<std::vector<double>> before = read(id);
   object_changes_.add(id, before ? std::span<const double>(*before) : std::span<const double>());
@@ -84,7 +84,7 @@ void Store::for_each_change(
     const std::function<void(std::int64_t, std::span<const double>, std::span<const double>)>& each) {
   object_changes_.for_each([&](std::int64_t id, std::span<const double> before) {
     const std::vector<double> after = read(id).value_or(std::vector<double>());
-    // Bit for bit: 0 and -0 differ. (Of no record there are no bytes to compare.)
+    // Bit for bit: 0 and -0 differ. (An empty record has no bytes to compare.)
     const bool equal = before.size() == after.size() &&
                        (before.empty() || std::memcmp(before.data(), after.data(), before.size_bytes()) == 0);
     if (!equal) each(id, before, after);
@@ -104,7 +104,7 @@ void Store::throw_missing(std::int64_t id) const {
   throw StoreError(SQLITE_ERROR, name_.table + ": there is no object " + std::to_string(id));
 }
 
-void Store::take_out(std::int64_t id) {
+void Store::remove(std::int64_t id) {
   const bool is_pending = pending_->find(id) != nullptr;
   if (is_pending) pending_->erase(id);
   if (!tree_->erase(id) && !is_pending) throw_missing(id);
@@ -126,11 +126,11 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
   start_change(record);
   AtomicChange atomic_change(*this);
   with_sound_tree([&] {
-    about_to_change(id);
-    about_to_change(new_id);
+    log_before_change(id);
+    log_before_change(new_id);
     if (new_id != id) {
-      if (contains(new_id)) take_out(new_id);
-      take_out(id);
+      if (contains(new_id)) remove(new_id);
+      remove(id);
       add(new_id, record);
     } else if (pending_->find(id)) {
       pending_->replace(id, record);
@@ -147,11 +147,11 @@ void Store::erase(std::int64_t id) {
   start_change({});
   AtomicChange atomic_change(*this);
   with_sound_tree([&] {
-    about_to_change(id);
-    take_out(id);
+    log_before_change(id);
+    remove(id);
   });
   if (has_auxiliaries()) shadow_rows().erase_auxiliaries(id);
   atomic_change.done();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,12 +1,12 @@
-// The tree as it was when this was made, whatever the connection has written, committed or rolled back since.
+// Snapshot of a table's TPR-tree, unaffected by later writes, commits and rollbacks of the connection.
 //
-// Holds the store, and a mark in its cache (undo_log.h); it must not outlive the statement that asked, whose
-// read transaction keeps the rows as they are.
+// It holds the store and a mark in its cache (undo_log.h). It must not outlive the statement that took it,
+// whose read transaction preserves the rows.
 #pragma once
 
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class TreeSnapshot final : public NodeSource, private FormSource {
  public:
@@ -27,7 +27,7 @@ class TreeSnapshot final : public NodeSource, private FormSource {
   FormSource* forms() override { return forms_ ? this : nullptr; }
 
  private:
-  /// What a rollback took back is not stored any more.
+  /// From the forms at the time of the snapshot first: a rollback may have removed rows.
   std::shared_ptr<const Form> form(std::int64_t number) override {
     const auto known = forms_->find(number);
     return known == forms_->end() ? store_->form(number) : known->second;
@@ -35,8 +35,8 @@ class TreeSnapshot final : public NodeSource, private FormSource {
 
   std::shared_ptr<Store> store_;
   NodeNumber root_;
-  std::shared_ptr<const StoredForms::ByNumber> forms_;  ///< null: the layout has none
+  std::shared_ptr<const StoredForms::ByNumber> forms_;  ///< null: the layout has no forms
   UndoLog::Handle mark_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

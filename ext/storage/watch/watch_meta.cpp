@@ -1,16 +1,16 @@
-// What a watch's _meta says, as WatchState; and back.
+// WatchRows: reads and writes the `_meta` table of a watch as WatchState.
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
 
 #include "base/float_environment.h"
-#include "base/shown.h"
+#include "base/number_text.h"
 #include "storage/rows/store_error.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 #include "storage/watch/watch_rows.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -22,7 +22,8 @@ struct MetaValue {
   double number = 0;
 };
 
-/// The rows of _meta. Each value has one type and a range: anything else is damage, never a default.
+/// The rows of _meta. Each value has one type and a range; any other value is damage and never replaced by a
+/// default.
 class MetaValues {
  public:
   MetaValues(Statement& rows, const std::string& watch) : watch_(watch) {
@@ -43,7 +44,7 @@ class MetaValues {
     if (value.type != SQLITE_TEXT || value.text.empty()) refuse(key);
     return value.text;
   }
-  /// Nothing where it is missing or NULL, as a value is that was never written.
+  /// Nothing if it is missing or NULL: the value was never written.
   std::optional<double> number(const char* key, double min,
                                double max = std::numeric_limits<double>::max()) const {
     const MetaValue& value = found(key);
@@ -52,7 +53,7 @@ class MetaValues {
     if (!is_number || !(value.number >= min && value.number <= max)) refuse(key);
     return value.number;
   }
-  std::optional<std::int64_t> whole(const char* key, std::int64_t min, std::int64_t max = most) const {
+  std::optional<std::int64_t> whole(const char* key, std::int64_t min, std::int64_t max = max_integer) const {
     const MetaValue& value = found(key);
     if (value.type == SQLITE_NULL) return std::nullopt;
     if (value.type != SQLITE_INTEGER || value.integer < min || value.integer > max) refuse(key);
@@ -63,7 +64,7 @@ class MetaValues {
     if (const auto found = number(key, 0)) return *found;
     refuse(key);
   }
-  std::int64_t required_whole(const char* key, std::int64_t min, std::int64_t max = most) const {
+  std::int64_t required_whole(const char* key, std::int64_t min, std::int64_t max = max_integer) const {
     if (const auto found = whole(key, min, max)) return *found;
     refuse(key);
   }
@@ -74,7 +75,7 @@ class MetaValues {
   }
 
  private:
-  static constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  static constexpr std::int64_t max_integer = std::numeric_limits<std::int64_t>::max();
 
   const MetaValue& found(const char* key) const {
     static const MetaValue null;
@@ -89,7 +90,7 @@ class MetaValues {
     if (!has(key)) return "missing";
     const MetaValue& value = found(key);
     if (value.type == SQLITE_INTEGER) return std::to_string(value.integer);
-    if (value.type == SQLITE_FLOAT) return base::shown(value.number);
+    if (value.type == SQLITE_FLOAT) return foresee::shown(value.number);
     if (value.type == SQLITE_TEXT) return std::string("'").append(without_nul(value.text)).append("'");
     return value.type == SQLITE_BLOB ? "a blob" : "NULL";
   }
@@ -98,8 +99,8 @@ class MetaValues {
   std::map<std::string, MetaValue, std::less<>> values_;
 };
 
-// 2 knows rows that are not due. Readers of 1 would never ask about those; they do not look at `format`, but
-// hold a file without "early" for damaged: 2 has it under another name.
+// Format 2 has rows that are not due, which readers of format 1 would never examine. Those readers do not
+// check `format`, but report a file without "early" as damaged: so format 2 has it under another name.
 constexpr std::int64_t newest_format = 2;
 
 const char* early_key(std::int64_t format) {
@@ -120,18 +121,19 @@ void read_declaration(const MetaValues& values, WatchDeclaration& declared) {
   if (declared.ahead && declared.manual) values.refuse("ahead");
 }
 
-/// What a look ahead has written: known_to is the double below clock + (horizon + further), and since then
-/// the clock has moved on, as far as known_to allows. Rounding is monotone, so this is exact.
+/// Checks `now` against `known_to`: a search sets it to the largest double below clock + (horizon + further).
+/// Since then the clock has advanced, at most until clock + horizon reaches it. Rounding is monotone, so the
+/// check is exact.
 template <class HasPairs>
 void require_clock_in_range(const MetaValues& values, const WatchState& state, HasPairs has_pairs) {
   const bool was_settled = values.has("known_to");
   if (state.clock) {
     const FloatEnvironment environment;
     const double reach = state.horizon + state.further, end = std::nextafter(state.known_to, infinity);
-    const double looked = *state.clock + (std::isfinite(reach) ? reach : state.horizon);
+    const double known_end = *state.clock + (std::isfinite(reach) ? reach : state.horizon);
     if (!was_settled) values.refuse("known_to");
     if (!(state.further > 0)) values.refuse("further");
-    if (!(*state.clock + state.horizon <= end && end <= looked)) values.refuse("now");
+    if (!(*state.clock + state.horizon <= end && end <= known_end)) values.refuse("now");
   } else if (was_settled && (state.manual || state.seq > 0 || state.step > 0 || has_pairs())) {
     values.refuse("now");
   }
@@ -154,7 +156,8 @@ WatchState WatchRows::read_state() {
                                        ": open it with the version that wrote it");
   read_declaration(values, state);
   constexpr double lowest = std::numeric_limits<double>::lowest();
-  state.clock = values.number("now", lowest), state.asked = values.number("asked", lowest);
+  state.clock = values.number("now", lowest);
+  state.asked = values.number("asked", lowest);
   state.anew = values.whole("anew", 0, 1).value_or(0) != 0;
   state.known_to = values.number("known_to", -infinity).value_or(-infinity);
   state.step = values.number("step", 0, infinity).value_or(0);
@@ -163,8 +166,9 @@ WatchState WatchRows::read_state() {
   state.dropped = values.whole("dropped", 0).value_or(0);
   state.seq = values.required_whole("seq", 0),
   state.early = values.required_whole(early_key(state.format), 0);
-  constexpr auto least = std::numeric_limits<std::int64_t>::min();
-  state.stamp = values.whole("stamp", least), state.other_stamp = values.whole("other_stamp", least);
+  constexpr auto min_integer = std::numeric_limits<std::int64_t>::min();
+  state.stamp = values.whole("stamp", min_integer),
+  state.other_stamp = values.whole("other_stamp", min_integer);
   require_clock_in_range(values, state, [&] { return has_pairs(); });
   return state;
 }
@@ -226,8 +230,8 @@ void WatchRows::write_state(const WatchState& state, const WatchState& before) {
   write_changed("other_stamp", state.other_stamp, before.other_stamp);
 }
 
-void WatchRows::write_asked(std::optional<double> moment) {
-  write_meta("asked", moment);
+void WatchRows::write_asked(std::optional<double> time) {
+  write_meta("asked", time);
 }
 
 void WatchRows::write_anew(bool anew) {
@@ -238,4 +242,4 @@ void WatchRows::write_damaged() {
   write_meta("damaged", std::optional(std::int64_t{1}));
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,7 +6,7 @@
 
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::array<const char*, 3> suffixes{"pair", "log", "meta"};
@@ -19,7 +19,7 @@ bool is_watch_suffix(std::string_view suffix) {
   return is_one_of(suffix, suffixes);
 }
 
-// The keys beside the first are indexes: named by SQLite, they are renamed with their table.
+// The other keys are unnamed indexes: SQLite names them, so they are renamed with their table.
 ShadowTables WatchRows::tables(sqlite3* db, const QualifiedName& name) {
   return {
       db,
@@ -77,7 +77,7 @@ std::vector<StoredPair> WatchRows::read_pairs(Statement::Run& run) const {
     if (!run.is_integer(0) || !run.is_integer(1) || !run.is_integer(4)) damaged("pair");
     const std::int64_t a = run.integer(0), b = run.integer(1), state = run.integer(4);
     if (state != 0 && state != 1) damaged("pair");
-    // Pages of a damaged file may lead back to one another: no order has a pair twice in a row.
+    // In a damaged file pages may refer back to one another: no order has a pair twice in a row.
     if (!pairs.empty() && pairs.back().a == a && pairs.back().b == b) damaged("pair");
     const bool is_due = sqlite3_value_type(run.value(3)) != SQLITE_NULL;
     pairs.push_back(
@@ -118,7 +118,7 @@ std::optional<StoredPair> WatchRows::pair(std::int64_t a, std::int64_t b) {
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
-// A row where none should be is damage, and no fault of the statement that commits.
+// An unexpected row is damage of the watch, not an error of the statement that commits.
 void WatchRows::write_pair(const StoredPair& pair, PairWrite how, bool with_told) try {
   Statement::Run run(how == PairWrite::adds    ? add_pair_
                      : how == PairWrite::moves ? move_pair_
@@ -160,7 +160,7 @@ bool WatchRows::has_pairs() {
   return run.step();
 }
 
-/// `pairs`: in the order of the index, which alone the statement reads.
+/// Compares an index with `pairs`, in its order; the statement reads the index alone.
 bool WatchRows::holds(Statement& index, std::span<const StoredPair> pairs, bool with_due) {
   auto pair = pairs.begin();
   for (Statement::Run run(index); run.step(); ++pair) {
@@ -209,12 +209,12 @@ std::optional<std::int64_t> WatchRows::oldest() {
   return run.integer(0) - 1;
 }
 
-std::vector<StoredChange> WatchRows::changes(std::int64_t after, std::int64_t last, std::int64_t most) {
+std::vector<StoredChange> WatchRows::changes(std::int64_t after, std::int64_t last, std::int64_t limit) {
   std::vector<StoredChange> found;
   Statement::Run run(changes_);
   run.bind(1, after);
   run.bind(2, last);
-  run.bind(3, most);
+  run.bind(3, limit);
   while (run.step()) {
     const std::string op = run.text(1, 2);
     const bool is_gone = op == "-", is_op = is_gone || op == "+" || op == "~";
@@ -229,4 +229,4 @@ std::vector<StoredChange> WatchRows::changes(std::int64_t after, std::int64_t la
   return found;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,12 +1,12 @@
-// Every statement that a watch runs on its shadow tables, as plain calls.
+// Every SQL statement that a predictive watch runs on its shadow tables, as plain functions.
 //
 //   <name>_pair(a, b, t, due, state, told, PRIMARY KEY(a, b)) WITHOUT ROWID    state 0 waits, 1 holds
 //   <name>_log(seq INTEGER PRIMARY KEY, op, a, b, t, now)                      what changed
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID                     watch_state.h
 //
 // Guarantee: each call sees and writes the database as this connection does now, so transactions, savepoints
-// and crashes are SQLite's. Numbers are checked when they are read: SQLITE_CORRUPT_VTAB for what no watch has
-// written. Cost: a look-up or a row each; statements are compiled once.
+// and crash recovery are SQLite's. Numbers are checked when they are read: SQLITE_CORRUPT_VTAB for values
+// that no watch writes. Cost: a look-up or a row per call; statements are compiled once.
 #pragma once
 
 #include <optional>
@@ -17,28 +17,28 @@
 #include "storage/rows/shadow_tables.h"
 #include "storage/watch/watch_state.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 struct StoredPair {
   std::int64_t a, b;
   double t;
-  std::optional<double> due;  ///< none: nothing that the clock reaches
+  std::optional<double> due;  ///< nothing: the clock never reaches it
   double told;
   bool held;
 };
 
 /// What writing a pair does to its row.
 enum class PairWrite : std::uint8_t {
-  adds,     ///< there is none
-  moves,    ///< only times differ, and no index
-  changes,  ///< anything else
+  adds,     ///< a new row
+  moves,    ///< only times change, and no index does
+  changes,  ///< any other change
 };
 
 struct StoredChange {
   std::int64_t seq;
   char op;
   std::int64_t a, b;
-  double t;  ///< nothing of what is gone
+  double t;  ///< not stored for a removed pair
   double now;
 };
 
@@ -56,11 +56,11 @@ class WatchRows {
   // --- _meta
   WatchState read_state();
   void write_declaration(const WatchDeclaration& declaration);
-  /// All that moves. Rows that say the same already are not written.
+  /// Writes what changes with time. Rows with an equal value are not written.
   void write_state(const WatchState& state, const WatchState& before);
-  void write_asked(std::optional<double> moment);
+  void write_asked(std::optional<double> time);
   void write_anew(bool anew);
-  /// From now on read_state() says so.
+  /// From now on read_state() reports damage.
   void write_damaged();
   void write_tables(const WatchDeclaration& declaration);
 
@@ -72,19 +72,19 @@ class WatchRows {
   std::optional<StoredPair> pair(std::int64_t a, std::int64_t b);
   void write_pair(const StoredPair& pair, PairWrite how, bool with_told);
   void erase_pair(std::int64_t a, std::int64_t b);
-  /// Cost: the pages of the tables are let go, no row is looked at.
+  /// Cost: the pages of the tables are released without reading rows.
   void erase_all_pairs();
   std::int64_t count_pairs(bool held);
-  /// Whether each index holds the rows, and nothing else.
+  /// True if each index holds exactly the rows of the table.
   bool indexes_agree();
 
   // --- _log
   void append(const StoredChange& change);
   void trim(std::int64_t up_to);
-  /// The position from which on changes can be read; nothing: there are none.
+  /// The position after which changes can be read; nothing if the log is empty.
   std::optional<std::int64_t> oldest();
-  /// At most `most` of them, seq in (after, last], rising.
-  std::vector<StoredChange> changes(std::int64_t after, std::int64_t last, std::int64_t most);
+  /// At most `limit` changes with seq in (after, last], ascending.
+  std::vector<StoredChange> changes(std::int64_t after, std::int64_t last, std::int64_t limit);
 
  private:
   [[noreturn]] void damaged(const std::string& what) const;
@@ -103,4 +103,4 @@ class WatchRows {
   Statement append_, trim_, oldest_, changes_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,21 +1,24 @@
-// Boxes sixteen at a time: what a lane is certain of against the exact stage, on the families of
-// hard_pairs.h; the same bits from every set of vector instructions; and boxes without t and until, which
-// take a shorter way.
+// BoxLanes: certain answers of a lane against the exact stage, on the families of hard_pairs.h. Every set of
+// vector instructions gives the same bits. Boxes without t and until take a shorter path.
+#include "contact/boxes/box_lanes.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "contact/boxes/box_contact.h"
+#include "contact/certain/certain_motion.h"
+#include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
+#include "contact/set/shape_pairs.h"
 #include "every_simd.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 
 struct Certain {
-  int misses = 0, now = 0, meets = 0, first = 0, leaves = 0, stays = 0;
+  int misses = 0, now = 0, meets = 0, first = 0, leaves = 0, lasts = 0;
 };
 
 template <int D, int Degree = 2>
@@ -30,25 +33,25 @@ class LaneOfPair {
                c.question.horizon,
                c.question.within,
                0},
-        moments_(moments_of(setup_, row_a_.data(), row_b_.data())),
+        lifetime_(pair_lifetime_of(setup_, row_a_.data(), row_b_.data())),
         relative_(certain_motion_of<D, Degree>(setup_, row_a_.data(), row_b_.data())) {}
 
   bool from_now() const {
-    return !moments_.none && moments_.begin_exact && moments_.dt_begin == 0 &&
+    return !lifetime_.none && lifetime_.start_exact && lifetime_.dt_start == 0 &&
            relative_.underflow <= usual_underflow;
   }
 
-  bool touches() const { return ask(exact_touches); }
+  bool touches() const { return run(exact_touches); }
 
   void check(Certain& certain) const {
     BoxLanes<D, Degree> lanes;
     double half[D];
     for (int j = 0; j < D; ++j) half[j] = half_extent<double, D>(setup_, row_a_.data(), row_b_.data(), j);
     for (int l = 0; l < lanes.width; ++l)
-      put_motion(lanes, l, relative_, half, moments_.dt_end * (1 + 0x1p-52));
+      put_motion(lanes, l, relative_, half, lifetime_.dt_end * (1 + 0x1p-52));
     box_kernel<D, Degree>().settle(lanes);
     check_simd(lanes);
-    const bool touches = ask(exact_touches);
+    const bool touches = run(exact_touches);
     certain.misses += lanes.misses[3] > 0;
     certain.now += lanes.touches_now[3] > 0;
     certain.meets += lanes.meets[3] > 0;
@@ -60,7 +63,7 @@ class LaneOfPair {
       EXPECT_TRUE(touches) << case_;
     }
     if (!touches) return;
-    const ContactTimes times = *ask(exact_times);
+    const ContactTimes times = *run(exact_times);
     if (lanes.touches_now[3] > 0) {
       EXPECT_EQ(times.dt, 0) << case_;
     } else if (lanes.meets_first[3] > 0) {
@@ -74,10 +77,10 @@ class LaneOfPair {
 
  private:
   template <class Answer>
-  Answer ask(Answer (*question)(PiecePolynomials&, const ExactMoments&)) const {
+  Answer run(Answer (*question)(PiecePolynomials&, const ExactLifetime&)) const {
     const ContactSet set = box_box_set(setup_);
     PairPolynomials polynomials(set, setup_, row_a_.data(), row_b_.data());
-    return question(polynomials, exact_moments_of(setup_, row_a_.data(), row_b_.data()));
+    return question(polynomials, exact_lifetime_of(setup_, row_a_.data(), row_b_.data()));
   }
 
   void check_end(const BoxLanes<D, Degree>& lanes, double dt_end, Certain& certain) const {
@@ -85,12 +88,12 @@ class LaneOfPair {
     std::fill_n(ends.from, lanes_width, lanes.touches_now[3] > 0 ? 0 : lanes.after[3]);
     box_kernel<D, Degree>().settle_ends(lanes, ends);
     certain.leaves += ends.leaves[3] > 0;
-    certain.stays += ends.stays[3] > 0;
+    certain.lasts += ends.lasts[3] > 0;
     if (ends.leaves[3] > 0) {
-      EXPECT_LE(std::abs(dt_end - ends.moment[3]), ends.room[3]) << case_;
+      EXPECT_LE(std::abs(dt_end - ends.time[3]), ends.room[3]) << case_;
     }
-    if (ends.stays[3] > 0) {
-      EXPECT_EQ(dt_end, moments_.dt_end) << case_;
+    if (ends.lasts[3] > 0) {
+      EXPECT_EQ(dt_end, lifetime_.dt_end) << case_;
     }
     testing::for_every_simd([&](Simd) {
       EndLanes others = ends;
@@ -110,7 +113,7 @@ class LaneOfPair {
   const Case& case_;
   std::vector<double> row_a_, row_b_;
   Setup setup_;
-  Moments moments_;
+  PairLifetime lifetime_;
   CertainMotion<D> relative_;
 };
 
@@ -136,7 +139,7 @@ void check_families(std::uint64_t seed) {
   EXPECT_GT(certain.meets, 60);
   EXPECT_GT(certain.first, 60);
   EXPECT_GT(certain.leaves, 60);
-  EXPECT_GT(certain.stays, 20);
+  EXPECT_GT(certain.lasts, 20);
 }
 
 TEST(BoxLanes, AreRightWhereCertainInOneDimension) {
@@ -180,8 +183,8 @@ TEST(BoxLanes, UndeclaredTimesChangeNothing) {
   EXPECT_GT(hits, 500);
 }
 
-/// Two huge accelerations that nearly cancel, of different ages: error bounds overflow where the motion does
-/// not, and nothing may be certain.
+/// Two huge accelerations of different ages that nearly cancel: error bounds overflow, the motion does not,
+/// and no answer may be certain.
 TEST(BoxLanes, AreNotCertainWhereErrorBoundsOverflow) {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> mantissa(1, 1.7), age(1, 1.2), exponent(280, 308);
@@ -204,8 +207,8 @@ TEST(BoxLanes, AreNotCertainWhereErrorBoundsOverflow) {
   EXPECT_GT(misses, 300);
 }
 
-/// Two that come close, turn where they are nearest, and go apart: the moment at which they would touch has
-/// no root to guess, and a stretch around the turn is certified by its lowest point alone.
+/// Two boxes that approach, turn at their closest approach, and separate. The quadratic has no root, and the
+/// interval around the turn is certified by its minimum alone.
 TEST(BoxLanes, KnowTheLowestPointOfAParabola) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> number(0.1, 2), closeness(1, 54);
@@ -218,14 +221,14 @@ TEST(BoxLanes, KnowTheLowestPointOfAParabola) {
     c.question = {.horizon = {0, turn * (1 + number(random))}};
     c.b.x[0] = (half + 0.5 * a * turn * turn) * (1 + beside), c.b.v[0] = -a * turn, c.b.a[0] = a;
     c.b.half[0] = half, c.b.half[1] = 2;
-    if (i % 4 >= 2) c.b.x[1] = 3, c.b.v[1] = -4 / turn;  // meets in y first
+    if (i % 4 >= 2) c.b.x[1] = 3, c.b.v[1] = -4 / turn;  // enters in y first
     LaneOfPair<2>(c).check(certain);
   }
   EXPECT_GT(certain.misses, 1500);
   EXPECT_GT(certain.first, 500);
 }
 
-/// Also where four times the acceleration is no number.
+/// Also if four times the acceleration overflows.
 TEST(BoxLanes, KnowTheLowestPointOfTheLargestAccelerations) {
   for (double a = 0x1p1020; std::isfinite(a); a *= 2)
     for (int bits : {40, 100, 400}) {
@@ -250,16 +253,16 @@ struct Answers {
   }
 };
 
-void ask(const Bodies& bodies, std::span<const Pair> pairs, TimesWanted wanted, Answers& answers) {
+void run(const Bodies& bodies, std::span<const Pair> pairs, TimesWanted wanted, Answers& answers) {
   const auto contact = make_contact(bodies, bodies, {.horizon = {2, 3}, .within = 0.25}, "a", "a");
   contact->decide(pairs, answers.decided);
   contact->first_contacts(pairs, wanted, answers.hits, answers.times);
-  if (wanted == TimesWanted::begins)
-    for (ContactTimes& times : answers.times) times.t_end = times.dt_end = 0;  // anything
+  if (wanted == TimesWanted::starts)
+    for (ContactTimes& times : answers.times) times.t_end = times.dt_end = 0;  // unspecified
 }
 
-/// A lane decides the same whatever its neighbours are, wherever a batch ends and whatever the instructions:
-/// pairs as of `now` and older ones, many giants that touch now, and some that never meet.
+/// The answer of a lane depends neither on its neighbours nor on the end of a batch nor on the instructions.
+/// The pairs have reference times at `now` and before; many giants touch now, and some pairs never touch.
 TEST(BoxLanes, PairsAnswerAloneAsInABatch) {
   const Layout layout{.axes = 2, .law = Law::accelerated, .shape = Shape::box, .has_t = true};
   std::mt19937_64 random(5);
@@ -276,19 +279,19 @@ TEST(BoxLanes, PairsAnswerAloneAsInABatch) {
   std::vector<Pair> pairs;
   for (std::uint32_t a = 0; a < count; ++a)
     for (std::uint32_t b = a + 1; b < count; ++b) pairs.push_back({a, b});
-  for (const TimesWanted wanted : {TimesWanted::begins, TimesWanted::both}) {
+  for (const TimesWanted wanted : {TimesWanted::starts, TimesWanted::both}) {
     Answers alone;
-    for (const Pair& pair : pairs) ask(bodies, {&pair, 1}, wanted, alone);
+    for (const Pair& pair : pairs) run(bodies, {&pair, 1}, wanted, alone);
     EXPECT_GT(alone.hits.size(), 1000u);
     EXPECT_LT(alone.hits.size(), pairs.size() - 500);
     EXPECT_EQ(alone.decided, alone.hits);
     testing::for_every_simd([&](Simd) {
       Answers together;
-      ask(bodies, pairs, wanted, together);
+      run(bodies, pairs, wanted, together);
       EXPECT_TRUE(together == alone);
     });
   }
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 double DrawMesh::number(double range) {
   const double any = std::uniform_real_distribution<double>(-range, range)(random_);
@@ -126,14 +126,14 @@ Triangles DrawMesh::boxes() {
 
 Triangles DrawMesh::l_shaped() {
   const double x = number(2), y = number(2), w = above(1, 2), z = number(2);
-  const shape::Corner reflex{x + w, y + w};
+  const Corner reflex{x + w, y + w};
   return prism({{x, y}, {x + 2 * w, y}, {x + 2 * w, y + w}, reflex, {x + w, y + 3 * w}, {x, y + 3 * w}},
                reflex, z, z + above(1, 2));
 }
 
 Triangles DrawMesh::star() {
   const int corners = static_cast<int>(6 + 2 * below(3));
-  std::vector<shape::Corner> ring;
+  std::vector<Corner> ring;
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * M_PI * i / corners, r = (i % 2 == 0 ? 3 : 1) + above(0, 1);
     ring.push_back({r * std::cos(angle), r * std::sin(angle)});
@@ -177,4 +177,4 @@ Triangles DrawMesh::hollow() {
   }
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

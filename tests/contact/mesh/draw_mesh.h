@@ -5,7 +5,7 @@
 
 #include "contact/mesh/mesh_scenes.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 class DrawMesh {
  public:
@@ -14,7 +14,7 @@ class DrawMesh {
   std::uint64_t below(std::uint64_t count) { return random_() % count; }
   /// Between -range and range; a half of a whole number, if the family's are.
   double number(double range);
-  double above(double least, double range) { return least + std::abs(number(range)); }
+  double above(double min, double range) { return min + std::abs(number(range)); }
   SpaceCorner place(double range) { return {number(range), number(range), number(range)}; }
 
   /// Of a, or of b.
@@ -46,4 +46,4 @@ class DrawMesh {
   std::mt19937_64 random_;
 };
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -5,7 +5,7 @@
 #include "contact/mesh/draw_mesh.h"
 #include "shape/mesh/turned_mesh.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 namespace {
 
 using Motion = MeshFamily::Motion;
@@ -67,13 +67,13 @@ class DrawScene {
 
   void move(MeshScene& scene) {
     Object &a = scene.a.row, &b = scene.b.row;
-    const auto moment = static_cast<double>(draw_.below(9));
+    const auto time = static_cast<double>(draw_.below(9));
     Meeting met = meeting(scene);
     met.velocity *= std::ldexp(1.0, family_.pace);
     for (int j = 0; j < 3; ++j) {
-      // From that moment back to now.
-      const double bend = b.a[j] - a.a[j], velocity = met.velocity[j] - moment * bend;
-      const double place = met.place[j] - moment * (velocity + moment * bend / 2);
+      // From that time back to now.
+      const double bend = b.a[j] - a.a[j], velocity = met.velocity[j] - time * bend;
+      const double place = met.place[j] - time * (velocity + time * bend / 2);
       a.x[j] = family_.offset + draw_.number(5), a.v[j] = draw_.number(2);
       b.x[j] = a.x[j] + place, b.v[j] = a.v[j] + velocity;
       for (auto i = family_.ulps > 0 ? draw_.below(family_.ulps + 1) : 0; i > 0; --i)
@@ -96,7 +96,7 @@ class DrawScene {
     }
   }
 
-  /// Where b is seen from a at some moment, and how fast it goes there.
+  /// The relative position and velocity of b at some time.
   struct Meeting {
     Vec<3> place, velocity;
   };
@@ -108,21 +108,21 @@ class DrawScene {
     if (family_.motion <= Motion::along_axes) return any;
     const auto corners = scene.a.mesh.corners();
     const auto triangles = scene.a.mesh.triangles();
-    const shape::Triangle& t = triangles[draw_.below(triangles.size())];
+    const Triangle& t = triangles[draw_.below(triangles.size())];
     const Vec<3> p = place_of(corners[t[0]]), q = place_of(corner_of(scene.b));
-    const auto way_to = [&](const SpaceCorner& corner) -> Vec<3> {
+    const auto path_to = [&](const SpaceCorner& corner) -> Vec<3> {
       const double pace = std::ldexp(1.0, static_cast<int>(draw_.below(4)) - 2) * (draw_.below(2) ? 1 : -1);
       return pace * (place_of(corner) - p);
     };
     Meeting met{p - q, any.velocity};
     if (family_.motion == Motion::none) met.velocity.setZero();
-    if (family_.motion == Motion::along_an_edge) met.velocity = way_to(corners[t[1]]);
+    if (family_.motion == Motion::along_an_edge) met.velocity = path_to(corners[t[1]]);
     if (family_.motion == Motion::across_a_face) {
-      met.velocity = way_to(corners[t[1]]);
-      met.velocity += way_to(corners[t[2]]);
+      met.velocity = path_to(corners[t[1]]);
+      met.velocity += path_to(corners[t[2]]);
     }
     if (family_.motion == Motion::through_corners)
-      met.velocity = way_to(corners[draw_.below(corners.size())]);
+      met.velocity = path_to(corners[draw_.below(corners.size())]);
     if (family_.motion == Motion::passes_a_corner) pass(scene, met);
     return met;
   }
@@ -169,4 +169,4 @@ MeshScene draw_scene(const MeshFamily& family, MeshPairing pairing, std::uint64_
   return DrawScene(family, pairing, seed).scene();
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -3,7 +3,7 @@
 
 #include "contact/form_laws.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -60,7 +60,7 @@ TEST(MeshAsBox, MeetsBallsAsTheBoxDoes) {
 }
 
 /// An outline with a reflex corner, around the origin.
-std::vector<shape::Corner> arrow(DrawnNumbers& number) {
+std::vector<Corner> arrow(DrawnNumbers& number) {
   const double w = 1 + std::abs(number(3)), h = 1 + std::abs(number(3));
   return {{0, 0}, {w, -h}, {0, 2 * h}, {-w, -h}};
 }
@@ -74,9 +74,9 @@ struct Upright {
 Upright upright(DrawnNumbers& number, bool bent) {
   Object row = moving_object(number, Shape::cylinder, bent);
   row.hz = 0.5 + row.half[2];
-  const std::vector<shape::Corner> ring = arrow(number);
+  const std::vector<Corner> ring = arrow(number);
   Ring numbers;
-  for (const shape::Corner& corner : ring) numbers.push_back(corner.x), numbers.push_back(corner.y);
+  for (const Corner& corner : ring) numbers.push_back(corner.x), numbers.push_back(corner.y);
   Upright both{{row, outline_of({{numbers}})}, {row, solid_of(prism(ring, ring[0], -row.hz, row.hz))}};
   both.mesh.row.layout.shape = Shape::mesh;
   both.mesh.row.layout.has_radius = true;
@@ -100,4 +100,4 @@ TEST(MeshAsBox, AMeshThatIsAPrismMeetsOthersAsThePrismDoes) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

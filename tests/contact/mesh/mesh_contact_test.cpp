@@ -5,15 +5,15 @@
 #include "contact/mesh/mesh_oracle.h"
 #include "contact/mesh/mesh_scenes.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 using oracle::Body;
 using oracle::Encounter;
 using oracle::Rational;
+using oracle::RationalInterval;
 using oracle::SpacePlace;
-using oracle::Stretch;
 
 Body body_of(const MeshObject& o) {
   if (!o.mesh.triangles().empty()) return oracle::body_of(o.mesh);
@@ -24,30 +24,30 @@ Encounter encounter_of(const MeshScene& scene) {
   return {scene.a.row, scene.b.row, scene.question};
 }
 
-SpacePlace place_at(const Encounter& encounter, const Rational& moment) {
-  return {encounter.place(0, moment), encounter.place(1, moment), encounter.place(2, moment)};
+SpacePlace place_at(const Encounter& encounter, const Rational& time) {
+  return {encounter.place(0, time), encounter.place(1, time), encounter.place(2, time)};
 }
 
 /// Empty if the answer is right, else what is wrong.
 std::string judged(const MeshScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
-  const Stretch asked = encounter.asked();
+  const RationalInterval queried = encounter.queried();
   const SpacePlace velocity{encounter.velocity(0), encounter.velocity(1), encounter.velocity(2)};
-  std::optional<Stretch> exact;
-  if (asked.begin <= asked.end)
+  std::optional<RationalInterval> exact;
+  if (queried.begin <= queried.end)
     exact =
-        oracle::first_contact(body_of(scene.a), body_of(scene.b), place_at(encounter, 0), velocity, asked);
+        oracle::first_contact(body_of(scene.a), body_of(scene.b), place_at(encounter, 0), velocity, queried);
   return oracle::compared(exact, answer, scene.question.horizon.now);
 }
 
 /// The same, of any radius and motion.
-std::string judged_by_moments(const MeshScene& scene, const std::optional<ContactTimes>& answer) {
+std::string judged_by_times(const MeshScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
   const Body a = body_of(scene.a), b = body_of(scene.b);
-  const auto touch = [&](const Rational& moment) {
-    return oracle::touch_at(a, b, place_at(encounter, moment), encounter.radius(moment));
+  const auto touch = [&](const Rational& time) {
+    return oracle::touch_at(a, b, place_at(encounter, time), encounter.radius(time));
   };
-  return oracle::judged_by_moments(touch, scene.question.horizon.h, answer);
+  return oracle::judged_by_times(touch, scene.question.horizon.h, answer);
 }
 
 TEST(MeshContact, IsThatOfRationalNumbers) {
@@ -66,7 +66,7 @@ TEST(MeshContact, IsThatOfRationalNumbers) {
   EXPECT_GE(3 * contacts, cases);
 }
 
-TEST(MeshContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
+TEST(MeshContact, OfAnyRadiusAndMotionIsRightAtEveryTime) {
   int cases = 0, contacts = 0;
   for (MeshFamily family : mesh_families())
     for (const auto pairing : {MeshPairing::meshes, MeshPairing::mesh_and_point, MeshPairing::mesh_and_box,
@@ -81,22 +81,22 @@ TEST(MeshContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
         if (!family.bent && encounter_of(scene).radius(0) == 0) continue;  // judged above
         const auto answer = mesh_contact(scene);
         ++cases, contacts += answer.has_value();
-        ASSERT_EQ(judged_by_moments(scene, answer), "")
+        ASSERT_EQ(judged_by_times(scene, answer), "")
             << family.name << " pairing " << static_cast<int>(pairing) << " seed " << seed << '\n'
             << described(scene);
       }
   EXPECT_GE(3 * contacts, cases);
 }
 
-TEST(MeshContact, EndsThoughTheNextBeginsWithinAnUlp) {
+TEST(MeshContact, EndsThoughTheNextStartsWithinAnUlp) {
   for (MeshFamily family : mesh_families()) {
     if (std::string(family.name) != "across a face") continue;
     family.bent = true;
     const MeshScene scene = draw_scene(family, MeshPairing::meshes, 75);
     const Encounter encounter = encounter_of(scene);
     const auto touch = [&](int ulps_by_64) {
-      const Rational moment = 5 + Rational(ulps_by_64) * Rational(0x1p-56);
-      return oracle::touch_at(body_of(scene.a), body_of(scene.b), place_at(encounter, moment), 0);
+      const Rational time = 5 + Rational(ulps_by_64) * Rational(0x1p-56);
+      return oracle::touch_at(body_of(scene.a), body_of(scene.b), place_at(encounter, time), 0);
     };
     EXPECT_FALSE(touch(-1));
     EXPECT_TRUE(touch(0) && touch(11));
@@ -106,11 +106,11 @@ TEST(MeshContact, EndsThoughTheNextBeginsWithinAnUlp) {
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->dt, 5);
     EXPECT_EQ(answer->dt_end, 5);
-    EXPECT_EQ(judged_by_moments(scene, answer), "");
+    EXPECT_EQ(judged_by_times(scene, answer), "");
     return;
   }
   FAIL() << "no such family";
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -3,12 +3,12 @@
 
 #include "contact/mesh/meshes_by_hand.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 
-/// A room from -4 to 4 whose walls are one thick.
+/// A hollow cube from -4 to 4 whose walls are one thick.
 const Mesh room =
     solid_of(together({box_between({-5, -5, -5}, {5, 5, 5}), box_between({-4, -4, -4}, {4, 4, 4})}));
 /// Two walls, from 0 to 1 and from 3 to 4.
@@ -68,7 +68,7 @@ TEST(MeshInside, WhatIsInARoomWithinARoomMeetsThatFirst) {
   EXPECT_FALSE(within_ten(nested, moving_cube({3, 3, 3}, {0.25, 0, 0})));
 }
 
-TEST(MeshInside, ContactEndsWithTheFirstWallAndBeginsAgain) {
+TEST(MeshInside, ContactEndsWithTheFirstWallAndStartsAgain) {
   expect_contact(within_ten(walls, moving_point({-1, 0, 0}, {1, 0, 0})), 1, 2);
   expect_contact(within_ten(walls, moving_point({2, 0, 0}, {1, 0, 0})), 1, 2);
   expect_contact(within_ten(walls, moving_box({0.5, 0.5, 0.5}, {-1, 0, 0}, {1, 0, 0})), 0.5, 2.5);
@@ -107,4 +107,4 @@ TEST(MeshInside, ASolidOfTwoSidesOfOneTriangleIsThatTriangle) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

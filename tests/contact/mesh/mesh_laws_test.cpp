@@ -1,12 +1,12 @@
-// What must hold of meshes whatever the numbers are: turning changes nothing; a surface is the union of its
-// triangles; it does not matter which of the two is grown.
+// Laws of contact between meshes: rotation and mirroring change nothing. A surface is the union of its
+// triangles. It does not matter which object is grown. Laws that outlines share: form_laws_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "contact/form_laws.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -24,17 +24,17 @@ TEST(MeshLaws, AQuarterTurnChangesNothing) {
   });
 }
 
-Mesh surface_of_some(const Mesh& mesh, std::span<const shape::Triangle> triangles) {
+Mesh surface_of_some(const Mesh& mesh, std::span<const Triangle> triangles) {
   Triangles some;
-  for (const shape::Triangle& t : triangles)
+  for (const Triangle& t : triangles)
     some.push_back({mesh.corners()[t[0]], mesh.corners()[t[1]], mesh.corners()[t[2]]});
   return surface_of(some);
 }
 
-TEST(MeshLaws, ASurfaceIsTouchedWhenTheFirstOfItsTrianglesIs) {
+TEST(MeshLaws, ContactOfASurfaceStartsWithItsFirstTriangle) {
   for_each_scene<MeshForms>([](MeshScene scene, const std::optional<ContactTimes>& /*of a solid*/) {
     const Mesh mesh = scene.a.mesh;
-    const auto as_surface = [&](std::span<const shape::Triangle> triangles) {
+    const auto as_surface = [&](std::span<const Triangle> triangles) {
       scene.a.mesh = surface_of_some(mesh, triangles);
       return mesh_contact(scene);
     };
@@ -52,11 +52,12 @@ TEST(MeshLaws, ASurfaceIsTouchedWhenTheFirstOfItsTrianglesIs) {
   });
 }
 
-/// The end of the first of all stays together; those that begin when another ends belong to it or not.
-double joined_end(std::vector<ContactTimes> stays, bool touching_joins) {
-  std::sort(stays.begin(), stays.end(), [](const auto& s, const auto& t) { return s.dt < t.dt; });
-  double end = stays[0].dt_end;
-  for (const ContactTimes& s : stays)
+/// The end of the first interval of the union. `touching_joins`: an interval that starts where another
+/// ends joins it.
+double joined_end(std::vector<ContactTimes> intervals, bool touching_joins) {
+  std::sort(intervals.begin(), intervals.end(), [](const auto& s, const auto& t) { return s.dt < t.dt; });
+  double end = intervals[0].dt_end;
+  for (const ContactTimes& s : intervals)
     if (s.dt < end || (touching_joins && s.dt == end)) end = std::max(end, s.dt_end);
   return end;
 }
@@ -68,19 +69,19 @@ TEST(MeshLaws, ContactWithASurfaceEndsWhenThatWithItsTrianglesDoes) {
       for (int seed = 2000; seed < 2000 + scaled_count(2); ++seed) {
         MeshScene scene = draw_scene(family, pairing, static_cast<std::uint64_t>(seed));
         if (seed % 2 == 0) scene.question.within = std::ldexp(0.5, family.scale);
-        std::vector<ContactTimes> stays;
+        std::vector<ContactTimes> intervals;
         const Mesh mesh = scene.a.mesh;
         for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
           scene.a.mesh = surface_of_some(mesh, mesh.triangles().subspan(t, 1));
-          if (const auto found = mesh_contact(scene)) stays.push_back(*found);
+          if (const auto found = mesh_contact(scene)) intervals.push_back(*found);
         }
         scene.a.mesh = surface_of_some(mesh, mesh.triangles());
         const auto whole = mesh_contact(scene);
-        ASSERT_EQ(whole.has_value(), !stays.empty()) << family.name << " seed " << seed;
+        ASSERT_EQ(whole.has_value(), !intervals.empty()) << family.name << " seed " << seed;
         if (!whole) continue;
         // Two that are apart may round to one double.
         const bool is_end =
-            whole->dt_end == joined_end(stays, false) || whole->dt_end == joined_end(stays, true);
+            whole->dt_end == joined_end(intervals, false) || whole->dt_end == joined_end(intervals, true);
         ASSERT_TRUE(is_end) << family.name << " seed " << seed;
       }
 }
@@ -108,4 +109,4 @@ TEST(MeshLaws, WhatHasNoMeshIsABall) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

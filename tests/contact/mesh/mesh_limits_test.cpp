@@ -1,16 +1,17 @@
-// Touches that hang on the last digit: at ends of what is asked and of lives, at exact distances, far away.
+// Contacts that the last digit decides: at ends of the queried time and of lifetimes, at exact
+// distances, far away.
 #include <gtest/gtest.h>
 
 #include <cfenv>
 
 #include "contact/mesh/meshes_by_hand.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 
-TEST(MeshLimits, ATouchAtTheEndOfWhatIsAskedCounts) {
+TEST(MeshLimits, ATouchAtTheEndOfTheQueriedTimeCounts) {
   expect_contact(within_ten(unit_cube, moving_point({11, 0.5, 0.5}, {-1, 0, 0})), 10, 10);
   EXPECT_FALSE(within_ten(unit_cube, moving_point({after(11), 0.5, 0.5}, {-1, 0, 0})));
   expect_contact(within_ten(unit_cube, moving_cube({11, 1, 1}, {-1, 0, 0})), 10, 10);
@@ -25,7 +26,7 @@ TEST(MeshLimits, ATouchAtTheEndOfALifeCounts) {
   EXPECT_FALSE(within_ten(unit_cube, cube));
 }
 
-TEST(MeshLimits, AMomentIsAsked) {
+TEST(MeshLimits, AnInstantIsQueried) {
   const auto now = [](double x) {
     return mesh_contact({resting(unit_cube), moving_cube({x, 0, 0}, {1, 1, 1}), {.horizon = {0, 0}}});
   };
@@ -82,7 +83,7 @@ TEST(MeshLimits, TwoWithoutMeshesAreBalls) {
   expect_contact(within_ten(a, moving_point({-4, 0, 0}, {1, 0, 0})), 3, 5);
 }
 
-TEST(MeshLimits, APositionMayLieFarFromItsMesh) {
+TEST(MeshLimits, APositionMayBeFarFromItsMesh) {
   const Mesh apart = solid_of(box_between({100, 200, 300}, {101, 201, 301}));
   expect_contact(within_ten(apart, moving_point({98, 200.5, 300.5}, {1, 0, 0})), 2, 3);
   EXPECT_FALSE(within_ten(apart, moving_point({-2, 0.5, 0.5}, {1, 0, 0})));
@@ -122,4 +123,4 @@ TEST(MeshLimits, FarFromTheOriginNothingIsLost) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

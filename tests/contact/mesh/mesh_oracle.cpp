@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <random>
 
-#include "contact/mesh/facets.h"
+#include "contact/mesh/integer_triangles.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 using BigInteger = boost::multiprecision::cpp_int;
@@ -58,22 +58,22 @@ bool is_within(const Arrow& corner, const std::vector<Facet>& solid) {
   while (true) {
     const Arrow ray{any(), any(), any()};
     int count = 0;
-    const bool is_told = std::all_of(solid.begin(), solid.end(), [&](const Facet& facet) {
+    const bool is_decided = std::all_of(solid.begin(), solid.end(), [&](const Facet& facet) {
       const std::optional<int> crossed = crossings(corner, ray, facet);
       count += crossed.value_or(0);
       return crossed.has_value();
     });
-    if (is_told) return count % 2 == 1;
+    if (is_decided) return count % 2 == 1;
   }
 }
 
 /// Some triangle of `inner` is within `outer`. Requires: their surfaces do not touch.
 bool holds_one(const std::vector<Facet>& outer, const std::vector<Facet>& inner) {
-  std::vector<Arrow> asked;
+  std::vector<Arrow> queried;
   return std::any_of(inner.begin(), inner.end(), [&](const Facet& facet) {
     const Arrow& corner = facet.corners[0];
-    if (std::find(asked.begin(), asked.end(), corner) != asked.end()) return false;
-    asked.push_back(corner);
+    if (std::find(queried.begin(), queried.end(), corner) != queried.end()) return false;
+    queried.push_back(corner);
     return is_within(corner, outer);
   });
 }
@@ -100,82 +100,82 @@ unsigned sides_of(const Bounds& a, const Bounds& b, const Whole& distance) {
   return sides;
 }
 
-/// Both at one moment, in a unit of that moment.
+/// Both objects at one time, in a unit that depends on the time.
 struct Still {
   std::vector<Facet> a, b;
   std::vector<Bounds> bounds_a, bounds_b;
 
   Still(const std::vector<Facet>& resting, const std::vector<Facet>& flying, const Arrow& velocity,
-        const Fraction& moment) {
-    const Arrow way = moment.above * velocity;
+        const Fraction& time) {
+    const Arrow path = time.above * velocity;
     const auto moved = [&](const Facet& facet, const Arrow& by) {
-      const auto at = [&](std::size_t i) { return moment.below * facet.corners[i] + by; };
+      const auto at = [&](std::size_t i) { return time.below * facet.corners[i] + by; };
       return Facet({at(0), at(1), at(2)});
     };
     for (const Facet& facet : resting) bounds_a.emplace_back(a.emplace_back(moved(facet, {})));
-    for (const Facet& facet : flying) bounds_b.emplace_back(b.emplace_back(moved(facet, way)));
+    for (const Facet& facet : flying) bounds_b.emplace_back(b.emplace_back(moved(facet, path)));
   }
 };
 
-/// Whether on one side of the other all the way, which is straight: of its bounds, or of a triangle's plane.
-bool stays_beside(const Still& first, const Still& last, std::size_t i, std::size_t j) {
-  const auto stays = [&](const auto& side_at) { return (side_at(first) & side_at(last)) != 0; };
-  return stays([&](const Still& s) { return sides_of(s.bounds_a[i], s.bounds_b[j], 0); }) ||
-         stays([&](const Still& s) { return side_of(s.a[i], s.b[j], 0); }) ||
-         stays([&](const Still& s) { return side_of(s.b[j], s.a[i], 0); });
+/// Whether one is on one side of the other's bounds, or of a triangle's plane, all along its straight path.
+bool remains_beside(const Still& first, const Still& last, std::size_t i, std::size_t j) {
+  const auto remains = [&](const auto& side_at) { return (side_at(first) & side_at(last)) != 0; };
+  return remains([&](const Still& s) { return sides_of(s.bounds_a[i], s.bounds_b[j], 0); }) ||
+         remains([&](const Still& s) { return side_of(s.a[i], s.b[j], 0); }) ||
+         remains([&](const Still& s) { return side_of(s.b[j], s.a[i], 0); });
 }
 
 class Scene {
  public:
   Scene(const Body& a, const Body& b, const SpacePlace& place, const SpacePlace& velocity,
-        const Stretch& asked)
-      : a_is_solid_(a.is_solid), b_is_solid_(b.is_solid), asked_(asked) {
+        const RationalInterval& queried)
+      : a_is_solid_(a.is_solid), b_is_solid_(b.is_solid), queried_(queried) {
     CommonUnit unit;
     unit.measure(a), unit.measure(b), unit.measure(place), unit.measure(velocity);
     a_ = unit.in_units(a, {}), b_ = unit.in_units(b, place);
     velocity_ = unit.in_units(velocity);
   }
 
-  std::optional<Stretch> first_contact() {
+  std::optional<RationalInterval> first_contact() {
     meet_surfaces();
-    for (const Stretch& gap : gaps_between(contacts_, asked_))
-      if (lies_within((gap.begin + gap.end) / 2)) contacts_.push_back(gap);
+    for (const RationalInterval& gap : gaps_between(contacts_, queried_))
+      if (is_inside((gap.begin + gap.end) / 2)) contacts_.push_back(gap);
     return first_of(contacts_);
   }
 
  private:
   void meet_surfaces() {
-    const Span asked{fraction_of(asked_.begin), fraction_of(asked_.end)};
-    const Still first(a_, b_, velocity_, asked.begin), last(a_, b_, velocity_, asked.end);
+    const Span queried{fraction_of(queried_.begin), fraction_of(queried_.end)};
+    const Still first(a_, b_, velocity_, queried.begin), last(a_, b_, velocity_, queried.end);
     for (std::size_t i = 0; i < a_.size(); ++i)
       for (std::size_t j = 0; j < b_.size(); ++j) {
-        if (stays_beside(first, last, i, j)) continue;
+        if (remains_beside(first, last, i, j)) continue;
         const bool at_first = touch(first.a[i], first.b[j]);
         const bool at_last = touch(last.a[i], last.b[j]);
-        auto met = at_first && at_last ? asked : features_meet(a_[i], b_[j], velocity_, asked);
+        auto met = at_first && at_last ? queried : features_meet(a_[i], b_[j], velocity_, queried);
         if (!met && !at_first && !at_last) continue;
-        contacts_.push_back({at_first ? asked_.begin : rational_of(met->begin),
-                             at_last ? asked_.end : rational_of(met->end)});
+        contacts_.push_back({at_first ? queried_.begin : rational_of(met->begin),
+                             at_last ? queried_.end : rational_of(met->end)});
       }
   }
 
-  bool lies_within(const Rational& moment) const {
-    const Still still(a_, b_, velocity_, fraction_of(moment));
+  bool is_inside(const Rational& time) const {
+    const Still still(a_, b_, velocity_, fraction_of(time));
     return (a_is_solid_ && holds_one(still.a, still.b)) || (b_is_solid_ && holds_one(still.b, still.a));
   }
 
   const bool a_is_solid_, b_is_solid_;
-  const Stretch asked_;
+  const RationalInterval queried_;
   std::vector<Facet> a_, b_;
   Arrow velocity_;
-  std::vector<Stretch> contacts_;
+  std::vector<RationalInterval> contacts_;
 };
 
 }  // namespace
 
-Body body_of(const shape::Mesh& mesh) {
+Body body_of(const Mesh& mesh) {
   Body body{{}, mesh.is_solid()};
-  for (const shape::Triangle& t : mesh.triangles())
+  for (const Triangle& t : mesh.triangles())
     body.triangles.push_back({mesh.corners()[t[0]], mesh.corners()[t[1]], mesh.corners()[t[2]]});
   return body;
 }
@@ -196,9 +196,9 @@ Body box_body(double half_x, double half_y, double half_z) {
   return body;
 }
 
-std::optional<Stretch> first_contact(const Body& a, const Body& b, const SpacePlace& place,
-                                     const SpacePlace& velocity, const Stretch& asked) {
-  return Scene(a, b, place, velocity, asked).first_contact();
+std::optional<RationalInterval> first_contact(const Body& a, const Body& b, const SpacePlace& place,
+                                              const SpacePlace& velocity, const RationalInterval& queried) {
+  return Scene(a, b, place, velocity, queried).first_contact();
 }
 
 bool touch_at(const Body& a, const Body& b, const SpacePlace& place, const Rational& radius) {
@@ -216,4 +216,4 @@ bool touch_at(const Body& a, const Body& b, const SpacePlace& place, const Ratio
   return (a.is_solid && holds_one(still.a, still.b)) || (b.is_solid && holds_one(still.b, still.a));
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

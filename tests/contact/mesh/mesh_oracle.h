@@ -1,11 +1,11 @@
-// The judge of meshes in uniform motion: triangle by triangle in whole numbers, rays between.
+// Test oracle for contact of meshes in uniform motion, in integers: triangle against triangle, and rays.
 //
-// It knows nothing of trees, parts or sums of shapes: for every two triangles, the moments at which a corner
-// of one crosses the other and at which two of their edges cross, from parameters along both (Cramer's rule).
-// As both are convex they meet from the first such moment to the last, and at an end of what is asked if they
-// do so at rest. In the gaps that are left no surfaces meet, so one corner of each triangle says whether
-// something lies within the other solid: a ray in some direction, another if it meets an edge, leaves the
-// solid through an odd number of triangles. All together, in order of time, are the contacts.
+// It uses no trees, components or Minkowski sums. For every two triangles it computes when a corner of one
+// crosses the other and when two of their edges cross, from parameters along both (Cramer's rule). As both
+// are convex, they touch from the first such time to the last. At an end of the queried time a test of two
+// triangles at rest decides. In the remaining gaps no surfaces touch, so one corner of each triangle
+// decides whether something is inside the other solid. A ray from it, or another ray if that meets an
+// edge, leaves the solid through an odd number of triangles. All contacts together are sorted by time.
 #pragma once
 
 #include <array>
@@ -15,26 +15,26 @@
 #include "contact/rational_judge.h"
 #include "shape/mesh/mesh.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
-/// A place in space, exactly.
+/// An exact position in space.
 using SpacePlace = std::array<Rational, 3>;
 
-/// A surface; or a solid: what an odd number of its triangles lie around, with them.
+/// A surface, or a solid: the points from which a ray crosses an odd number of triangles, with these.
 struct Body {
   std::vector<std::array<SpaceCorner, 3>> triangles;
   bool is_solid = false;
 };
 
-Body body_of(const shape::Mesh& mesh);
-/// Where halves are 0 a rectangle, an edge or a point.
+Body body_of(const Mesh& mesh);
+/// A box; a rectangle, an edge or a point if some half extents are 0.
 Body box_body(double half_x, double half_y, double half_z);
 
-/// The first stretch of contact within `asked` of `a` at rest and `b`, which is at place + s velocity.
-std::optional<Stretch> first_contact(const Body& a, const Body& b, const SpacePlace& place,
-                                     const SpacePlace& velocity, const Stretch& asked);
+/// The first interval of contact within `queried`, of `a` at rest and `b` at place + s velocity.
+std::optional<RationalInterval> first_contact(const Body& a, const Body& b, const SpacePlace& place,
+                                              const SpacePlace& velocity, const RationalInterval& queried);
 
-/// Does b, moved by `place`, come within `radius` of a, or lie in it? At one moment, whatever the motion.
+/// Whether b, moved by `place`, is within `radius` of a or inside of it, at one instant.
 bool touch_at(const Body& a, const Body& b, const SpacePlace& place, const Rational& radius);
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

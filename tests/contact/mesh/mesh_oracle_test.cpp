@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/mesh/facets.h"
+#include "contact/mesh/integer_triangles.h"
 #include "contact/mesh/mesh_shapes.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 using namespace testing_by_hand;
@@ -15,12 +15,13 @@ const Body unit_cube = body_of(solid_of(box_between({0, 0, 0}, {1, 1, 1})));
 const Body point = box_body(0, 0, 0);
 const Body slope = body_of(surface_of({{{{0, 0, 0}, {4, 0, 4}, {0, 4, 0}}}}));
 
-std::optional<Stretch> within_ten(const Body& a, const Body& b, const SpacePlace& place,
-                                  const SpacePlace& velocity) {
+std::optional<RationalInterval> within_ten(const Body& a, const Body& b, const SpacePlace& place,
+                                           const SpacePlace& velocity) {
   return first_contact(a, b, place, velocity, {0, 10});
 }
 
-void expect_contact(const std::optional<Stretch>& found, const Rational& begin, const Rational& end) {
+void expect_contact(const std::optional<RationalInterval>& found, const Rational& begin,
+                    const Rational& end) {
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->begin, begin);
   EXPECT_EQ(found->end, end);
@@ -62,7 +63,7 @@ TEST(MeshOracle, TrianglesThatCrossAtRestTouchAllTheTime) {
   expect_contact(within_ten(slope, upright, {0, -1, 0}, {0, Rational(1, 2), 0}), 2, 10);
 }
 
-TEST(MeshOracle, FacesThatSlideOnEachOtherTouchAllTheWay) {
+TEST(MeshOracle, FacesThatSlideOnEachOtherTouchThroughout) {
   const SpacePlace along{1, Rational(1, 7), 0};
   expect_contact(within_ten(unit_cube, unit_cube, {-2, 0, 1}, along), 1, 3);
   EXPECT_FALSE(within_ten(unit_cube, unit_cube, {-2, 0, Rational(1) + Rational(1, 1000000)}, along));
@@ -94,7 +95,7 @@ TEST(MeshOracle, WhereTwoPartsOverlapIsNoSolid) {
   expect_contact(within_ten(parts, point, {3, 2, 2}, {1, 0, 0}), 1, 3);
 }
 
-TEST(MeshOracle, ThroughAHoleNothingIsTouched) {
+TEST(MeshOracle, ThroughAHoleThereIsNoContact) {
   const Body ring = body_of(solid_of(frame(1, 2, -1, 1)));
   EXPECT_FALSE(within_ten(ring, point, {0, 0, -5}, {0, 0, 1}));
   expect_contact(within_ten(ring, point, {1, 0, -5}, {0, 0, 1}), 4, 6);
@@ -113,7 +114,7 @@ TEST(MeshOracle, DistancesAreExact) {
   EXPECT_FALSE(touch_at(box_body(1, 0, 0), box_body(0, 1, 0), {Rational(1, 3), Rational(1, 7), 2}, 1));
 }
 
-TEST(MeshOracle, RaysAreToldFromEdges) {
+TEST(MeshOracle, RaysAreDistinguishedFromEdges) {
   const Facet facet({Arrow{0, 0, 0}, Arrow{4, 0, 0}, Arrow{0, 4, 0}});
   EXPECT_EQ(crossings({1, 1, 1}, {0, 0, -1}, facet), 1);
   EXPECT_EQ(crossings({1, 1, 1}, {0, 0, 1}, facet), 0);
@@ -124,4 +125,4 @@ TEST(MeshOracle, RaysAreToldFromEdges) {
 }
 
 }  // namespace
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -5,18 +5,16 @@
 
 #include "shape/mesh/mesh_rows.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 namespace {
 
-using shape::TriangleTree;
-
 /// The meshes of a table of one row.
-class OneMesh final : public shape::MeshRows {
+class OneMesh final : public MeshRows {
  public:
   explicit OneMesh(const Mesh& mesh) {
     if (!mesh.triangles().empty()) tree_ = TriangleTree(mesh);
   }
-  const TriangleTree* triangles(std::size_t /*row*/, shape::OwnPieces<TriangleTree>& /*own*/) const override {
+  const TriangleTree* triangles(std::size_t /*row*/, ScratchPieces<TriangleTree>& /*own*/) const override {
     return tree_.count() > 0 ? &tree_ : nullptr;
   }
 
@@ -77,7 +75,7 @@ std::optional<ContactTimes> mesh_contact(const MeshScene& scene, Interrupt& inte
   if (a.layout.shape == Shape::mesh) a.meshes = &mesh_a;
   if (b.layout.shape == Shape::mesh) b.meshes = &mesh_b;
   const auto contact = make_contact(a, b, scene.question, "a", "b");
-  contact->heed(interrupt);
+  contact->set_interrupt(interrupt);
   return answer_of(*contact);
 }
 
@@ -157,7 +155,7 @@ std::string described(const MeshScene& scene) {
         << row.half[1] << ' ' << row.half[2];
     for (int j = 0; j < 3; ++j) out << " axis " << row.x[j] << ' ' << row.v[j] << ' ' << row.a[j];
     out << (o->mesh.is_solid() ? " solid" : " surface");
-    for (const shape::Triangle& t : o->mesh.triangles()) {
+    for (const Triangle& t : o->mesh.triangles()) {
       out << " (";
       for (const std::uint32_t i : t) {
         const SpaceCorner& c = o->mesh.corners()[i];
@@ -170,4 +168,4 @@ std::string described(const MeshScene& scene) {
   return out.str();
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -1,5 +1,6 @@
-// Seeded families of pairs with meshes, each hard in one way: faces and edges that slide on each other,
-// corners on corners, parallel faces, terrain, solids in cavities and holes, far coordinates, extreme scales.
+// Random test scenes of pairs with meshes, in families of hard cases: sliding faces and edges, corners on
+// corners, parallel faces, terrain, solids in cavities and holes. Coordinates may be far from 0 and scales
+// extreme.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +13,9 @@
 #include "contact/pair_by_hand.h"
 #include "contact/window_contact.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
-/// One object: its row, and its mesh as it lies; what has none of Shape::mesh is a point or a ball.
+/// One object: its row, and its mesh in its pose; an object without a mesh is a point or a ball.
 struct MeshObject {
   Object row;
   Mesh mesh;
@@ -42,9 +43,9 @@ struct MeshScene {
   ContactQuestion question;
 };
 
-/// The answer of the contact room; decide() and both ways of asking for times must agree.
+/// The result of Contact; checks that decide() and first_contacts() with both TimesWanted agree.
 std::optional<ContactTimes> mesh_contact(const MeshScene& scene);
-/// The same, heeding an interrupt.
+/// The same with an interrupt.
 std::optional<ContactTimes> mesh_contact(const MeshScene& scene, Interrupt& interrupt);
 
 /// Of a window and an object.
@@ -54,13 +55,13 @@ std::optional<ContactTimes> mesh_in_window(const WindowFaces& faces, const MeshO
 /// How the numbers of a family look.
 struct MeshFamily {
   enum class Motion : std::uint8_t {
-    any,              ///< places and speeds at a whole moment are drawn
+    any,              ///< random positions and speeds at an integer time
     along_axes,       ///< whole numbers, and some are 0
-    meets_a_corner,   ///< a corner of b comes to a corner of a at a whole moment
-    along_an_edge,    ///< the same, on the way along an edge of a
-    across_a_face,    ///< the same, on the way in the plane of a triangle of a
+    meets_a_corner,   ///< a corner of b comes to a corner of a at an integer time
+    along_an_edge,    ///< the same, along an edge of a
+    across_a_face,    ///< the same, in the plane of a triangle of a
     through_corners,  ///< from a corner of a to another, whatever lies between
-    passes_a_corner,  ///< a corner of b passes one of a at the distance that counts, a whole moment
+    passes_a_corner,  ///< a corner of b passes one of a at the contact distance, at an integer time
     none              ///< corner on corner, and no relative motion
   };
   enum class Cast : std::uint8_t {
@@ -79,9 +80,9 @@ struct MeshFamily {
   double offset = 0;   ///< far from the origin
   int scale = 0;       ///< lengths times 2^scale
   int pace = 0;        ///< and relative velocities times 2^pace
-  double now = 0;      ///< when it is asked; what is known is as of 0
+  double now = 0;      ///< time of the query; reports are from time 0
   double ages = 0;     ///< reference times lie up to this before now
-  bool lives = false;  ///< they end to exist at a whole moment
+  bool lives = false;  ///< objects cease to exist at an integer time
   int turned = 0;      ///< so many degrees, or any heading if below 0
   bool bent = false;   ///< accelerated
 };
@@ -96,4 +97,4 @@ MeshScene draw_scene(const MeshFamily& family, MeshPairing pairing, std::uint64_
 /// In words, for messages.
 std::string described(const MeshScene& scene);
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 namespace {
 
 /// Two triangles; corners in turn.
@@ -15,8 +15,7 @@ void add_face(Triangles& triangles, const SpaceCorner& a, const SpaceCorner& b, 
 }
 
 /// The side between two corners of a ring.
-void add_wall(Triangles& triangles, const shape::Corner& p, const shape::Corner& q, double lower,
-              double upper) {
+void add_wall(Triangles& triangles, const Corner& p, const Corner& q, double lower, double upper) {
   add_face(triangles, {p.x, p.y, lower}, {q.x, q.y, lower}, {q.x, q.y, upper}, {p.x, p.y, upper});
 }
 
@@ -35,7 +34,7 @@ Mesh mesh_of(Mesh::Kind kind, const Triangles& triangles) {
     if (found == corners.end()) corners.push_back(plain(corner));
     return number;
   };
-  std::vector<shape::Triangle> numbered;
+  std::vector<Triangle> numbered;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const auto& triangle : triangles) {
     numbered.push_back({number_of(triangle[0]), number_of(triangle[1]), number_of(triangle[2])});
@@ -65,11 +64,10 @@ Triangles box_between(const SpaceCorner& lower, const SpaceCorner& upper) {
                {lower.x, lower.y}, lower.z, upper.z);
 }
 
-Triangles prism(const std::vector<shape::Corner>& ring, const shape::Corner& middle, double lower,
-                double upper) {
+Triangles prism(const std::vector<Corner>& ring, const Corner& middle, double lower, double upper) {
   Triangles triangles;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const shape::Corner &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    const Corner &p = ring[i], &q = ring[(i + 1) % ring.size()];
     add_wall(triangles, p, q, lower, upper);
     if (p == middle || q == middle) continue;
     for (const double z : {lower, upper})
@@ -79,14 +77,12 @@ Triangles prism(const std::vector<shape::Corner>& ring, const shape::Corner& mid
 }
 
 Triangles frame(double inner, double outer, double lower, double upper) {
-  static constexpr shape::Corner square[4] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  const auto at = [](const shape::Corner& c, double size) -> shape::Corner {
-    return {size * c.x, size * c.y};
-  };
+  static constexpr Corner square[4] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const auto at = [](const Corner& c, double size) -> Corner { return {size * c.x, size * c.y}; };
   Triangles triangles;
   for (std::size_t i = 0; i < 4; ++i) {
-    const shape::Corner &c = square[i], &d = square[(i + 1) % 4];
-    const shape::Corner p = at(c, inner), q = at(d, inner), r = at(d, outer), s = at(c, outer);
+    const Corner &c = square[i], &d = square[(i + 1) % 4];
+    const Corner p = at(c, inner), q = at(d, inner), r = at(d, outer), s = at(c, outer);
     add_wall(triangles, p, q, lower, upper);
     add_wall(triangles, r, s, lower, upper);
     for (const double z : {lower, upper})
@@ -113,4 +109,4 @@ SpaceCorner globe_corner(int meridian, int meridians, int ring, int rings, doubl
           radius * std::cos(down)};
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -8,10 +8,8 @@
 #include "shape/mesh/mesh.h"
 #include "shape/outline/outline.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
-using shape::Mesh;
-using shape::SpaceCorner;
 using Triangles = std::vector<std::array<SpaceCorner, 3>>;
 
 /// Corners that are equal become one.
@@ -25,15 +23,14 @@ bool have_area(const Triangles& triangles);
 /// Twelve.
 Triangles box_between(const SpaceCorner& lower, const SpaceCorner& upper);
 /// What stands on a ring all of which is seen from `middle`, which may be a corner of it.
-Triangles prism(const std::vector<shape::Corner>& ring, const shape::Corner& middle, double lower,
-                double upper);
+Triangles prism(const std::vector<Corner>& ring, const Corner& middle, double lower, double upper);
 /// A square frame around the z axis: 32 triangles, and a hole through which one can fly.
 Triangles frame(double inner, double outer, double lower, double upper);
-/// Around the origin: 2 * meridians * rings triangles; `radius_of` is asked for each corner. 4 and 1 make an
+/// Around the origin: 2 * meridians * rings triangles; `radius_of` is called for each corner. 4 and 1 make an
 /// octahedron.
 template <class RadiusOf>
 Triangles globe(int meridians, int rings, RadiusOf&& radius_of);
-/// Squares of two triangles each; `height_of` is asked for each corner, row by row.
+/// Squares of two triangles each; `height_of` is called for each corner, row by row.
 template <class HeightOf>
 Triangles terrain(int columns, int rows, double width, HeightOf&& height_of);
 
@@ -80,4 +77,4 @@ Triangles terrain(int columns, int rows, double width, HeightOf&& height_of) {
   return triangles;
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -3,12 +3,12 @@
 
 #include "contact/mesh/meshes_by_hand.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 
-TEST(MeshTraps, FacesThatSlideOnEachOtherTouchAllTheWay) {
+TEST(MeshTraps, FacesThatSlideOnEachOtherTouchThroughout) {
   const auto above = [](double z) { return moving_cube({-3, 0.25, z}, {1, 0, 0}); };
   expect_contact(within_ten(unit_cube, above(1)), 2, 4);
   EXPECT_FALSE(within_ten(unit_cube, above(after(1))));
@@ -17,7 +17,7 @@ TEST(MeshTraps, FacesThatSlideOnEachOtherTouchAllTheWay) {
   expect_contact(within_ten(unit_cube, moving_cube({-2, -2, 1}, {0.5, 0.5, 0})), 2, 6);
 }
 
-TEST(MeshTraps, EdgesThatSlideAlongEachOtherTouchAllTheWay) {
+TEST(MeshTraps, EdgesThatSlideAlongEachOtherTouchThroughout) {
   const auto beside = [](double y) { return moving_cube({-3, y, 1}, {1, 0, 0}); };
   expect_contact(within_ten(unit_cube, beside(1)), 2, 4);
   expect_contact(within_ten(unit_cube, beside(-1)), 2, 4);
@@ -72,15 +72,15 @@ TEST(MeshTraps, APointGoesAcrossSharedEdgesAsIfThereWereNone) {
 
 TEST(MeshTraps, APointBesideAReflexEdgeIsOutForLessThanAnUlp) {
   const Mesh notched = solid_of(prism({{-2, -2}, {2, -2}, {2, 1}, {0, 0}, {-2, 1}}, {0, 0}, -1, 1));
-  for (const double way : {-1.0, 1.0}) {
-    const auto passing = [way](double y) { return moving_point({-3 * way, y, 0.25}, {way, 0, 0}); };
+  for (const double side : {-1.0, 1.0}) {
+    const auto passing = [side](double y) { return moving_point({-3 * side, y, 0.25}, {side, 0, 0}); };
     expect_contact(within_ten(notched, passing(0x1p-60)), 1, 3);
     expect_contact(within_ten(notched, passing(0)), 1, 5);
     expect_contact(within_ten(notched, passing(-0x1p-60)), 1, 5);
   }
 }
 
-TEST(MeshTraps, WhatIsMissedByAnUlpAndTouchedLaterIsNotTheFirst) {
+TEST(MeshTraps, AMissByAnUlpIsNotTheFirstContact) {
   // Up from just above the lower of two cubes, just into the upper, and down again onto the lower.
   const Mesh cubes =
       solid_of(together({box_between({0, 0, 0}, {1, 1, 1}), box_between({0, 0, 2}, {1, 1, 3})}));
@@ -107,7 +107,7 @@ TEST(MeshTraps, AParabolaGrazesAFace) {
   }
 }
 
-TEST(MeshTraps, FacesOfNearlyTheSameTiltAreToldApart) {
+TEST(MeshTraps, FacesOfNearlyTheSameTiltAreDistinguished) {
   // z = x top / 8, and a solid below.
   const auto wedge = [](double top) {
     const SpaceCorner a{0, 0, 0}, b{8, 0, 0}, c{8, 0, top}, d{0, 8, 0}, e{8, 8, 0}, f{8, 8, top};
@@ -127,4 +127,4 @@ TEST(MeshTraps, FacesOfNearlyTheSameTiltAreToldApart) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "contact/case_count.h"
 #include "contact/mesh/mesh_scenes.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -76,9 +76,9 @@ TEST(MeshWindow, WithAnOutlineHasNoDistance) {
   Outline square;
   square.begin_part();
   for (const Corner& corner : {Corner{0, 0}, Corner{1, 0}, Corner{1, 1}, Corner{0, 1}}) square.add(corner);
-  const MovingWindow zone({}, bodies.layout, 0, std::make_shared<const shape::CutOutline>(square));
+  const MovingWindow zone({}, bodies.layout, 0, std::make_shared<const SharedOutline>(square));
   EXPECT_THROW(make_window_contact(zone, bodies, {0, 1}), Error);
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

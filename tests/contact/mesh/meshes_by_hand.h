@@ -7,7 +7,7 @@
 
 #include "contact/mesh/mesh_scenes.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 inline const Mesh unit_cube = solid_of(box_between({0, 0, 0}, {1, 1, 1}));
 /// Level ground at 0.
@@ -47,4 +47,4 @@ inline void expect_contact(const std::optional<ContactTimes>& found, double t, d
   EXPECT_EQ(found->t_end, t_end);
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

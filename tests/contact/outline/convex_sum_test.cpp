@@ -8,14 +8,14 @@
 #include "contact/outline/outline_scenes.h"
 #include "numbers/dyadic.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 
 /// How far p - q is beyond an edge, exactly.
 int side_of(const SumEdge& edge, const Corner& p, const Corner& q) {
-  const Powers<Dyadic, 0> place[] = {{Dyadic(p.x) - Dyadic(q.x)}, {Dyadic(p.y) - Dyadic(q.y)}};
+  const Coefficients<Dyadic, 0> place[] = {{Dyadic(p.x) - Dyadic(q.x)}, {Dyadic(p.y) - Dyadic(q.y)}};
   return beyond<0>(edge, place)[0].sign();
 }
 
@@ -65,4 +65,4 @@ TEST(ConvexSum, TakesBoxesOfAnySizeAndPoints) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,11 +1,11 @@
-// Which pieces the exact stage is asked about.
+// The pieces that the exact stage takes.
 #include "contact/outline/critical_pieces.h"
 
 #include <gtest/gtest.h>
 
 #include "contact/pair_by_hand.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -13,7 +13,7 @@ using namespace testing_by_hand;
 TEST(CriticalPieces, HaveStripsAndDiscsOnlyWhereTheyAreGrown) {
   const Object disc = object(2, Shape::ball);
   const std::vector<double> row = disc.row();
-  const contact::Setup setup{{disc.layout, row.data(), 1}, {disc.layout, row.data(), 1}, {0, 10}};
+  const foresee::Setup setup{{disc.layout, row.data(), 1}, {disc.layout, row.data(), 1}, {0, 10}};
   ObjectPieces a, b;
   a.take_box(1, 1), b.take_point();
   const PiecePair pair{0, 0};
@@ -22,4 +22,4 @@ TEST(CriticalPieces, HaveStripsAndDiscsOnlyWhereTheyAreGrown) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

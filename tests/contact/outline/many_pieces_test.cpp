@@ -7,13 +7,13 @@
 
 #include "contact/outline/staged_pair.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 
 /// Strips side by side, as far apart as they are wide, all so long and slanted that the boxes of any two
-/// meet. Across them they begin at `first`, at first + 4, …
+/// meet. Across them they start at `first`, at first + 4, …
 OutlinedObject slanted_strips(int count, double first, Corner velocity) {
   OutlinedObject strips{object(2, Shape::point), {}};
   strips.row.layout.law = Law::uniform;
@@ -33,7 +33,7 @@ OutlineScene interleaved(int count, double speed) {
   return {slanted_strips(count, 0, {0, 0}), slanted_strips(count, 2, {speed, -speed}), {.horizon = {0, 10}}};
 }
 
-TEST(ManyPieces, ThatAllMayTouchAreTestedAgainWhenTheyAreAskedForAgain) {
+TEST(ManyPieces, ThatAllMayTouchAreTestedAgainWhenNeededAgain) {
   const auto answer = outline_contact(interleaved(190, 1));
   ASSERT_TRUE(answer.has_value());
   EXPECT_EQ(answer->t, 1);
@@ -45,7 +45,7 @@ TEST(ManyPieces, OfAPairTakeBoundedMemory) {
   for (const bool times_wanted : {false, true}) {
     StagedScene staged(interleaved(190, 1));
     const FlatSpace& space = staged.space;
-    UnionPair<FlatKit<2, 1>> pair = staged.pair(times_wanted);
+    UnionPair<FlatTraits<2, 1>> pair = staged.pair(times_wanted);
     Instant begin;
     if (times_wanted) {
       EXPECT_EQ(pair.first_contact(begin), Verdict::yes);
@@ -53,7 +53,7 @@ TEST(ManyPieces, OfAPairTakeBoundedMemory) {
     } else {
       EXPECT_EQ(pair.touches(), Verdict::yes);
     }
-    EXPECT_LT(space.tested.size() + space.stays.size() + space.ends.size(), times_wanted ? 33'000u : 10u);
+    EXPECT_LT(space.tested.size() + space.intervals.size() + space.ends.size(), times_wanted ? 33'000u : 10u);
   }
 }
 
@@ -73,7 +73,7 @@ class Interrupting final : public Interrupt {
   int checks_ = 0;
 };
 
-TEST(ManyPieces, OfAPairHeedAnInterrupt) {
+TEST(ManyPieces, OfAPairPollAnInterrupt) {
   Interrupting at_once(true);
   EXPECT_THROW(outline_contact(interleaved(200, 1), at_once), Interrupted);
 }
@@ -90,7 +90,7 @@ OutlinedObject wheel(int teeth) {
 }
 
 // A tooth and the piece within the other wheel have thousands of conditions: each such pair counts as many steps.
-TEST(ManyPieces, OfManyCornersHeedAnInterruptAsOften) {
+TEST(ManyPieces, OfManyCornersPollAnInterruptAsOften) {
   constexpr int teeth = 2000;
   OutlineScene scene;
   scene.a = scene.b = wheel(teeth);
@@ -120,4 +120,4 @@ TEST(ManyPieces, ArePassedOneAfterAnotherInFewSteps) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -6,14 +6,14 @@
 #include "contact/outline/rational_oracle.h"
 #include "contact/outline/staged_pair.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 using oracle::Encounter;
 using oracle::Rational;
+using oracle::RationalInterval;
 using oracle::Region;
-using oracle::Stretch;
 
 Region region_of(const OutlinedObject& o) {
   Region region;
@@ -32,12 +32,12 @@ Encounter encounter_of(const OutlineScene& scene) {
 /// Empty if the answer is right, else what is wrong.
 std::string judged(const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
-  const Stretch asked = encounter.asked();
-  std::optional<Stretch> exact;
-  if (asked.begin <= asked.end)
+  const RationalInterval queried = encounter.queried();
+  std::optional<RationalInterval> exact;
+  if (queried.begin <= queried.end)
     exact = oracle::first_contact(region_of(scene.a), region_of(scene.b),
                                   {encounter.place(0, 0), encounter.place(1, 0)},
-                                  {encounter.velocity(0), encounter.velocity(1)}, asked);
+                                  {encounter.velocity(0), encounter.velocity(1)}, queried);
   return oracle::compared(exact, answer, scene.question.horizon.now);
 }
 
@@ -58,17 +58,17 @@ TEST(OutlineContact, IsThatOfRationalNumbers) {
 }
 
 /// The same, of any radius and motion.
-std::string judged_by_moments(const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
+std::string judged_by_times(const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
   const Region a = region_of(scene.a), b = region_of(scene.b);
-  const auto touch = [&](const Rational& moment) {
-    return oracle::touch_at(a, b, {encounter.place(0, moment), encounter.place(1, moment)},
-                            encounter.radius(moment));
+  const auto touch = [&](const Rational& time) {
+    return oracle::touch_at(a, b, {encounter.place(0, time), encounter.place(1, time)},
+                            encounter.radius(time));
   };
-  return oracle::judged_by_moments(touch, scene.question.horizon.h, answer);
+  return oracle::judged_by_times(touch, scene.question.horizon.h, answer);
 }
 
-TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
+TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryTime) {
   int cases = 0, contacts = 0;
   for (OutlineFamily family : outline_families())
     for (const auto pairing :
@@ -92,19 +92,19 @@ TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
         if (!family.bent && !grows && scene.question.within + scene.b.row.r == 0) continue;  // judged above
         const auto answer = outline_contact(scene);
         ++cases, contacts += answer.has_value();
-        ASSERT_EQ(judged_by_moments(scene, answer), "")
+        ASSERT_EQ(judged_by_times(scene, answer), "")
             << family.name << " pairing " << static_cast<int>(pairing) << " seed " << seed << '\n'
             << described(scene);
       }
   EXPECT_GE(4 * contacts, cases);
 }
 
-TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
+TEST(OutlineContact, OfRandomPairsIsDecidedByDoubles) {
   const OutlineFamily any{.name = "any", .whole = false};
   int contacts = 0, in_doubt = 0;
   for (int seed = 0; seed < 1000; ++seed) {
     StagedScene staged(draw_scene(any, OutlinePairing::outlines, static_cast<std::uint64_t>(seed)));
-    UnionPair<FlatKit<2, 1>> pair = staged.pair(true);
+    UnionPair<FlatTraits<2, 1>> pair = staged.pair(true);
     Instant begin;
     const Verdict touches = pair.first_contact(begin);
     contacts += touches == Verdict::yes;
@@ -116,4 +116,4 @@ TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "contact/case_count.h"
 #include "contact/outline/outline_scenes.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -25,7 +25,7 @@ OutlinedObject outlined(const std::vector<Ring>& rings, double x, double y, doub
   return o;
 }
 
-std::optional<ContactTimes> asked(const OutlinedObject& a, const OutlinedObject& b, double now, double h) {
+std::optional<ContactTimes> queried(const OutlinedObject& a, const OutlinedObject& b, double now, double h) {
   return outline_contact({a, b, {.horizon = {now, h}}});
 }
 
@@ -35,27 +35,28 @@ void expect_begin(const std::optional<ContactTimes>& found, double t) {
 }
 
 TEST(OutlineGrowth, ClosesTheGapBetweenWhatIsAtRest) {
-  expect_begin(asked(outlined({growing_square}, 0, 0, 0.25), outlined({growing_square}, 4, 0, 0.5), 0, 10),
+  expect_begin(queried(outlined({growing_square}, 0, 0, 0.25), outlined({growing_square}, 4, 0, 0.5), 0, 10),
                4);
   // Corner to corner: 3-4-5.
-  expect_begin(asked(outlined({growing_square}, 0, 0, 0.5), outlined({growing_square}, 4, 5, 0.5), 0, 10), 5);
-  EXPECT_FALSE(asked(outlined({growing_square}, 0, 0, 0.5), outlined({growing_square}, 4, 5, 0.5), 0,
-                     std::nextafter(5, 0)));
+  expect_begin(queried(outlined({growing_square}, 0, 0, 0.5), outlined({growing_square}, 4, 5, 0.5), 0, 10),
+               5);
+  EXPECT_FALSE(queried(outlined({growing_square}, 0, 0, 0.5), outlined({growing_square}, 4, 5, 0.5), 0,
+                       std::nextafter(5, 0)));
 }
 
 TEST(OutlineGrowth, CountsFromEachReport) {
   // At 10 one has grown by 2.5 for ten, the other for two.
   expect_begin(
-      asked(outlined({growing_square}, 0, 0, 0.25), outlined({growing_square}, 5, 0, 0.5, 8), 10, 10),
+      queried(outlined({growing_square}, 0, 0, 0.25), outlined({growing_square}, 5, 0, 0.5, 8), 10, 10),
       32.0 / 3);
-  // One that has just begun to exist has not grown.
-  expect_begin(asked(outlined({growing_square}, 0, 0, 0), outlined({growing_square}, 3, 0, 1, 15), 10, 10),
+  // An object that has just started to exist has not grown.
+  expect_begin(queried(outlined({growing_square}, 0, 0, 0), outlined({growing_square}, 3, 0, 1, 15), 10, 10),
                17);
 }
 
 TEST(OutlineGrowth, LeavesAPointInAHoleAloneUntilItsRimComes) {
-  expect_begin(asked(outlined(rims, 0, 0, 0.5), outlined({}, 5, 5, 0), 0, 10), 6);
-  expect_begin(asked(outlined(rims, 0, 0, 0.5), outlined({}, 5, 5, 0.25), 0, 10), 4);
+  expect_begin(queried(outlined(rims, 0, 0, 0.5), outlined({}, 5, 5, 0), 0, 10), 6);
+  expect_begin(queried(outlined(rims, 0, 0, 0.5), outlined({}, 5, 5, 0.25), 0, 10), 4);
 }
 
 TEST(OutlineGrowth, OfPrismsIsApartAlongZ) {
@@ -65,12 +66,12 @@ TEST(OutlineGrowth, OfPrismsIsApartAlongZ) {
     o.row.x[2] = z, o.row.hz = 1, o.row.growth_z = growth_z;
     return o;
   };
-  expect_begin(asked(prism(0, 0, 0, 0.25), prism(0, 4, 0, 0.25), 0, 10), 4);
-  EXPECT_FALSE(asked(prism(0, 0, 9, 0), prism(0, 4, 9, 0), 0, 10));
-  expect_begin(asked(prism(0, 0, 0.5, 0.25), prism(6, 4, 0.5, 0.25), 0, 10), 5);
+  expect_begin(queried(prism(0, 0, 0, 0.25), prism(0, 4, 0, 0.25), 0, 10), 4);
+  EXPECT_FALSE(queried(prism(0, 0, 9, 0), prism(0, 4, 9, 0), 0, 10));
+  expect_begin(queried(prism(0, 0, 0.5, 0.25), prism(6, 4, 0.5, 0.25), 0, 10), 5);
 }
 
-/// Before the end it is smaller: who touches the outline that grows touches the largest.
+/// A growing outline is smaller before the end: an object that touches it touches the largest.
 TEST(OutlineGrowth, IsNeverMoreThanWhatItBecomes) {
   int both = 0, largest_alone = 0;
   for (const OutlineFamily& family : outline_families())
@@ -83,12 +84,12 @@ TEST(OutlineGrowth, IsNeverMoreThanWhatItBecomes) {
       scene.a.row.layout.has_growth = true;
       scene.a.row.growth = unit * (1 + seed % 5) / 16;
       largest.question.within += (end - scene.a.row.t) * scene.a.row.growth * (1 + 0x1p-50);
-      const auto grows = outline_contact(scene), most = outline_contact(largest);
-      ASSERT_TRUE(most || !grows) << family.name << ' ' << seed << '\n' << described(scene);
+      const auto grows = outline_contact(scene), touches_largest = outline_contact(largest);
+      ASSERT_TRUE(touches_largest || !grows) << family.name << ' ' << seed << '\n' << described(scene);
       if (grows) {
-        ASSERT_GE(grows->dt, most->dt);
+        ASSERT_GE(grows->dt, touches_largest->dt);
       }
-      both += grows.has_value(), largest_alone += most && !grows;
+      both += grows.has_value(), largest_alone += touches_largest && !grows;
     }
   EXPECT_GT(both, 20);
   EXPECT_GT(largest_alone, 0);
@@ -117,4 +118,4 @@ TEST(OutlineGrowth, HasNoDistanceToABoxThatGrowsOrAMesh) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,11 +1,10 @@
-// What must hold of outlines whatever the numbers are: an outline that is a box is that box, grown ones and
-// prisms too; an outline is the union of its pieces.
+// Laws of contact between outlines: a box given as an outline has the contacts of that box, also grown or
+// as a prism. An outline is the union of its pieces. Laws that meshes share: form_laws_test.cpp.
 #include <gtest/gtest.h>
 
 #include "contact/form_laws.h"
-#include "contact/outline_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -70,7 +69,7 @@ TEST(OutlineLaws, APrismThatIsABoxMeetsCylindersAsTheBoxDoes) {
   compare_boxes(3, Shape::cylinder, true, scaled_count(400));
 }
 
-TEST(OutlineLaws, AnOutlineIsTouchedWhenTheFirstOfItsPiecesIs) {
+TEST(OutlineLaws, ContactOfAnOutlineStartsWithItsFirstPiece) {
   for_each_scene<OutlineForms>([](const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
     std::optional<ContactTimes> first;
     const ConvexPieces pieces = convex_pieces(scene.a.outline);
@@ -103,4 +102,4 @@ TEST(OutlineLaws, AnUprightPrismWithoutEndIsItsOutline) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

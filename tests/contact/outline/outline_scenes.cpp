@@ -3,11 +3,11 @@
 #include <cmath>
 #include <sstream>
 
-#include "contact/outline_contact.h"
-#include "shape/outline/turn.h"
+#include "contact/contact_factories.h"
+#include "shape/outline/outline_rotation.h"
 #include "shape/outline/validity.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 namespace {
 
 /// The outlines of a table of one row.
@@ -16,7 +16,7 @@ class OneOutline final : public OutlineRows {
   explicit OneOutline(const Outline& outline) {
     if (outline.rings() > 0) pieces_ = convex_pieces(outline);
   }
-  const ConvexPieces* pieces(std::size_t /*row*/, shape::OwnPieces<ConvexPieces>& /*own*/) const override {
+  const ConvexPieces* pieces(std::size_t /*row*/, ScratchPieces<ConvexPieces>& /*own*/) const override {
     return pieces_.count() > 0 ? &pieces_ : nullptr;
   }
 
@@ -46,7 +46,7 @@ class Draw {
     const double any = std::uniform_real_distribution<double>(-range, range)(random_);
     return family_.whole ? std::round(2 * any) / 2 : any;
   }
-  double above(double least, double range) { return least + std::abs(number(range)); }
+  double above(double min, double range) { return min + std::abs(number(range)); }
 
   OutlinedObject object(bool has_outline) {
     OutlinedObject o;
@@ -157,7 +157,7 @@ class Draw {
   /// Brings a corner of b to one of a.
   void meet(const OutlineScene& scene, double (&place)[2], double (&velocity)[2]) {
     const Corner p = corner_of(scene.a), q = corner_of(scene.b);
-    const double moment = static_cast<double>(below(9));
+    const double time = static_cast<double>(below(9));
     if (family_.motion == Motion::none) velocity[0] = velocity[1] = 0;
     if (family_.motion == Motion::along_an_edge || family_.motion == Motion::through_corners) {
       const auto ring = scene.a.outline.ring(below(scene.a.outline.rings()));
@@ -166,10 +166,10 @@ class Draw {
       const double pace = std::ldexp(1.0, static_cast<int>(below(4)) - 2) * (below(2) ? 1 : -1);
       velocity[0] = pace * (ring[j].x - ring[i].x), velocity[1] = pace * (ring[j].y - ring[i].y);
       const Corner& start = below(2) ? ring[i] : ring[j];
-      place[0] = start.x - q.x - moment * velocity[0], place[1] = start.y - q.y - moment * velocity[1];
+      place[0] = start.x - q.x - time * velocity[0], place[1] = start.y - q.y - time * velocity[1];
       return;
     }
-    place[0] = p.x - q.x - moment * velocity[0], place[1] = p.y - q.y - moment * velocity[1];
+    place[0] = p.x - q.x - time * velocity[0], place[1] = p.y - q.y - time * velocity[1];
   }
 
   void scale(OutlineScene& scene) const {
@@ -203,8 +203,8 @@ Outline outline_of(const std::vector<std::vector<Ring>>& parts) {
 Outline changed(const Outline& outline, const Corner& factor) {
   Outline changed;
   for (std::size_t p = 0; p < outline.parts(); ++p)
-    for (std::size_t r = outline.part_begin(p); r < outline.part_begin(p + 1); ++r) {
-      r == outline.part_begin(p) ? changed.begin_part() : changed.begin_hole();
+    for (std::size_t r = outline.part_start(p); r < outline.part_start(p + 1); ++r) {
+      r == outline.part_start(p) ? changed.begin_part() : changed.begin_hole();
       for (const Corner& c : outline.ring(r)) changed.add({factor.x * c.x + 0.0, factor.y * c.y + 0.0});
     }
   return changed;
@@ -260,7 +260,7 @@ std::optional<ContactTimes> outline_contact(const OutlineScene& scene, Interrupt
   const OneOutline a(scene.a.outline), b(scene.b.outline);
   const int degree = scene.a.row.layout.law == Law::uniform ? 1 : 2;
   const auto contact = make_outline_contact(setup, {&a, &b}, degree);
-  contact->heed(interrupt);
+  contact->set_interrupt(interrupt);
   return answer_of(*contact);
 }
 
@@ -280,4 +280,4 @@ std::string described(const OutlineScene& scene) {
   return out.str();
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

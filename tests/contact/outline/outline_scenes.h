@@ -1,5 +1,6 @@
-// Seeded families of pairs with outlines, each hard in one way: sliding edges, corners on corners, contacts
-// that end and begin again, touches at the ends of what is asked about, far coordinates, extreme scales.
+// Random test scenes of pairs with outlines. The families are hard cases: sliding edges, corners on corners,
+// contacts that end and start again, touches at the ends of the queried time. Coordinates and scales may be
+// extreme.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 #include "contact/pair_by_hand.h"
 #include "shape/outline/convex_pieces.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 /// One object: its row, and its outline; a point or a box has none.
 struct OutlinedObject {
@@ -32,17 +33,17 @@ struct OutlineScene {
   ContactQuestion question;
 };
 
-/// The answer of the contact room; decide() and both ways of asking for times must agree.
+/// The result of Contact; checks that decide() and first_contacts() with both TimesWanted agree.
 std::optional<ContactTimes> outline_contact(const OutlineScene& scene);
-/// The same, heeding an interrupt.
+/// The same with an interrupt.
 std::optional<ContactTimes> outline_contact(const OutlineScene& scene, Interrupt& interrupt);
 
 /// How the numbers of a family look.
 struct OutlineFamily {
   enum class Motion : std::uint8_t {
-    any,              ///< places and speeds are drawn
-    meets_a_corner,   ///< a corner of b comes to a corner of a at a whole moment
-    along_an_edge,    ///< the same, on the way along an edge of a
+    any,              ///< random positions and speeds
+    meets_a_corner,   ///< a corner of b comes to a corner of a at an integer time
+    along_an_edge,    ///< the same, along an edge of a
     through_corners,  ///< from a corner of a to another, whatever lies between
     none              ///< corner on corner, and no relative motion
   };
@@ -52,9 +53,9 @@ struct OutlineFamily {
   bool whole = true;   ///< halves of whole numbers: exact touches, ties
   double offset = 0;   ///< far from the origin
   int scale = 0;       ///< lengths times 2^scale
-  double now = 0;      ///< when it is asked; what is known is as of 0
+  double now = 0;      ///< time of the query; reports are from time 0
   double ages = 0;     ///< reference times lie up to this before now
-  bool lives = false;  ///< they end to exist at a whole moment
+  bool lives = false;  ///< objects cease to exist at an integer time
   int turned = 0;      ///< so many degrees, or any heading if below 0
   bool bent = false;   ///< accelerated
 };
@@ -69,4 +70,4 @@ OutlineScene draw_scene(const OutlineFamily& family, OutlinePairing pairing, std
 /// In words, for messages.
 std::string described(const OutlineScene& scene);
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -3,7 +3,7 @@
 
 #include "contact/outline/outline_scenes.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -43,7 +43,7 @@ void expect_contact(const std::optional<ContactTimes>& found, double t, double t
   EXPECT_EQ(found->t_end, t_end);
 }
 
-TEST(OutlineTraps, EdgesThatSlideAlongEachOtherTouchAllTheWay) {
+TEST(OutlineTraps, EdgesThatSlideAlongEachOtherTouchThroughout) {
   const auto above = [](double y) { return moving({unit_square}, {-3, y}, {1, 0}); };
   expect_contact(within_ten(resting({unit_square}), above(1)), 2, 4);
   EXPECT_FALSE(within_ten(resting({unit_square}), above(std::nextafter(1, 2))));
@@ -73,7 +73,7 @@ TEST(OutlineTraps, WhatIsInsideTouchesWithoutMeetingTheBoundary) {
   expect_contact(within_ten(moving({unit_square}, {4, 4}, {0, 0}), resting({frame[0]})), 0, 10);
 }
 
-TEST(OutlineTraps, ContactEndsWithTheFirstToothAndBeginsAgain) {
+TEST(OutlineTraps, ContactEndsWithTheFirstToothAndStartsAgain) {
   expect_contact(within_ten(resting({comb}), moving({unit_square}, {-3, 3}, {1, 0})), 2, 4);
   expect_contact(within_ten(resting({comb}), moving({unit_square}, {-3, 2}, {1, 0})), 2, 7);
 }
@@ -89,15 +89,15 @@ TEST(OutlineTraps, APointGoesThroughCutsAsIfThereWereNone) {
 
 TEST(OutlineTraps, APointBesideAReflexCornerIsOutForLessThanAnUlp) {
   const Ring notched{-2, -2, 2, -2, 2, 1, 0, 0, -2, 1};
-  for (const double way : {-1, 1}) {
-    const auto passing = [way](double y) { return moving_point({-3 * way, y}, {way, 0}); };
+  for (const double side : {-1, 1}) {
+    const auto passing = [side](double y) { return moving_point({-3 * side, y}, {side, 0}); };
     expect_contact(within_ten(resting({notched}), passing(0x1p-60)), 1, 3);
     expect_contact(within_ten(resting({notched}), passing(0)), 1, 5);
     expect_contact(within_ten(resting({notched}), passing(-0x1p-60)), 1, 5);
   }
 }
 
-TEST(OutlineTraps, WhatIsMissedByAnUlpAndTouchedLaterIsNotTheFirst) {
+TEST(OutlineTraps, AMissByAnUlpIsNotTheFirstContact) {
   // Up from just above the lower of two squares, just into the upper, and down again onto the lower.
   OutlinedObject squares{object(2, Shape::point), outline_of({{unit_square}, {{0, 2, 1, 2, 1, 3, 0, 3}}})};
   OutlinedObject point{object(2, Shape::point), {}};
@@ -106,7 +106,7 @@ TEST(OutlineTraps, WhatIsMissedByAnUlpAndTouchedLaterIsNotTheFirst) {
   expect_contact(within_ten(squares, point), 2 - 0x1p-25, 2 + 0x1p-25);
 }
 
-TEST(OutlineTraps, ATouchAtTheEndOfWhatIsAskedCounts) {
+TEST(OutlineTraps, ATouchAtTheEndOfTheQueriedTimeCounts) {
   expect_contact(within_ten(resting({unit_square}), moving_point({11, 0.5}, {-1, 0})), 10, 10);
   EXPECT_FALSE(within_ten(resting({unit_square}), moving_point({std::nextafter(11, 12), 0.5}, {-1, 0})));
   expect_contact(within_ten(resting({unit_square}), moving_point({1, 0.5}, {1, 0})), 0, 0);
@@ -120,7 +120,7 @@ TEST(OutlineTraps, ATouchAtTheEndOfALifeCounts) {
   EXPECT_FALSE(within_ten(resting({unit_square}), point));
 }
 
-TEST(OutlineTraps, AMomentIsAsked) {
+TEST(OutlineTraps, AnInstantIsQueried) {
   const auto now = [](double x) {
     return outline_contact({resting({unit_square}), moving_point({x, 0}, {1, 1}), {.horizon = {0, 0}}});
   };
@@ -137,8 +137,8 @@ TEST(OutlineTraps, ADistanceIsReachedExactly) {
 
 TEST(OutlineTraps, AnEdgeWhoseSquaredLengthVanishesGrowsAsFarAsOthers) {
   const Ring wedge{-1, -5, 0, 0, -1, 5}, blunt{-1, -5, 0, 0, -1e-161, 1e-160, -1, 5};
-  for (const double way : {-10, 10}) {
-    const OutlinedObject point = moving_point({way < 0 ? 60.0 : 1.0, 5}, {way, 0});
+  for (const double side : {-10, 10}) {
+    const OutlinedObject point = moving_point({side < 0 ? 60.0 : 1.0, 5}, {side, 0});
     const auto found = within_ten(resting({wedge}), point, 50);
     ASSERT_TRUE(found.has_value());
     expect_contact(within_ten(resting({blunt}), point, 50), found->t, found->t_end);
@@ -163,4 +163,4 @@ TEST(OutlineTraps, NothingAndADiscMeetAnOutlineAlike) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

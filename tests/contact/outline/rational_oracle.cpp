@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 Rational cross(const Place& a, const Place& b) {
@@ -24,7 +24,7 @@ struct Steady {
 };
 
 /// Cuts a stretch to when low <= number <= high; false if nothing is left.
-bool cut(Stretch& stretch, const Steady& number, const Rational& low, const Rational& high) {
+bool cut(RationalInterval& stretch, const Steady& number, const Rational& low, const Rational& high) {
   if (number.slope == 0) return low <= number.value && number.value <= high;
   Rational first = (low - number.value) / number.slope, last = (high - number.value) / number.slope;
   if (last < first) std::swap(first, last);
@@ -34,24 +34,24 @@ bool cut(Stretch& stretch, const Steady& number, const Rational& low, const Rati
 }
 
 /// When the segment from p along e meets that from q along f, which moves as d does.
-std::optional<Stretch> meeting(const Place& p, const Place& e, const Place& q, const Place& f, const Place& d,
-                               const Place& v, Stretch asked) {
+std::optional<RationalInterval> meeting(const Place& p, const Place& e, const Place& q, const Place& f,
+                                        const Place& d, const Place& v, RationalInterval queried) {
   const Place gap{d.x + q.x - p.x, d.y + q.y - p.y};
   const Rational turn = cross(e, f);
   if (turn != 0) {
     const Steady along_e{cross(gap, f) / turn, cross(v, f) / turn};
     const Steady along_f{cross(gap, e) / turn, cross(v, e) / turn};
-    if (cut(asked, along_e, 0, 1) && cut(asked, along_f, 0, 1)) return asked;
+    if (cut(queried, along_e, 0, 1) && cut(queried, along_f, 0, 1)) return queried;
     return {};
   }
   // Parallel: in one line, and overlapping in it. A point is a segment without length.
   const bool e_is_point = e.x == 0 && e.y == 0;
   const Place& line = e_is_point ? f : e;
-  if (!cut(asked, {cross(gap, line), cross(v, line)}, 0, 0)) return {};
+  if (!cut(queried, {cross(gap, line), cross(v, line)}, 0, 0)) return {};
   const Rational reach_e = dot(e, line), reach_f = dot(f, line);
   const Rational low = std::min<Rational>(0, reach_e) - std::max<Rational>(0, reach_f);
   const Rational high = std::max<Rational>(0, reach_e) - std::min<Rational>(0, reach_f);
-  if (cut(asked, {dot(gap, line), dot(v, line)}, low, high)) return asked;
+  if (cut(queried, {dot(gap, line), dot(v, line)}, low, high)) return queried;
   return {};
 }
 
@@ -85,7 +85,7 @@ bool holds_one(const Region& outer, const Region& inner, const Place& shift) {
   });
 }
 
-/// Gives `take` where each edge begins, and how far it runs.
+/// Calls `take` with the start of each edge and its vector.
 template <class Take>
 void for_each_edge(const Region& region, Take&& take) {
   for (const auto& ring : region)
@@ -97,10 +97,11 @@ void for_each_edge(const Region& region, Take&& take) {
 
 class Scene {
  public:
-  Scene(const Region& a, const Region& b, const Place& place, const Place& velocity, const Stretch& asked)
-      : a_(a), b_(b), place_(place), velocity_(velocity), asked_(asked) {}
+  Scene(const Region& a, const Region& b, const Place& place, const Place& velocity,
+        const RationalInterval& queried)
+      : a_(a), b_(b), place_(place), velocity_(velocity), queried_(queried) {}
 
-  std::optional<Stretch> first_contact() {
+  std::optional<RationalInterval> first_contact() {
     meet_boundaries();
     fill_gaps();
     return first_of(contacts_);
@@ -110,33 +111,33 @@ class Scene {
   void meet_boundaries() {
     for_each_edge(a_, [&](const Place& p, const Place& e) {
       for_each_edge(b_, [&](const Place& q, const Place& f) {
-        if (const auto met = meeting(p, e, q, f, place_, velocity_, asked_)) contacts_.push_back(*met);
+        if (const auto met = meeting(p, e, q, f, place_, velocity_, queried_)) contacts_.push_back(*met);
       });
     });
   }
 
   /// Where no boundaries meet, nothing enters or leaves.
   void fill_gaps() {
-    for (const Stretch& gap : gaps_between(contacts_, asked_)) fill(gap.begin, gap.end);
+    for (const RationalInterval& gap : gaps_between(contacts_, queried_)) fill(gap.begin, gap.end);
   }
 
   void fill(const Rational& begin, const Rational& end) {
-    const Rational moment = (begin + end) / 2;
-    const Place d{place_.x + moment * velocity_.x, place_.y + moment * velocity_.y}, back{-d.x, -d.y};
+    const Rational time = (begin + end) / 2;
+    const Place d{place_.x + time * velocity_.x, place_.y + time * velocity_.y}, back{-d.x, -d.y};
     if (holds_one(a_, b_, d) || holds_one(b_, a_, back)) contacts_.push_back({begin, end});
   }
 
   const Region &a_, &b_;
   const Place &place_, &velocity_;
-  const Stretch asked_;
-  std::vector<Stretch> contacts_;
+  const RationalInterval queried_;
+  std::vector<RationalInterval> contacts_;
 };
 
 }  // namespace
 
-std::optional<Stretch> first_contact(const Region& a, const Region& b, const Place& place,
-                                     const Place& velocity, const Stretch& asked) {
-  return Scene(a, b, place, velocity, asked).first_contact();
+std::optional<RationalInterval> first_contact(const Region& a, const Region& b, const Place& place,
+                                              const Place& velocity, const RationalInterval& queried) {
+  return Scene(a, b, place, velocity, queried).first_contact();
 }
 
 bool touch_at(const Region& a, const Region& b, const Place& place, const Rational& radius) {
@@ -152,4 +153,4 @@ bool touch_at(const Region& a, const Region& b, const Place& place, const Ration
   return near;
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

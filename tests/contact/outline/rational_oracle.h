@@ -1,9 +1,9 @@
-// The judge of outlines in uniform motion: boundary by boundary in rational numbers, winding between.
+// Test oracle for contact of outlines in uniform motion, in rational numbers: edge against edge, and winding.
 //
-// It knows nothing of pieces, normals or sums of shapes: for every edge of one boundary and every edge of the
-// other, the moments at which the two segments meet, from the parameters along both (Cramer's rule); in the
-// gaps that are left nothing on the boundaries meets, so one corner of each ring says whether something lies
-// within the other. All moments together, in order of time, are the contacts.
+// It uses no convex pieces, normals or Minkowski sums. For every edge of one boundary and every edge of the
+// other it computes the times at which the two segments meet, from the parameters along both (Cramer's rule).
+// In the remaining gaps the boundaries do not meet, so one corner of each ring decides whether something is
+// inside the other. All these times, sorted, are the contacts.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@
 #include "contact/rational_judge.h"
 #include "shape/outline/outline.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
-/// A place in the plane, exactly.
+/// An exact position in the plane.
 struct Place {
   Rational x, y;
 };
@@ -22,11 +22,11 @@ struct Place {
 /// Rings of one region: a point is within if it is inside of an odd number of them. A point is a ring of one.
 using Region = std::vector<std::vector<Corner>>;
 
-/// The first stretch of contact within `asked` of `a` at rest and `b`, which is at place + s velocity.
-std::optional<Stretch> first_contact(const Region& a, const Region& b, const Place& place,
-                                     const Place& velocity, const Stretch& asked);
+/// The first interval of contact within `queried`, of `a` at rest and `b` at place + s velocity.
+std::optional<RationalInterval> first_contact(const Region& a, const Region& b, const Place& place,
+                                              const Place& velocity, const RationalInterval& queried);
 
-/// Does b, moved by `place`, come within `radius` of a, or lie in it? At one moment, whatever the motion.
+/// Whether b, moved by `place`, is within `radius` of a or inside of it, at one instant.
 bool touch_at(const Region& a, const Region& b, const Place& place, const Rational& radius);
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -1,13 +1,14 @@
-// A scene of outlines as its stages see it: rows, moments, pieces, and space for the tests of one pair.
+// The input of the stages for a scene of outlines: rows, times, pieces, and the memory for the tests of a
+// pair.
 #pragma once
 
 #include <optional>
 
-#include "contact/outline/flat_kit.h"
+#include "contact/outline/flat_traits.h"
 #include "contact/outline/outline_scenes.h"
 #include "contact/pieces/union_pair.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 struct StagedScene {
   explicit StagedScene(const OutlineScene& scene)
@@ -16,27 +17,27 @@ struct StagedScene {
         setup{{scene.a.row.layout, row_a.data(), 1},
               {scene.b.row.layout, row_b.data(), 1},
               scene.question.horizon},
-        moments(moments_of(setup, row_a.data(), row_b.data())),
+        lifetime(pair_lifetime_of(setup, row_a.data(), row_b.data())),
         cut_a(convex_pieces(scene.a.outline)),
         cut_b(convex_pieces(scene.b.outline)) {
     a.take(cut_a), b.take(cut_b);
   }
   StagedScene(const StagedScene&) = delete;
 
-  UnionPair<FlatKit<2, 1>> pair(bool times_wanted) {
-    way.emplace(setup, row_a.data(), row_b.data(), a, b, moments, steps);
-    return {*way, times_wanted, space};
+  UnionPair<FlatTraits<2, 1>> pair(bool times_wanted) {
+    context.emplace(setup, row_a.data(), row_b.data(), a, b, lifetime, steps);
+    return {*context, times_wanted, space};
   }
 
   const std::vector<double> row_a, row_b;
-  const contact::Setup setup;
-  const Moments moments;
+  const Setup setup;
+  const PairLifetime lifetime;
   const ConvexPieces cut_a, cut_b;
   ObjectPieces a, b;
   FlatSpace space;
   NeverInterrupt never;
   Steps steps{never};
-  std::optional<PairWay<FlatKit<2, 1>>> way;  ///< of the pair asked for last
+  std::optional<PairContext<FlatTraits<2, 1>>> context;  ///< of the last pair
 };
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

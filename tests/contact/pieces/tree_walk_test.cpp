@@ -6,7 +6,7 @@
 #include "contact/outline/condition.h"
 #include "contact/outline/object_pieces.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// How many pairs of pieces there are for two squares over one another, `height` apart along z, that move
@@ -22,8 +22,8 @@ int pairs_of_squares(double apart, double height) {
   const TreeWalk<3, ObjectPieces> walk(a, b, relative, {0, 10}, sizes, steps);
   int pairs = 0;
   walk.visit(
-      Order::earlier_first, [](const Period<double>&) { return true; },
-      [&pairs](std::size_t, std::size_t, const Period<double>&) { ++pairs; });
+      Order::earlier_first, [](const Interval<double>&) { return true; },
+      [&pairs](std::size_t, std::size_t, const Interval<double>&) { ++pairs; });
   return pairs;
 }
 
@@ -35,4 +35,4 @@ TEST(TreeWalk, LeavesOutPrismsAboveEachOther) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,10 +1,12 @@
+// Contact of boxes by cases whose answer is known: touches, near misses, curved paths, lifetimes, reference
+// times.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "contact/pair_by_hand.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -28,12 +30,12 @@ TEST(BoxBox, MeetAndPart) {
   expect_times(contact(box(0, 0, 1, 0), box(10, 0, -1, 0), {.horizon = {0, 100}}), 4, 6);
 }
 
-TEST(BoxBox, TouchAtTheLastMomentAndNotAfterIt) {
+TEST(BoxBox, TouchAtTheLastInstantAndNotAfterIt) {
   EXPECT_TRUE(contact(box(0, 0, 1, 0), box(10, 0, -1, 0), {.horizon = {0, 4}}));
   EXPECT_FALSE(contact(box(0, 0, 1, 0), box(10, 0, -1, 0), {.horizon = {0, std::nextafter(4.0, 0)}}));
 }
 
-TEST(BoxBox, TouchAtTheFirstMomentAndLeave) {
+TEST(BoxBox, TouchAtTheFirstInstantAndLeave) {
   expect_times(contact(box(0, 0, 0, 0), box(2, 0, 1, 0), {.horizon = {0, 10}}), 0, 0);
 }
 
@@ -119,4 +121,4 @@ TEST(BoxBox, DifferentLawsMeet) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

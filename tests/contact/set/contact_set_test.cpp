@@ -1,4 +1,5 @@
-// Contact sets that no pair of shapes has today: many pieces, many half planes, sizes that change with time.
+// ContactSet with sets that no pair of shapes has today: many pieces, many half planes, sizes that change
+// with time.
 #include "contact/set/contact_set.h"
 
 #include <gtest/gtest.h>
@@ -7,17 +8,17 @@
 #include <cmath>
 #include <random>
 
+#include "contact/contact_factories.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/oracle.h"
 #include "contact/pair_by_hand.h"
-#include "contact/typed_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
 
-/// A point that moves past a set which stays around the origin.
+/// A point that moves past a set at rest around the origin.
 class Passage {
  public:
   Passage(std::initializer_list<double> x, std::initializer_list<double> v, double h,
@@ -32,7 +33,7 @@ class Passage {
              .horizon = {0, h}};
   }
 
-  /// All stages, which must agree with the exact one alone.
+  /// The answer of all stages; it must be that of the exact stage alone.
   std::optional<ContactTimes> through(const ContactSet& set) const {
     const auto contact = make_set_contact(setup, set, 2);
     const Pair pair{0, 0};
@@ -43,7 +44,7 @@ class Passage {
     EXPECT_EQ(hits, decided);
     PairPolynomials polynomials(set, setup, row_still_.data(), row_moving_.data());
     const auto exact =
-        exact_times(polynomials, exact_moments_of(setup, row_still_.data(), row_moving_.data()));
+        exact_times(polynomials, exact_lifetime_of(setup, row_still_.data(), row_moving_.data()));
     EXPECT_EQ(exact.has_value(), !times.empty());
     if (!exact || times.empty()) return {};
     EXPECT_EQ(times[0].dt, exact->dt);
@@ -89,13 +90,14 @@ TEST(ContactSet, OfAHundredDiscsThatTouchIsOneContact) {
   for (int i = 1; i <= 100; ++i) chain.push_back({static_cast<double>(i), 0, 0.5});
   std::shuffle(chain.begin(), chain.end(), std::mt19937_64(3));
   expect_span(Passage({-4, 0}, {1, 0}, 1000).through(set_of(chain)), 4.5, 104.5);
-  // Off their common line the first is left before the second is met.
+  // Off their common line the point leaves the first before it enters the second.
   Passage beside({-4, 0.3}, {1, 0}, 1000);
   expect_span(beside.through(set_of(chain)), 4.6, 5.4);
   EXPECT_FALSE(Passage({-4, std::nextafter(0.5, 1)}, {1, 0}, 1000).through(set_of(chain)));
 }
 
-/// The first contact of the union is that of the discs one by one, each of which the oracle judges.
+/// The first contact of the union is the first of the contacts of the discs, which the oracle gives one by
+/// one.
 TEST(ContactSet, OfAHundredDiscsIsTheUnionOfDiscs) {
   std::mt19937_64 random(11);
   const auto number = [&random](double range) {
@@ -129,10 +131,10 @@ TEST(ContactSet, OfAHundredDiscsIsTheUnionOfDiscs) {
   EXPECT_GT(contacts, 20);
 }
 
-/// A polygon that is nearly round, by as many half planes as it has edges.
+/// A polygon that is nearly round: one half plane per edge.
 struct Polygon {
   ContactSet set;
-  std::vector<std::array<double, 3>> edges;  ///< of each normal x, y and what is at most its limit
+  std::vector<std::array<double, 3>> edges;  ///< of each edge: normal x, normal y, and the limit
 
   explicit Polygon(int corners) {
     Conditions piece;
@@ -176,7 +178,7 @@ TEST(ContactSet, OfAHundredHalfPlanesIsEnteredAndLeftWhereExactSignsSay) {
       continue;
     }
     ++contacts;
-    const auto next = [](double t, double way) { return std::nextafter(t, way); };
+    const auto next = [](double t, double towards) { return std::nextafter(t, towards); };
     EXPECT_FALSE(polygon.holds(passage.moving, next(times->dt, 0)));
     EXPECT_TRUE(polygon.holds(passage.moving, next(times->dt, 100)));
     EXPECT_TRUE(polygon.holds(passage.moving, (times->dt + times->dt_end) / 2));
@@ -195,10 +197,10 @@ TEST(ContactSet, OfNoPieceIsNeverMetAndOfAnEmptyPieceAlways) {
   expect_span(passage.through(set), 0, 8);
 }
 
-/// |x| <= R over two axes, R = r + rate tau + bend tau^2.
-ContactSet growing_disc(double r, double rate, double bend) {
+/// |x| <= R over two axes, R = r + rate tau.
+ContactSet growing_disc(double r, double rate) {
   ContactSet set;
-  const Size radius{set.given(r), set.given(rate), set.given(bend)};
+  const Size radius{set.given(r), set.given(rate)};
   const AxisPart centre[] = {{.axis = 0}, {.axis = 1}};
   const int ball = set.ball(centre, radius);
   Conditions piece{.all = {ball}, .ball = ball};
@@ -210,14 +212,13 @@ ContactSet growing_disc(double r, double rate, double bend) {
 
 TEST(ContactSet, SizesGrowWithTime) {
   const Passage at_rest({6, 8}, {0, 0}, 100), closing({12, 0}, {-1, 0}, 100);
-  expect_span(at_rest.through(growing_disc(4, 0.5, 0)), 12, 100);
-  expect_span(at_rest.through(growing_disc(2, 0, 0.5)), 4, 100);
-  expect_span(closing.through(growing_disc(3, 0.5, 0)), 6, 30);
-  // Away at the speed at which the disc grows: it is never met; a little slower, and it is.
-  EXPECT_FALSE(Passage({4, 0}, {2, 0}, 100).through(growing_disc(3, 2, 0)));
-  expect_span(Passage({4, 0}, {2, 0}, 100).through(growing_disc(3, 2.25, 0)), 4, 100);
-  // Shrinking: it lets go of what it holds.
-  expect_span(Passage({3, 4}, {0, 0}, 16).through(growing_disc(9, -0.5, 0)), 0, 8);
+  expect_span(at_rest.through(growing_disc(4, 0.5)), 12, 100);
+  expect_span(closing.through(growing_disc(3, 0.5)), 6, 30);
+  // Moving away at the speed of growth it is never reached; slightly slower it is.
+  EXPECT_FALSE(Passage({4, 0}, {2, 0}, 100).through(growing_disc(3, 2)));
+  expect_span(Passage({4, 0}, {2, 0}, 100).through(growing_disc(3, 2.25)), 4, 100);
+  // A shrinking disc ends the contact.
+  expect_span(Passage({3, 4}, {0, 0}, 16).through(growing_disc(9, -0.5)), 0, 8);
 }
 
 TEST(ContactSet, BoundsAndCentresMoveToo) {
@@ -238,4 +239,4 @@ TEST(ContactSet, BoundsAndCentresMoveToo) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// Primitives against their definition, at moments computed in exact arithmetic; and every number type of the
+// Primitives against their definition, at times computed in exact arithmetic; and every number type of the
 // stages against the exact one.
 #include "contact/set/primitive.h"
 
@@ -9,7 +9,7 @@
 #include "numbers/midrad_128.h"
 #include "numbers/polynomial.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// A primitive with random lengths and a random relative motion, all halves of whole numbers or any doubles.
@@ -41,31 +41,31 @@ class Sample {
     for (const double length : lengths) list.push_back(Exactly<T>::number(length));
     return list;
   }
-  /// The motion as seen from tau.
+  /// The motion, expanded at tau.
   template <int K, class T>
-  std::array<Powers<T, K>, 3> motion_from(double tau) const {
-    std::array<Powers<T, K>, 3> seen;
+  std::array<Coefficients<T, K>, 3> motion_from(double tau) const {
+    std::array<Coefficients<T, K>, 3> seen;
     for (std::size_t j = 0; j < 3; ++j) {
       const T t = Exactly<T>::number(tau), x = Exactly<T>::number(motion[j][0]),
               v = Exactly<T>::number(motion[j][1]), a = Exactly<T>::number(motion[j][2]);
-      const Powers<T, 2> all{x + t * (v + t * a), v + twice(t * a), a};
+      const Coefficients<T, 2> all{x + t * (v + t * a), v + twice(t * a), a};
       std::copy_n(all.begin(), K + 1, seen[j].begin());
     }
     return seen;
   }
   template <int K, class T>
-  Powers<T, 2 * K> polynomial(double tau) const {
+  Coefficients<T, 2 * K> polynomial(double tau) const {
     return polynomial_of<K>(primitive, motion_from<K, T>(tau).data(), lengths_as<T>().data(), tau);
   }
 
-  /// How far outside the primitive the motion is at tau, by the words of primitive.h.
+  /// The value of the primitive at tau, by the definitions of primitive.h.
   Dyadic excess(double tau) const {
     const Dyadic t(tau);
     const auto value = [&](const Size& s) {
       const auto of = [&](int i) {
         return i == no_length ? Dyadic() : Dyadic(lengths[static_cast<std::size_t>(i)]);
       };
-      return of(s.value) + t * of(s.rate) + t * t * of(s.bend);
+      return of(s.value) + t * of(s.rate);
     };
     const Dyadic size = value(primitive.size);
     Dyadic sum, width;
@@ -107,7 +107,7 @@ class Sample {
   }
   Size size(bool moving) {
     Size s{.value = length()};
-    if (moving) s.rate = length(), s.bend = length();
+    if (moving) s.rate = length();
     return s;
   }
 
@@ -128,14 +128,15 @@ TEST(Primitive, ItsPolynomialIsItsDefinition) {
     for (int i = 0; i < 5; ++i) {
       const double tau = sample.number();
       ASSERT_EQ(value_at(p, Dyadic(tau)), sample.excess(tau)) << seed;
-      // Seen from a moment, the constant coefficient is the value there, also if that alone is asked for.
+      // Expanded at a time, the constant coefficient is the value there, also if it is the only one
+      // requested.
       ASSERT_EQ((sample.polynomial<2, Dyadic>(tau)[0]), sample.excess(tau)) << seed;
       ASSERT_EQ((sample.polynomial<0, Dyadic>(tau)[0]), sample.excess(tau)) << seed;
     }
   });
 }
 
-TEST(Primitive, SeenFromAnotherMomentItIsTheSamePolynomial) {
+TEST(Primitive, ExpandedAtAnotherTimeItIsTheSamePolynomial) {
   for_each_sample([](Sample sample, std::uint64_t seed) {
     const double from = sample.number(), s = sample.number();
     const Polynomial p(sample.polynomial<2, Dyadic>(from));
@@ -169,8 +170,6 @@ TEST(Primitive, EveryNumberTypeEnclosesTheExactCoefficients) {
 TEST(Primitive, OfUniformMotionHasTheSameCoefficients) {
   for_each_sample([](Sample sample, std::uint64_t seed) {
     for (auto& axis : sample.motion) axis[2] = 0;
-    for (double& length : sample.lengths)
-      if (sample.primitive.size.moves() || sample.primitive.parts[0].at.moves()) length = 0;  // no bend
     const auto two = sample.polynomial<2, Dyadic>(0);
     const auto one = sample.polynomial<1, Dyadic>(0);
     for (std::size_t k = 0; k < two.size(); ++k)
@@ -179,4 +178,4 @@ TEST(Primitive, OfUniformMotionHasTheSameCoefficients) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -5,14 +5,14 @@
 
 #include "base/parallel.h"
 #include "index/candidate_pairs.h"
-#include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/gpcd_grid/grid.h"
+#include "index/gpcd_grid/moving_source.h"
 
 namespace foresee::testing {
 namespace {
 
-/// The parts' candidates, part after part, from threads that take every third part.
+/// The concatenated candidates of all partitions, from threads that take every third partition.
 std::vector<Pair> from_three_threads(DividedCandidates& grid) {
   std::vector<std::vector<Pair>> parts(grid.parts());
   run_together(2, never, [&](std::size_t mine, std::size_t threads, Interrupt& interrupt) {
@@ -49,7 +49,7 @@ TEST(DividedGrid, HasTheCandidatesOfTheGridInItsOrder) {
   }
 }
 
-/// Counted at once, and stripe by stripe as a visit meets them.
+/// Compares the counts computed at once with those of a visit, stripe by stripe.
 template <int D>
 void expect_crossings_counted() {
   const RandomScene scene = random_scene(
@@ -88,9 +88,9 @@ TEST(DividedGrid, CountsTheGiantsThatCrossEachStripe) {
   expect_crossings_counted<3>();
 }
 
-TEST(DividedGrid, OfNobodyHasNoCandidates) {
-  const Bodies nobody{Layout{.axes = 2}, nullptr, 0};
-  const auto divided = make_divided_grid<2>({nobody, {0, 1}, Vec<2>::Zero()}, nullptr, 2, never, nullptr);
+TEST(DividedGrid, HasNoCandidatesWithoutObjects) {
+  const Bodies none{Layout{.axes = 2}, nullptr, 0};
+  const auto divided = make_divided_grid<2>({none, {0, 1}, Vec<2>::Zero()}, nullptr, 2, never, nullptr);
   EXPECT_TRUE(from_three_threads(*divided).empty());
 }
 
@@ -107,7 +107,7 @@ TEST(Together, DoesEveryPartOnceAndThrowsWhatAPartThrows) {
                                 [bad](std::size_t part, std::size_t, Interrupt& interrupt) {
                                   if (part == bad) throw std::bad_alloc();
                                   if (bad == 0 && part > 0)
-                                    for (;;) interrupt.check();  // stopped by the part that failed
+                                    for (;;) interrupt.check();  // stopped because another part failed
                                 }),
                    std::bad_alloc);
   }

@@ -1,5 +1,5 @@
-// Float boxes contain the boxes that they stand for, and meet the stripes that their ends lie in; all sets of
-// vector instructions give the same bits.
+// Float boxes contain their boxes and are in the stripes of their ends; all instruction sets give the same
+// bits.
 #include "index/gpcd_grid/float_lanes.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using gpcd::Partition;
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr float largest = std::numeric_limits<float>::max();
 
-/// Numbers of any size; some empty boxes, some without bounds.
+/// Numbers of any magnitude; some boxes are empty, some unbounded.
 std::vector<Beam<2>> some_beams(std::size_t count, double size) {
   Random random(6);
   const auto number = [&] { return std::ldexp(random.in(-2, 2), static_cast<int>(random.in(-size, size))); };
@@ -42,7 +42,7 @@ std::vector<Beam<2>> some_beams(std::size_t count, double size) {
   return beams;
 }
 
-/// By every set of vector instructions.
+/// Runs with every instruction set.
 FloatLanes<2> lanes_of(const std::vector<Beam<2>>& beams, const Frame<2>& frame, const Columns& columns,
                        const Partition<2>& partition) {
   BeamLanes<2> from;
@@ -69,7 +69,7 @@ void expect_inside(const Box<2>& box, const FloatBox<2>& rounded, const Frame<2>
       return Rational(x) * Rational(frame.scale[k]) - Rational(frame.scaled_origin[k]);
     };
     EXPECT_LE(rounded.lower[k], rounded.upper[k]);
-    // The ends of the range stand for all that lies beyond.
+    // Values beyond the range of a float are clamped to it.
     if (rounded.lower[k] > -largest && rounded.lower[k] < largest) {
       EXPECT_LE(Rational(rounded.lower[k]), place(box.lower[k]));
     }

@@ -1,5 +1,5 @@
-// What a giant covers touches it: no pair that the grid vouches for is wrong, whatever the numbers, none is
-// lost over it, and where giants are, most of their pairs are vouched for.
+// Cores of giants: every pair that the grid reports as touching touches, whatever the numbers. No pair is
+// lost, and most pairs of a giant are reported as touching.
 #include <algorithm>
 #include <cmath>
 
@@ -69,7 +69,7 @@ std::vector<Pair> all_pairs(const Side& a, const Side* b) {
   return pairs;
 }
 
-/// By every instruction set. How many pairs are vouched for.
+/// Runs with every instruction set; returns the number of pairs reported as touching.
 std::size_t expect_touching(const Side& a, const Side* b, const Question& question) {
   SCOPED_TRACE(::testing::Message() << name_of(a.layout) << " with " << name_of(b ? b->layout : a.layout)
                                     << ", now " << question.horizon.now << ", h " << question.horizon.h);
@@ -107,15 +107,15 @@ TEST(GpcdGridCores, HoldOnlyWhatTouchesInEveryLayout) {
     const Side side = with_giants(layout, 200, ++seed);
     expect_touching(side, nullptr, {{0.5, 0.25}, 0.25});
     expect_touching(side, nullptr, {{0.5, 0}, 0.25});
-    const std::size_t sure = expect_touching(side, nullptr, {{1, 0.25}, 0.25});  // all have begun
+    const std::size_t sure = expect_touching(side, nullptr, {{1, 0.25}, 0.25});  // all objects have started
     if (layout.shape != Shape::point && !layout.starts_as_point) {
       EXPECT_GT(sure, 40u) << name_of(layout);
     }
   }
 }
 
-/// Giants that are there meet objects that may not be, moving or not.
-TEST(GpcdGridCores, HoldOnlyWhatIsThereWhenTheHorizonBegins) {
+/// Giants that exist at the start meet objects that may not, moving or at rest.
+TEST(GpcdGridCores, HoldOnlyWhatExistsAtTheStartOfTheHorizon) {
   std::uint64_t seed = 0;
   std::size_t sure = 0;
   for (Shape giant : {Shape::box, Shape::ball})
@@ -132,7 +132,7 @@ TEST(GpcdGridCores, HoldOnlyWhatIsThereWhenTheHorizonBegins) {
   EXPECT_GT(sure, sanitized ? 250u : 1000u);
 }
 
-/// Also where a coordinate has few digits left, where all is tiny, or where nothing fits a float.
+/// Also if a coordinate has few digits left, if all numbers are tiny, or if none fits a float.
 TEST(GpcdGridCores, HoldOnlyWhatTouchesAtExtremeNumbers) {
   constexpr std::size_t count = sanitized ? 60 : 100;
   std::size_t sure = 0;
@@ -154,8 +154,8 @@ TEST(GpcdGridCores, HoldOnlyWhatTouchesAtExtremeNumbers) {
   EXPECT_GT(sure, 1000u);
 }
 
-/// What lies on the brim of a giant, or just beside it.
-TEST(GpcdGridCores, LeaveTheBrimToContact) {
+/// Points on the boundary of a giant, or just beside it.
+TEST(GpcdGridCores, LeaveTheBoundaryToContact) {
   Random random(9);
   for (double offset : {0.0, 1e6, 1e12}) {
     const Layout layout{.axes = 2, .law = Law::uniform, .shape = Shape::box};
@@ -172,7 +172,7 @@ TEST(GpcdGridCores, LeaveTheBrimToContact) {
   }
 }
 
-TEST(CoreBox, LiesWithinTheShape) {
+TEST(CoreBox, IsWithinTheShape) {
   Random random(3);
   for (Shape shape : {Shape::box, Shape::ball, Shape::cylinder}) {
     const Layout layout{.axes = 3, .law = Law::accelerated, .shape = shape, .has_t = true};
@@ -194,7 +194,7 @@ TEST(CoreBox, LiesWithinTheShape) {
         contact->decide(pairs, hits);
         EXPECT_EQ(hits.size(), 8u) << name_of(layout) << ", now " << now;
       }
-      EXPECT_EQ(cores == scene.size(), now >= 1) << "some begin after 0";
+      EXPECT_EQ(cores == scene.size(), now >= 1) << "some start after 0";
     }
   }
 }

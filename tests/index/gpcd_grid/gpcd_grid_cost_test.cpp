@@ -1,8 +1,9 @@
-// What the grid costs, in counts that are the same on every machine: entries, steps of the kernel, checks.
+// The cost of the grid in counts that are the same on every machine: entries, kernel steps, interrupt polls.
 #include "index/candidate_pairs.h"
-#include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/grid.h"
-#include "stop_at.h"
+#include "index/gpcd_grid/moving_source.h"
+#include "index/resting_bodies.h"
+#include "stopping_interrupt.h"
 
 namespace foresee::testing {
 namespace {
@@ -21,7 +22,9 @@ struct Cost {
 template <int D>
 Cost cost_of(const std::vector<Box<D>>& boxes) {
   GridSpace space;
-  gpcd::Grid<D> grid(gpcd::RestingSource<D>(boxes), nullptr, space, 0, never);
+  const RestingBodies<D> resting(boxes);
+  const MovingBoxes<D> side = resting.side();
+  gpcd::Grid<D> grid(gpcd::MovingSource<D>(side, never), nullptr, space, 0, never);
   gpcd::GridVisit<D> visit(grid, space.visit, never);
   const std::size_t candidates = drain(visit).size();
   return {grid.entry_count(), grid.giant_count(), visit.steps_taken(), candidates};
@@ -42,8 +45,8 @@ TEST(GpcdGridCost, IsLinearInUniformScenes) {
   expect_linear_in_objects<3>();
 }
 
-/// One object that spans the space, or crosses it many times over, meets everybody once and changes nothing
-/// else.
+/// One object that spans the space, or crosses it many times over, meets every other once; other counts
+/// hardly change.
 template <int D>
 void expect_unmoved_by_one(SceneKind kind) {
   const Cost without = cost_of<D>(boxes_of<D>(SceneKind::uniform, 20000));
@@ -66,11 +69,11 @@ TEST(GpcdGridCost, HardlyGrowsWithOneFastObject) {
   expect_unmoved_by_one<3>(SceneKind::one_fast);
 }
 
-TEST(GpcdGridCost, StaysBoundedWhenAllAreAtOneSpot) {
+TEST(GpcdGridCost, IsBoundedWhenAllAreAtOneSpot) {
   constexpr std::size_t count = 3000;
   const Cost cost = cost_of<2>(boxes_of<2>(SceneKind::one_spot, count));
   EXPECT_LE(cost.entries, 6 * count);
-  // Entries share stripes with all others, so steps follow the pairs there are.
+  // Each object shares a stripe with all others, so the steps are proportional to the number of pairs.
   EXPECT_LE(cost.steps * gpcd::lanes_max, 6 * count * (count - 1) / 2);
 }
 
@@ -87,8 +90,8 @@ TEST(GpcdGridCost, IsMovedLittleByObjectsFarAway) {
   EXPECT_LE(after.steps, before.steps + before.steps / 5);
 }
 
-/// Half of the objects are large: they are neither entered everywhere nor compared with everything.
-TEST(GpcdGridCost, StaysModerateWithTwoSizes) {
+/// Half of the objects are large: they are neither entered into all stripes nor compared with all objects.
+TEST(GpcdGridCost, IsModerateWithTwoSizes) {
   Random random(5);
   std::vector<Box<2>> boxes;
   for (int i = 0; i < 40000; ++i) {
@@ -104,19 +107,21 @@ TEST(GpcdGridCost, StaysModerateWithTwoSizes) {
 }
 
 TEST(GpcdGridInterrupt, IsSeenDuringTheBuild) {
-  const std::vector<Box<2>> boxes = boxes_of<2>(SceneKind::uniform, 100000);
+  const RestingBodies<2> resting(boxes_of<2>(SceneKind::uniform, 100000));
+  const MovingBoxes<2> side = resting.side();
   for (int checks : {0, 1, 5, 20}) {
     StopAt stop(checks);
     GridSpace space;
-    EXPECT_THROW(gpcd::Grid<2>(gpcd::RestingSource<2>(boxes), nullptr, space, 0, stop), Interrupted);
+    EXPECT_THROW(gpcd::Grid<2>(gpcd::MovingSource<2>(side, stop), nullptr, space, 0, stop), Interrupted);
   }
 }
 
 TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
-  const std::vector<Box<2>> boxes(20000, Box<2>{Vec<2>::Zero(), Vec<2>::Constant(1)});
+  const RestingBodies<2> resting(std::vector(20000, Box<2>{Vec<2>::Zero(), Vec<2>::Constant(1)}));
+  const MovingBoxes<2> side = resting.side();
   StopAt stop(1000);
   GridSpace space;
-  gpcd::Grid<2> grid(gpcd::RestingSource<2>(boxes), nullptr, space, 0, stop);
+  gpcd::Grid<2> grid(gpcd::MovingSource<2>(side, stop), nullptr, space, 0, stop);
   gpcd::GridVisit<2> visit(grid, space.visit, stop);
   std::vector<Pair> batch;
   ASSERT_TRUE(visit.next(batch));
@@ -124,19 +129,19 @@ TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
   EXPECT_THROW(visit.next(batch), Interrupted);
 }
 
-/// Keys in any order, of few different places, with some that are far away.
+/// Keys in any order, at few different places, with some far away.
 TEST(GpcdGridKeys, AreSortedWhateverTheRange) {
   Random random(9);
   GridSpace::Visit::Lanes memory;
-  const float inf = std::numeric_limits<float>::infinity(), most = std::numeric_limits<float>::max();
+  const float inf = std::numeric_limits<float>::infinity(), max = std::numeric_limits<float>::max();
   for (std::size_t count : {0u, 1u, 5u, 12u, 13u, 100u, 3000u})
-    for (const gpcd::Range& range : {gpcd::Range{-5, 5}, gpcd::Range{0, 0}, gpcd::Range{-most, most},
+    for (const gpcd::Range& range : {gpcd::Range{-5, 5}, gpcd::Range{0, 0}, gpcd::Range{-max, max},
                                      gpcd::Range{1e-40F, 2e-40F}, gpcd::Range{7, 3}})
       for (double scale : {0.0, 1e-44, 3.0, 1e38}) {
         std::vector<gpcd::Key> keys;
         for (std::uint32_t i = 0; i < count; ++i) {
           const auto x = static_cast<float>(random.in(-1, 1) * scale);
-          keys.push_back(gpcd::key_of(i % 50 == 7 ? most : i % 70 == 9 ? -most : i % 90 == 3 ? -inf : x, i));
+          keys.push_back(gpcd::key_of(i % 50 == 7 ? max : i % 70 == 9 ? -max : i % 90 == 3 ? -inf : x, i));
         }
         const auto sorted = gpcd::along_x(keys, range, memory, never);
         std::sort(keys.begin(), keys.end());

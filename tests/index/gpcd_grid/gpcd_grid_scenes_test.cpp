@@ -1,11 +1,12 @@
-// The grid over swept boxes of every layout and kind of scene, judged by all pairs and, independently, by
-// Boost.Geometry's R-tree.
+// The grid over swept boxes of every layout and kind of scene, compared with all pairs and, independently,
+// with Boost.Geometry's R-tree.
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <iterator>
 
 #include "index/candidate_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
+#include "index/resting_bodies.h"
 
 namespace foresee::testing {
 namespace {
@@ -17,12 +18,16 @@ std::vector<Box<D>> boxes_of(const RandomScene& scene, double h) {
 
 template <int D>
 void expect_grid_agrees(const RandomScene& scene, const RandomScene& other, double h) {
-  const std::vector<Box<D>> a = boxes_of<D>(scene, h), b = boxes_of<D>(other, h);
-  const std::span<const Box<D>> left(a), right(b);
-  const std::vector<Pair> within = pairs_that_meet(left), between = pairs_that_meet(left, right);
-  // Rounded outward, boxes on a lattice that just miss each other may meet; otherwise hardly any do.
-  expect_all_once(within_order(drain(*make_gpcd_grid<D>(left, never))), within, within.size() / 10 + 20);
-  expect_all_once(in_order(drain(*make_gpcd_grid<D>(left, right, never))), between, between.size() / 10 + 20);
+  const RestingBodies<D> left(boxes_of<D>(scene, h)), right(boxes_of<D>(other, h));
+  const std::vector<Box<D>> a = left.boxes(never), b = right.boxes(never);
+  const std::vector<Pair> within = pairs_that_meet<D>(a), between = pairs_that_meet<D>(a, b);
+  const MovingBoxes<D> second = right.side();
+  // Because boxes are rounded outward, boxes on a lattice that just miss each other may meet; otherwise few
+  // do.
+  expect_all_once(within_order(drain(*make_gpcd_grid<D>(left.side(), nullptr, never))), within,
+                  within.size() / 10 + 20);
+  expect_all_once(in_order(drain(*make_gpcd_grid<D>(left.side(), &second, never))), between,
+                  between.size() / 10 + 20);
 }
 
 void expect_grid_agrees(const RandomScene& scene, const RandomScene& other, double h) {
@@ -60,11 +65,11 @@ TEST_P(GpcdGridScenes, AgreesForHorizonsOfAnyLength) {
       const Layout layout{axes, Law::accelerated, Shape::ball, false, false};
       const RandomScene scene = random_scene({layout, GetParam(), 120, 5});
       SCOPED_TRACE(h);
-      const std::size_t most = scene.size() * (scene.size() - 1) / 2;
+      const std::size_t all_pairs_count = scene.size() * (scene.size() - 1) / 2;
       auto agrees = [&]<int D>(std::integral_constant<int, D>) {
-        const std::vector<Box<D>> boxes = boxes_of<D>(scene, h);
-        const std::span<const Box<D>> all(boxes);
-        expect_all_once(within_order(drain(*make_gpcd_grid<D>(all, never))), pairs_that_meet(all), most);
+        const RestingBodies<D> all(boxes_of<D>(scene, h));
+        expect_all_once(within_order(drain(*make_gpcd_grid<D>(all.side(), nullptr, never))),
+                        pairs_that_meet<D>(all.boxes(never)), all_pairs_count);
       };
       if (axes == 1) agrees(std::integral_constant<int, 1>());
       if (axes == 2) agrees(std::integral_constant<int, 2>());
@@ -88,7 +93,7 @@ BoostPoint<D> boost_point(const Vec<D>& x) {
   return point;
 }
 
-/// Self-join of an R-tree of the boxes: an index of another kind, by other people.
+/// Self-join of an R-tree of the boxes: an independent index of another kind.
 template <int D>
 std::vector<Pair> pairs_by_rtree(const std::vector<Box<D>>& boxes) {
   using Value = std::pair<BoostBox<D>, std::uint32_t>;
@@ -108,10 +113,9 @@ template <int D>
 void expect_nothing_lost(SceneKind kind) {
   const std::size_t count = kind == SceneKind::one_spot ? 700 : 5000;
   const Layout layout{D, Law::accelerated, Shape::box, true, true};
-  const std::vector<Box<D>> boxes = boxes_of<D>(random_scene({layout, kind, count, 42}), 3);
-  const std::vector<Pair> found =
-      within_order(drain(*make_gpcd_grid<D>(std::span<const Box<D>>(boxes), never)));
-  const std::vector<Pair> judged = pairs_by_rtree<D>(boxes);
+  const RestingBodies<D> bodies(boxes_of<D>(random_scene({layout, kind, count, 42}), 3));
+  const std::vector<Pair> found = within_order(drain(*make_gpcd_grid<D>(bodies.side(), nullptr, never)));
+  const std::vector<Pair> judged = pairs_by_rtree<D>(bodies.boxes(never));
   expect_all_once(found, judged, judged.size() / 10 + 20);
 }
 

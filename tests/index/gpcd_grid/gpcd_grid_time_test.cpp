@@ -1,5 +1,5 @@
-// The grid over objects in motion: no pair that touches is lost, whatever the numbers, by any instruction
-// set; and what never comes close at the same time is not a candidate.
+// The grid over moving objects: no instruction set loses a pair that touches, whatever the numbers. Pairs
+// that are never near at the same time are not candidates.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,7 +12,7 @@
 namespace foresee::testing {
 namespace {
 
-/// A scene of any layout whose numbers a test has changed.
+/// A scene of any layout, with numbers that a test may change.
 struct Moving {
   Layout layout;
   std::vector<double> rows;
@@ -52,7 +52,7 @@ std::vector<Pair> touching(const Moving& a, const Moving* b = nullptr) {
   return hits;
 }
 
-/// By every instruction set: all that touch, none twice, and the same candidates in the same order.
+/// With every instruction set: all pairs that touch, none twice, and the same candidates in the same order.
 void expect_all_touching(const Moving& a, const Moving* b = nullptr) {
   SCOPED_TRACE(::testing::Message() << name_of(a.layout) << ", h " << a.horizon.h);
   std::vector<Pair> first;
@@ -91,11 +91,11 @@ TEST_P(GpcdGridTime, LosesNothingForHorizonsOfAnyLength) {
 
 /// Tables hold finite numbers only.
 double stored(double x) {
-  constexpr double most = std::numeric_limits<double>::max();
-  return std::isnan(x) ? 0 : std::clamp(x, -most, most);
+  constexpr double max = std::numeric_limits<double>::max();
+  return std::isnan(x) ? 0 : std::clamp(x, -max, max);
 }
 
-/// Lengths times `scale`, then moved by `offset`; times times `slow` and moved by `since`.
+/// Multiplies lengths by `scale` and then adds `offset`; multiplies times by `slow` and adds `since`.
 Moving changed(Moving scene, double scale, double offset, double slow, double since) {
   const Offsets at = row_offsets(scene.layout);
   for (std::size_t i = 0; i < scene.size(); ++i) {
@@ -124,7 +124,7 @@ TEST_P(GpcdGridTime, LosesNothingAtExtremeNumbers) {
       }
 }
 
-/// Candidates an object in a uniform scene with about one true pair each.
+/// Candidates per object in a uniform scene with about one true pair per object.
 double candidates_an_object(double offset, double since, bool lives) {
   const Layout layout{2, Law::accelerated, Shape::box, true, true};
   Moving scene = moving(random_scene({layout, SceneKind::uniform, 4000, 3}), 3);

@@ -1,4 +1,4 @@
-// Memory that a grid keeps between queries: it grows as needed and follows the last query's need.
+// Memory that a grid keeps between queries: it grows on demand and shrinks to the need of the last query.
 #include "index/gpcd_grid/work_space.h"
 
 #include <gtest/gtest.h>

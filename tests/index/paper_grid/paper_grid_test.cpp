@@ -1,13 +1,13 @@
-// The paper's grid to the letter: who shares a cell, each pair once, and never more entries than memory has.
+// Reference implementation of the paper's grid: pairs that share a cell, each once, and bounded memory.
 #include "index/paper_grid/paper_grid.h"
 
 #include <numeric>
 
 #include "index/candidate_pairs.h"
 #include "sanitized.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -25,8 +25,7 @@ std::vector<Box<D>> boxes_of(const testing::RandomScene& scene) {
   return swept_boxes<D>(scene.bodies(), scene.horizon(), Vec<D>::Constant(scene.within / 2), never);
 }
 
-/// Steps 2 to 4 once more, without entering anything: a pair shares a cell where the cells of both overlap on
-/// every axis.
+/// Steps 2 to 4 without entries: a pair shares a cell if the cells of both overlap on every axis.
 template <int D>
 struct PlainCells {
   explicit PlainCells(std::span<const Box<D>> boxes, double times = 1) {
@@ -130,7 +129,7 @@ std::vector<Box<3>> diagonal_with_giant(std::size_t count) {
 }
 
 TEST(PaperGrid, DoublesItsCellsBeforeAGiantFillsThem) {
-  // To the letter the giant alone would meet some 5000^3 / 3^3 cells.
+  // With the paper's cells the giant alone would meet some 5000^3 / 3^3 cells.
   const std::vector<Box<3>> boxes = diagonal_with_giant(testing::sanitized ? 2000 : 5000);
   PaperGrid<3> grid(boxes, never);
   EXPECT_GT(grid.figures().doubled, 1);
@@ -156,10 +155,9 @@ TEST(PaperGrid, AnswersWhereNoDoubleHoldsTheMean) {
 }
 
 TEST(PaperGrid, HasNoPairsWithoutObjects) {
-  const std::vector<Box<2>> nobody, one = {{{0, 0}, {1, 1}}}, gone = {Box<2>::empty(), Box<2>::empty()};
-  PaperGrid<2> of_nobody(nobody, never), of_one(one, never), of_gone(gone, never),
-      between(one, nobody, never);
-  EXPECT_TRUE(drain(of_nobody).empty());
+  const std::vector<Box<2>> none, one = {{{0, 0}, {1, 1}}}, gone = {Box<2>::empty(), Box<2>::empty()};
+  PaperGrid<2> of_none(none, never), of_one(one, never), of_gone(gone, never), between(one, none, never);
+  EXPECT_TRUE(drain(of_none).empty());
   EXPECT_TRUE(drain(of_one).empty());
   EXPECT_TRUE(drain(of_gone).empty());
   EXPECT_TRUE(drain(between).empty());
@@ -178,4 +176,4 @@ TEST(PaperGrid, CanBeInterruptedWhileItIsBuiltAndWhileItIsRead) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,12 +1,12 @@
-// The paper's tests b to d: what each must remove, and what none may ever lose.
+// The paper's tests b to d: pairs that each must remove, and pairs that none may lose.
 #include "index/paper_grid/paper_stages.h"
 
 #include "contact/contact.h"
 #include "index/candidate_pairs.h"
 #include "index/paper_grid/time_interval.h"
-#include "index/paper_grid/trajectory_intersection.h"
+#include "index/paper_grid/trajectory.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_layouts;
@@ -35,11 +35,11 @@ struct TwoBoxes {
   }
   bool times_may_overlap(double h) const {
     const auto t = of(h);
-    return index::times_may_overlap<2>(t[0], t[1]);
+    return foresee::times_may_overlap<2>(t[0], t[1]);
   }
   bool regions_may_meet(double h) const {
     const auto t = of(h);
-    return index::regions_may_meet<2>(t[0], t[1]);
+    return foresee::regions_may_meet<2>(t[0], t[1]);
   }
   PaperStages& staged(double h) {
     stages = make_paper_stages<2>(bodies(), bodies(), false, {0, h}, Vec<2>::Zero(), never);
@@ -50,42 +50,42 @@ struct TwoBoxes {
   std::unique_ptr<PaperStages> stages;
 };
 
-TEST(TimeIntervalTest, PartsTwoThatCrossTheSameSpotAtDifferentTimes) {
-  const TwoBoxes boxes({-20, 0, 4, 0, 0, 0}, {0, -5, 0, 4, 0, 0});  // there at 5 and at 1.25
+TEST(TimeIntervalTest, SeparatesTwoThatCrossTheSameSpotAtDifferentTimes) {
+  const TwoBoxes boxes({-20, 0, 4, 0, 0, 0}, {0, -5, 0, 4, 0, 0});  // at the crossing at 5 and at 1.25
   EXPECT_TRUE(boxes.swept_boxes_meet(10));
   EXPECT_TRUE(boxes.regions_may_meet(10));
   EXPECT_FALSE(boxes.times_may_overlap(10));
 }
 
-/// Twice the acceleration is no double.
+/// Twice the acceleration overflows.
 TEST(TimeIntervalTest, KeepsTwoThatTouchWhileOneBrakesAsHardAsDoublesGo) {
   const double hardest = std::numeric_limits<double>::max();
   const TwoBoxes boxes({1e-157, 0, -1e136, 0, hardest, 0}, {0, 0, 0, 0, 0, 0}, 0);
-  EXPECT_TRUE(boxes.times_may_overlap(1e-292));  // there at 1e-293
+  EXPECT_TRUE(boxes.times_may_overlap(1e-292));  // the crossing is at 1e-293
 }
 
-TEST(TimeIntervalTest, KeepsTwoThatTouchAtTheVeryEnd) {
+TEST(TimeIntervalTest, KeepsTwoThatTouchAtTheEnd) {
   const TwoBoxes boxes({-10, 0, 4, 0, 0, 0}, {0, 0, 0, 0, 0, 0});  // touch at 2
   EXPECT_TRUE(boxes.times_may_overlap(2));
 }
 
 TEST(TimeIntervalTest, KnowsThatOneIsInsideTwice) {
-  // Up to y = 8 and down again: beside the wall (y <= 1 there) at the beginning and the end, while the other
-  // passes over the path in the middle only.
+  // Up to y = 8 and down again: beside the wall (y <= 1 there) at the start and at the end, while the other
+  // object passes over the path in the middle only.
   const TwoBoxes boxes({0, 0, 0, 4, 0, -1}, {-9, 0, 2.25, 0, 0, 0});  // y(t) = 4 t - t^2 / 2; x = 0 at 4
   EXPECT_TRUE(boxes.swept_boxes_meet(8));
   EXPECT_FALSE(boxes.times_may_overlap(8));
   EXPECT_TRUE(TwoBoxes({0, 0, 0, 4, 0, -1}, {-18, 0, 2.25, 0, 0, 0}).times_may_overlap(8.5));
 }
 
-TEST(TrajectoryIntersectionTest, PartsParallelDiagonals) {
+TEST(TrajectoryIntersectionTest, SeparatesParallelDiagonals) {
   const TwoBoxes boxes({0, 0, 1, 1, 0, 0}, {8, 2, 1, 1, 0, 0});
   EXPECT_TRUE(boxes.swept_boxes_meet(10));
   EXPECT_FALSE(boxes.regions_may_meet(10));
   EXPECT_TRUE(TwoBoxes({0, 0, 1, 1, 0, 0}, {3, 0, 1, 1, 0, 0}).regions_may_meet(10));
 }
 
-TEST(TrajectoryIntersectionTest, LooksOnTheSideToWhichAnArcBends) {
+TEST(TrajectoryIntersectionTest, ChecksTheSideToWhichAnArcBends) {
   // From (0, 0) to (10, 0), an arc that reaches y = 6.25 at 5; a resting box above it, and one below.
   EXPECT_TRUE(TwoBoxes({0, 0, 1, 2.5, 0, -0.5}, {5, 7, 0, 0, 0, 0}).regions_may_meet(10));
   EXPECT_FALSE(TwoBoxes({0, 0, 1, 2.5, 0, -0.5}, {5, -2.5, 0, 0, 0, 0}).regions_may_meet(10));
@@ -109,7 +109,7 @@ TEST(PaperStages, CountPairsBeforeAndAfterEachTest) {
   }
 }
 
-/// Prunes all pairs of two scenes and expects that those that touch are left.
+/// Prunes all pairs of two scenes and expects that no pair that touches is removed.
 struct Losses {
   std::size_t candidates = 0, left = 0, hits = 0;
 
@@ -174,7 +174,7 @@ TEST(PaperStages, LoseNoPairBetweenTablesOfDifferentKinds) {
   EXPECT_GT(losses.hits, 1000u);
 }
 
-/// Numbers of every size, so that products overflow, underflow and cancel.
+/// Numbers of every magnitude, so that products overflow, underflow and cancel.
 TEST(PaperStages, LoseNoPairHoweverLargeOrSmallTheNumbersAre) {
   testing::Random random(77);
   const double sizes[] = {0, 5e-324, 1e-200, 1e-9, 1, 3, 1e9, 1e16, 1e150, 1e300};
@@ -189,7 +189,7 @@ TEST(PaperStages, LoseNoPairHoweverLargeOrSmallTheNumbersAre) {
       const auto place = static_cast<int>(k % size);
       double number = sizes[random.below(10)] * static_cast<double>(1 + random.below(3));
       if (place < half && random.below(2)) number = -number;
-      if (place == until) number = scene.rows[k - size + 1] + number;  // t stands first
+      if (place == until) number = scene.rows[k - size + 1] + number;  // t comes first
       if (random.below(3)) scene.rows[k] = number;
     }
     for (std::size_t i = 0; i < scene.size(); ++i) {
@@ -203,4 +203,4 @@ TEST(PaperStages, LoseNoPairHoweverLargeOrSmallTheNumbersAre) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

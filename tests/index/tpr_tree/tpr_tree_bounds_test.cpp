@@ -1,14 +1,14 @@
-// Exact rationals judge that bounds round outward.
+// Outward rounding of bounds and moving boxes, checked with exact rationals.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "index/tpr_tree/bounds.h"
 #include "index/tpr_tree/moving_box.h"
-#include "index/tpr_tree/nearest_walk.h"
+#include "index/tpr_tree/search/nearest_walk.h"
 #include "tests/scenes.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using Exact = boost::multiprecision::cpp_rational;
@@ -27,11 +27,11 @@ struct Case {
   Vec<1> half;
   double epoch, later, now;
 
-  Exact velocity(double moment) const { return Exact(motion.v[0]) + motion.a[0] * elapsed(moment); }
+  Exact velocity(double time) const { return Exact(motion.v[0]) + motion.a[0] * elapsed(time); }
   Exact centre(const Exact& s) const {
     return Exact(motion.x[0]) + motion.v[0] * s + Exact(motion.a[0]) * s * s / 2;
   }
-  Exact elapsed(double moment) const { return Exact(moment) - Exact(motion.t); }
+  Exact elapsed(double time) const { return Exact(time) - Exact(motion.t); }
 };
 
 Case random_case(Random& random) {
@@ -53,7 +53,7 @@ void expect_outside(const Bounds<1>& bounds, const Case& c, double epoch) {
   EXPECT_TRUE(at_most(bounds.a_lower[0], c.motion.a[0]) && at_least(bounds.a_upper[0], c.motion.a[0]));
 }
 
-TEST(TreeBounds, LieOutsideTheExactMotionAtEveryEpoch) {
+TEST(TreeBounds, ContainTheExactMotionAtEveryEpoch) {
   Random random(1);
   for (int i = 0; i < 500; ++i) {
     const Case c = random_case(random);
@@ -74,14 +74,14 @@ void expect_outside(const MovingBox<1>& box, const Case& c, const Horizon& horiz
   }
 }
 
-TEST(TreeBounds, MovingBoxesLieOutsideTheExactMotion) {
+TEST(TreeBounds, MovingBoxesContainTheExactMotion) {
   Random random(2);
   for (int i = 0; i < 500; ++i) {
     const Case c = random_case(random);
     const double h = std::abs(random.in(0, 1) * (random.below(2) ? 1e3 : 1e-300));
     const Horizon horizon{c.now, h};
     Motion<1> motion = c.motion;
-    motion.t = std::min(motion.t, c.now);  // it exists all the time
+    motion.t = std::min(motion.t, c.now);  // the object exists throughout
     const Bounds<1> at_epoch = bounds_at(motion, symmetric<1>(c.half), c.epoch);
     const Case moved{motion, c.half, c.epoch, c.later, c.now};
     expect_outside(moving_box<1>(at_epoch, c.epoch, {0, h}, horizon), moved, horizon, 0);
@@ -90,7 +90,7 @@ TEST(TreeBounds, MovingBoxesLieOutsideTheExactMotion) {
   }
 }
 
-/// Two points and a window of no size, all at the same place half-way through the horizon.
+/// Two points and a window of size 0, all at the same place at half the horizon.
 template <int D>
 void expect_to_meet(double speed, double other, double h) {
   const Horizon horizon{0, h};
@@ -101,14 +101,14 @@ void expect_to_meet(double speed, double other, double h) {
   const MovingBox<D> a = moving(speed), b = moving(other),
                      window = moving_window<D>(place - gone, place - gone, Vec<D>::Constant(other), horizon);
   for (const MovingBox<D>& met : {b, window}) {
-    TimeSpan span = shared_span(a, met), turned = span;
+    SharedInterval span = shared_span(a, met), turned = span;
     EXPECT_TRUE(narrow_to_contact(a, met, span) && span.begin <= h / 2);
     EXPECT_TRUE(narrow_to_contact(met, a, turned) && turned.begin <= h / 2);
-    EXPECT_EQ(least_distance(a, met, shared_span(a, met)), 0);
+    EXPECT_EQ(min_distance(a, met, shared_span(a, met)), 0);
   }
 }
 
-TEST(TreeBounds, BoxesThatMeetAreNotToldApartByAnySpeed) {
+TEST(TreeBounds, BoxesThatMeetAreSeparatedByNoSpeed) {
   for (double h : {0.0, 5e-324, 1e-300, 1e-20, 1.0, 1e300})
     for (double speed : {-1.7e308, -1e308, -1e300, 0.0, 1e299, 1e308, 1.7e308})
       for (double other : {-1.7e308, 0.0, 1.7e308}) {
@@ -119,16 +119,16 @@ TEST(TreeBounds, BoxesThatMeetAreNotToldApartByAnySpeed) {
       }
 }
 
-/// A tree asks again for the moments that it was told, which are rounded.
-TEST(TreeBounds, WhatMeetsBetweenTwoDoublesMeetsStill) {
-  constexpr double moment = 5e-324, speed = 1e299;
+/// A tree narrows an interval again whose ends are already rounded.
+TEST(TreeBounds, BoxesThatMeetBetweenTwoDoublesMeetStill) {
+  constexpr double time = 5e-324, speed = 1e299;
   const Vec<1> none = Vec<1>::Zero();
-  const Horizon horizon{0, 40 * moment};
+  const Horizon horizon{0, 40 * time};
   for (double part = 1.125; part < 40; part += 1.125) {
-    const Vec<1> way = Vec<1>::Constant(speed * moment * part), fast = Vec<1>::Constant(speed);
+    const Vec<1> offset = Vec<1>::Constant(speed * time * part), fast = Vec<1>::Constant(speed);
     const MovingBox<1> a = moving_box<1>({0, none, fast, none, 1}, Extents<1>::none(), horizon, none),
-                       b = moving_box<1>({0, way, none, none, 1}, Extents<1>::none(), horizon, none);
-    TimeSpan span = shared_span(a, b);
+                       b = moving_box<1>({0, offset, none, none, 1}, Extents<1>::none(), horizon, none);
+    SharedInterval span = shared_span(a, b);
     EXPECT_TRUE(narrow_to_contact(a, b, span) && narrow_to_contact(a, b, span)) << part;
   }
 }
@@ -145,7 +145,7 @@ TEST(TreeBounds, SpansOfTheHorizonAreNeverTooShort) {
   for (int i = 0; i < 2000; ++i) {
     const Case c = random_case(random);
     const Horizon horizon{c.now, 1e12};
-    const TimeSpan span = span_between(std::min(c.epoch, c.later), std::max(c.epoch, c.later), horizon);
+    const SharedInterval span = span_between(std::min(c.epoch, c.later), std::max(c.epoch, c.later), horizon);
     const Exact first = Exact(std::min(c.epoch, c.later)) - Exact(c.now),
                 last = Exact(std::max(c.epoch, c.later)) - Exact(c.now);
     if (first > Exact(horizon.h) || last < 0) continue;
@@ -156,4 +156,4 @@ TEST(TreeBounds, SpansOfTheHorizonAreNeverTooShort) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

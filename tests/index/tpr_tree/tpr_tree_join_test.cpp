@@ -1,12 +1,13 @@
+// Joins of TPR-trees, compared with sampled positions of every pair.
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "index/tpr_tree/tree_join.h"
-#include "stop_at.h"
+#include "index/tpr_tree/search/tree_join.h"
+#include "stopping_interrupt.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -23,19 +24,19 @@ std::vector<double> record_at(const TreeScene& scene, std::size_t row) {
   return {bodies.row(row), bodies.row(row) + bodies.at.size};
 }
 
-/// Do two rows' boxes, grown by margin each, meet at a sampled moment of the horizon?
+/// True if two rows' boxes, each grown by margin, meet at a sampled time of the horizon.
 template <int D>
 bool meet_at_a_sample(const TreeScene& a, std::size_t i, const TreeScene& b, std::size_t j,
                       const Horizon& horizon, double margin) {
-  Layout layout_a = a.layout, layout_b = b.layout;  // rows carry the acceleration itself
+  Layout layout_a = a.layout, layout_b = b.layout;  // rows store the acceleration itself
   if (layout_a.law == Law::forced) layout_a.law = Law::accelerated;
   if (layout_b.law == Law::forced) layout_b.law = Law::accelerated;
   const auto record_a = record_at(a, i), record_b = record_at(b, j);
   for (int step = 0; step <= 12; ++step) {
-    const long double moment = horizon.now + static_cast<long double>(horizon.h) * step / 12;
+    const long double time = horizon.now + static_cast<long double>(horizon.h) * step / 12;
     long double lower_a[D], upper_a[D], lower_b[D], upper_b[D];
-    bool meet = testing::box_at<D>(layout_a, record_a, moment, lower_a, upper_a) &&
-                testing::box_at<D>(layout_b, record_b, moment, lower_b, upper_b);
+    bool meet = testing::box_at<D>(layout_a, record_a, time, lower_a, upper_a) &&
+                testing::box_at<D>(layout_b, record_b, time, lower_b, upper_b);
     for (int axis = 0; axis < D && meet; ++axis)
       meet = lower_a[axis] - upper_b[axis] <= 2 * margin && lower_b[axis] - upper_a[axis] <= 2 * margin;
     if (meet) return true;
@@ -139,4 +140,4 @@ TEST(TreeJoin, StopsWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

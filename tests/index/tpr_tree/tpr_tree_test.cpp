@@ -1,3 +1,4 @@
+// Invariants of the TPR-tree in every layout and kind of scene, at extreme numbers, and on damaged nodes.
 #include "index/tpr_tree/tpr_tree.h"
 
 #include <gtest/gtest.h>
@@ -5,12 +6,12 @@
 #include <array>
 #include <cmath>
 
-#include "index/tpr_tree/nearest_walk.h"
-#include "index/tpr_tree/tree_join.h"
-#include "index/tpr_tree/window_walk.h"
+#include "index/tpr_tree/search/nearest_walk.h"
+#include "index/tpr_tree/search/tree_join.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -116,23 +117,23 @@ TEST(TprTree, NodesThatContradictOneAnotherAreAnError) {
     if (damage == 5) model.pages.modify(model.pages.find_root()).parent = leaf;
     if (damage == 6) model.pages.modify(parent).keys[0] = 7, model.pages.place(std::array{7L}, parent);
     EXPECT_FALSE(check_tree(model.pages, model.never).problems.empty());
-    if (damage == 5)  // which only a way down meets
+    if (damage == 5)  // which only a descent meets
       EXPECT_THROW(model.tree->insert(1000, model.objects[7]), BrokenTree);
     else
       EXPECT_THROW(model.tree->erase(7), BrokenTree);
   }
 }
 
-/// Two nodes on each level below the root, all of whose parents name both: as many ways down as leaves would
-/// be in an honest tree of so many levels.
+/// Two nodes on each level below the root, each a child of both nodes above: as many paths as a valid tree
+/// with so many levels has leaves.
 void share_all_children(MemoryPages& pages, int levels) {
   const auto add_node = [&](int level, std::span<const NodeNumber> children, NodeNumber parent) {
     Node node{.level = level, .parent = parent, .keys = {children.begin(), children.end()}, .values = {}};
     for (std::size_t i = 0; i < children.size(); ++i) {
-      const double unbounded = std::numeric_limits<double>::infinity();
-      node.values.insert(node.values.end(), {0, 0, unbounded});
+      const double infinity = std::numeric_limits<double>::infinity();
+      node.values.insert(node.values.end(), {0, 0, infinity});
       for (int bound = 0; bound < 3; ++bound)
-        node.values.insert(node.values.end(), {-unbounded, -unbounded, unbounded, unbounded});
+        node.values.insert(node.values.end(), {-infinity, -infinity, infinity, infinity});
     }
     if (level == 0) node.keys = {level + parent}, node.values.assign(6, 1.0);
     const NodeNumber number = pages.allocate();
@@ -189,4 +190,4 @@ TEST(TprTree, NodesAreSplitWhateverTheirBoundsSay) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,11 +1,11 @@
-// What do updates of single objects change of a tree, and what do they leave behind?
+// Updates of single objects: the nodes that they change, and the quality of the tree after many of them.
 #include <gtest/gtest.h>
 
+#include "index/tpr_tree/search/window_walk.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "index/tpr_tree/window_walk.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::boats;
@@ -14,7 +14,7 @@ using testing::random_scene;
 using testing::RandomScene;
 using testing::TreeModel;
 
-/// Counts the nodes that the tree announces a change of.
+/// Counts the nodes whose change the tree announces.
 class CountingPages final : public Pages {
  public:
   explicit CountingPages(Pages& pages) : pages_(pages) {}
@@ -52,7 +52,7 @@ TEST(TprTreeUpdates, AnUpdateWithinTheLeafsBoundsTouchesTheLeafAlone) {
   CountingPages counting(model.pages);
   for (const auto& [id, record] : model.objects) {
     if (record[0] == read_newest_t(counting)) continue;
-    const auto tree = make_tpr_tree(counting, 60);  // now and then one tree looks around
+    const auto tree = make_tpr_tree(counting, 60);  // a new tree, whose first updates repack no leaves
     counting.changes = counting.moves = 0;
     EXPECT_TRUE(tree->update(id, record));
     EXPECT_EQ(counting.changes, 1);
@@ -60,9 +60,9 @@ TEST(TprTreeUpdates, AnUpdateWithinTheLeafsBoundsTouchesTheLeafAlone) {
   }
 }
 
-// Each object that moves may be another page of a small commit.
+// Each object that moves to another leaf may change another page of a small commit.
 TEST(TprTreeUpdates, AnUpdateMovesNoMoreObjectsThanTwoLeavesMayShare) {
-  constexpr std::size_t capacity = 64, most = 100;
+  constexpr std::size_t capacity = 64, max_moved = 100;
   constexpr double side = 250;
   TreeModel model(boats, 60, capacity);
   CountingPages counting(model.pages);
@@ -83,7 +83,7 @@ TEST(TprTreeUpdates, AnUpdateMovesNoMoreObjectsThanTwoLeavesMayShare) {
     record[1] += record[3] * (now - record[0]), record[2] += record[4] * (now - record[0]), record[0] = now;
     counting.moves = 0;
     EXPECT_TRUE(tree->update(ids[id], {record, 6}));
-    ASSERT_LE(counting.moves, most);
+    ASSERT_LE(counting.moves, max_moved);
   }
 }
 
@@ -103,7 +103,7 @@ TEST(TprTreeUpdates, ALeafWhoseSiblingsAreFullChangesAloneWhenItIsHalfEmpty) {
   }
 }
 
-/// Leaves read by windows of a twentieth of the scene's side.
+/// The number of leaves read by windows of a twentieth of the scene's side.
 std::size_t leaves_in_windows(TreeModel& model, double side, double now) {
   Random random(8);
   std::size_t leaves = 0;
@@ -117,7 +117,7 @@ std::size_t leaves_in_windows(TreeModel& model, double side, double now) {
   return leaves;
 }
 
-TEST(TprTreeUpdates, StaysTightAndFullWhileObjectsDrift) {
+TEST(TprTreeUpdates, RemainTightAndFullWhileObjectsDrift) {
   constexpr std::size_t count = 4000;
   constexpr double side = 400, duration = 20;
   TreeModel model(boats, 60, 20);
@@ -149,4 +149,4 @@ TEST(TprTreeUpdates, StaysTightAndFullWhileObjectsDrift) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,12 +1,13 @@
+// Window and nearest-neighbour searches in a TPR-tree, compared with sampled positions of every object.
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "index/tpr_tree/nearest_walk.h"
-#include "index/tpr_tree/window_walk.h"
+#include "index/tpr_tree/search/nearest_walk.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -19,7 +20,7 @@ using testing::TreeModel;
 using testing::varied_layouts;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int moments = 24;
+constexpr int instants = 24;
 
 template <int D>
 Vec<D> random_vec(Random& random, double lower, double upper) {
@@ -28,7 +29,7 @@ Vec<D> random_vec(Random& random, double lower, double upper) {
   return v;
 }
 
-/// Every object that is in the window at a sampled moment must come, and none twice.
+/// Every object that is in the window at a sampled time must be found, and none twice.
 template <int D>
 void expect_window_complete(TreeModel& model, const Horizon& horizon, const Vec<D>& lower,
                             const Vec<D>& upper, const Vec<D>& velocity) {
@@ -39,8 +40,8 @@ void expect_window_complete(TreeModel& model, const Horizon& horizon, const Vec<
     for (const std::uint32_t slot : hits.slots) EXPECT_TRUE(found.insert(hits.leaf->keys[slot]).second);
   for (const auto& [id, record] : model.objects) {
     bool inside_once = false;
-    for (int i = 0; i <= moments && !inside_once; ++i) {
-      const long double tau = static_cast<long double>(horizon.h) * i / moments;
+    for (int i = 0; i <= instants && !inside_once; ++i) {
+      const long double tau = static_cast<long double>(horizon.h) * i / instants;
       long double from[D], to[D];
       inside_once = box_at<D>(model.pages.layout(), record, horizon.now + tau, from, to);
       for (int axis = 0; axis < D && inside_once; ++axis)
@@ -51,23 +52,23 @@ void expect_window_complete(TreeModel& model, const Horizon& horizon, const Vec<
   }
 }
 
-/// Nothing that the walk leaves out comes nearer, at a sampled moment, than the k-th best it gave.
+/// No object that the walk omits is nearer, at a sampled time, than the k-th best that it returned.
 template <int D>
 void expect_nearest_complete(TreeModel& model, const Horizon& horizon, const Vec<D>& point,
                              const Vec<D>& velocity, std::size_t k) {
   auto sampled_distance = [&](const std::vector<double>& record) {
-    long double least = infinity;
-    for (int i = 0; i <= moments; ++i) {
-      const long double tau = static_cast<long double>(horizon.h) * i / moments;
+    long double nearest = infinity;
+    for (int i = 0; i <= instants; ++i) {
+      const long double tau = static_cast<long double>(horizon.h) * i / instants;
       long double from[D], to[D], squared = 0;
       if (!box_at<D>(model.pages.layout(), record, horizon.now + tau, from, to)) continue;
       for (int axis = 0; axis < D; ++axis) {
         const long double gap = (from[axis] + to[axis]) / 2 - point[axis] - velocity[axis] * tau;
         squared += gap * gap;
       }
-      least = std::min(least, std::sqrt(squared));
+      nearest = std::min(nearest, std::sqrt(squared));
     }
-    return static_cast<double>(least);
+    return static_cast<double>(nearest);
   };
   std::multiset<double> best;
   std::set<std::int64_t> found;
@@ -164,7 +165,7 @@ TEST(TreeWalks, FindFewWhereFewAre) {
   EXPECT_GT(objects, 10u);
 }
 
-TEST(LeastDistance, IsNeverAboveWhatSamplesFind) {
+TEST(MinDistance, IsNeverAboveASampledDistance) {
   Random random(11);
   for (int i = 0; i < 20000; ++i) {
     auto box = [&] {
@@ -172,7 +173,7 @@ TEST(LeastDistance, IsNeverAboveWhatSamplesFind) {
       return MovingBox<2>{lower, lower + random.unit(), v, v + (i % 2 ? 0 : random.unit()), {0, 5}};
     };
     const MovingBox<2> a = box(), b = box();
-    const double bound = least_distance(a, b, {0, 5});
+    const double bound = min_distance(a, b, {0, 5});
     double sampled = infinity;
     for (int step = 0; step <= 100; ++step) {
       const double tau = step * 0.05;
@@ -182,23 +183,22 @@ TEST(LeastDistance, IsNeverAboveWhatSamplesFind) {
       sampled = std::min(sampled, std::sqrt(gap.square().sum()));
     }
     ASSERT_LE(bound, sampled);
-    ASSERT_GE(bound, sampled - 1.0);  // and not much below it
+    ASSERT_GE(bound, sampled - 1.0);  // the bound is not much smaller
   }
 }
 
-/// A gap that closes so slowly that the slope of its square is no double, in a time as long.
-TEST(LeastDistance, IsNoneWhereTheSlopeOfASquareVanishes) {
+/// The gap closes so slowly that the slope of its square underflows, over a span as long.
+TEST(MinDistance, IsNoneWhereTheSlopeOfASquareVanishes) {
   for (double gap : {1e-120, 1e-130, 1e-139})
     for (double pace : {1e-180, 1e-200, 1e-220}) {
       const Vec<2> none = Vec<2>::Zero(), place(0, gap), speed(0, -pace);
-      const TimeSpan span{0, 1e105};
-      EXPECT_EQ(least_distance<2>({none, none, none, none, span}, {place, place, speed, speed, span}, span),
-                0)
+      const SharedInterval span{0, 1e105};
+      EXPECT_EQ(min_distance<2>({none, none, none, none, span}, {place, place, speed, speed, span}, span), 0)
           << gap << " " << pace;
     }
 }
 
-TEST(LeastDistance, OfPointsHoldsAtEverySizeOfNumbers) {
+TEST(MinDistance, OfPointsHoldsAtEverySizeOfNumbers) {
   Random random(12);
   for (double size : {1e-300, 2e-161, 1e-150, 1e-20, 1.0, 1e15, 1e150, 1e290})
     for (double h : {0.0, 1e-9, 5.0, 1e9})
@@ -210,8 +210,8 @@ TEST(LeastDistance, OfPointsHoldsAtEverySizeOfNumbers) {
                                infinity};
         const Vec<2> point = random_vec<2>(random, -size, size), speed = random_vec<2>(random, -slow, slow);
         const double bound =
-            least_point_distance(moving_box<2>(motion, Extents<2>::none(), horizon, Vec<2>::Zero()),
-                                 moving_window<2>(point, point, speed, horizon));
+            min_point_distance(moving_box<2>(motion, Extents<2>::none(), horizon, Vec<2>::Zero()),
+                               moving_window<2>(point, point, speed, horizon));
         long double sampled = infinity;
         for (int step = 0; step <= 100; ++step) {
           const long double tau = step * 0.01L * h, s = tau - motion.t;
@@ -230,4 +230,4 @@ TEST(LeastDistance, OfPointsHoldsAtEverySizeOfNumbers) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// A tree beside a plain map of what it should hold, and where objects really are.
+// A tree with a plain map of the objects that it should hold, and exact positions of objects.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace foresee::testing {
 
-/// What most trees of these tests hold.
+/// The layout of most trees in these tests.
 inline constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
 
 struct TreeModel {
@@ -83,7 +83,7 @@ struct TreeModel {
     }
   }
 
-  /// The tree's invariants hold and it holds the model's objects, bit for bit.
+  /// Expects that the tree's invariants hold and that it holds the model's objects, bit for bit.
   void expect_sound() {
     const TreeReport report = check_tree(pages, never);
     EXPECT_TRUE(report.problems.empty()) << report.problems.front();
@@ -111,17 +111,18 @@ struct TreeModel {
   std::map<std::int64_t, std::vector<double>> objects;
 };
 
-/// Where an object is at a moment, by long doubles and nothing of the tree's own; false: not there then.
+/// The box of an object at a time, computed in long double without code of the tree; false if it does not
+/// exist then.
 template <int D>
-bool box_at(const Layout& layout, const std::vector<double>& record, long double moment,
+bool box_at(const Layout& layout, const std::vector<double>& record, long double time,
             long double (&lower)[D], long double (&upper)[D]) {
   std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
   row_from_record(layout, record.data(), row.data());
   const Bodies body(layout, row.data(), 1);
   const Motion<D> motion = motion_of<D>(body, 0);
   const Extents<D> extents = extents_of<D>(body, 0);
-  if (moment < motion.t || moment > motion.until) return false;
-  const long double s = moment - motion.t;
+  if (time < motion.t || time > motion.until) return false;
+  const long double s = time - motion.t;
   for (int axis = 0; axis < D; ++axis) {
     const long double centre = motion.x[axis] + motion.v[axis] * s + motion.a[axis] * s * s / 2;
     lower[axis] = centre + extents.lower[axis], upper[axis] = centre + extents.upper[axis];

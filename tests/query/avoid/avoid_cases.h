@@ -1,19 +1,19 @@
-// Questions about avoidance, and the plain answer to compare with: one change at a time, by exact contact.
+// Queries of avoidance, and the reference answer: single changes, decided by exact contact.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "base/shown.h"
-#include "never.h"
+#include "base/number_text.h"
+#include "never_interrupt.h"
 #include "query/avoid/avoid.h"
 #include "query/search_cases.h"
 
 namespace foresee::testing {
 
 /// About the object in row `i` of the scene.
-inline AvoidQuestion avoid_question(const RandomScene& scene, std::size_t i, const Searched& others) {
+inline AvoidQuestion avoid_question(const RandomScene& scene, std::size_t i, const SearchTarget& others) {
   const auto stored = static_cast<std::size_t>(record_offsets(scene.layout).size);
   const auto read = static_cast<std::size_t>(row_offsets(scene.layout).size);
   AvoidQuestion question;
@@ -39,8 +39,8 @@ inline bool is_clear(AvoidQuestion question, Manoeuvre manoeuvre, double k) {
   return rows_of(question).at(0).clear;
 }
 
-/// The question of who makes this change, once it is stored, with velocities some units in the last place
-/// aside: of a turn in that of the longest.
+/// The query of the same object once the change is stored, with velocities off by some units in the last
+/// place. For a turn that is the last place of the largest component.
 inline AvoidQuestion after(const AvoidQuestion& question, Manoeuvre manoeuvre, double k, Random& random) {
   AvoidQuestion changed = question;
   changed.how = manoeuvre, changed.lo = changed.hi = k, changed.wants_ends = false;
@@ -64,8 +64,8 @@ inline AvoidQuestion after(const AvoidQuestion& question, Manoeuvre manoeuvre, d
   return changed;
 }
 
-/// In words, for comparing.
-inline std::string told(const std::vector<AvoidRow>& rows) {
+/// The rows as text, to compare them.
+inline std::string text_of(const std::vector<AvoidRow>& rows) {
   std::string text;
   for (const AvoidRow& row : rows) {
     text += std::string(name_of(row.manoeuvre)) + (row.clear ? " clear " : " blocked ") + shown(row.k_from) +
@@ -78,7 +78,7 @@ inline std::string told(const std::vector<AvoidRow>& rows) {
   return text;
 }
 
-/// Rows tile what was asked, ends of clear rows are clear, and so is what lies within them.
+/// Rows tile the range; ends of clear rows are clear, and so are the changes inside.
 inline void expect_sound(const AvoidQuestion& question, const std::vector<AvoidRow>& rows, Random& random) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const AvoidRow& row = rows[i];
@@ -93,13 +93,13 @@ inline void expect_sound(const AvoidQuestion& question, const std::vector<AvoidR
     }
     if (!row.clear) continue;
     const double width = row.k_to - row.k_from;
-    std::vector<double> asked{row.k_from, row.k_to, row.k};
-    for (int j = 0; j < 6; ++j) asked.push_back(row.k_from + width * random.unit());
+    std::vector<double> queried{row.k_from, row.k_to, row.k};
+    for (int j = 0; j < 6; ++j) queried.push_back(row.k_from + width * random.unit());
     for (int j = 0; j < 4; ++j) {
       const double near = width * std::exp2(-random.in(1, 45));
-      asked.push_back(row.k_from + near), asked.push_back(row.k_to - near);
+      queried.push_back(row.k_from + near), queried.push_back(row.k_to - near);
     }
-    // What is ignored as it has grown since its report need not touch at first in a new one.
+    // An object ignored because it has grown since its report need not touch at first in a new one.
     const bool ignores = question.touching == Touching::ignore && grows(question.own->layout);
     if (width > 0 && row.manoeuvre != Manoeuvre::delay && !ignores)
       for (const double k : {row.k_from, row.k_to}) {
@@ -108,13 +108,13 @@ inline void expect_sound(const AvoidQuestion& question, const std::vector<AvoidR
         stored.how = Manoeuvre::speed, stored.lo = stored.hi = 0;  // as it is
         stored.wants_motion = false;
         const std::vector<AvoidRow> answer = rows_of(stored);
-        ASSERT_TRUE(answer.empty() || answer[0].clear) << shown(k) << " aside, in\n" << told(rows);
+        ASSERT_TRUE(answer.empty() || answer[0].clear) << shown(k) << " nearby, in\n" << text_of(rows);
       }
-    for (const double k : asked)
+    for (const double k : queried)
       if (row.k_from <= k && k <= row.k_to) {
         ASSERT_TRUE(is_clear(question, row.manoeuvre, k))
             << name_of(row.manoeuvre) << " " << shown(k) << " in\n"
-            << told(rows);
+            << text_of(rows);
       }
   }
 }
@@ -134,14 +134,14 @@ inline void expect_tight(const AvoidQuestion& question, const std::vector<AvoidR
         const double k = upward ? row.k_from + share * tolerance : row.k_to - share * tolerance;
         touches = touches || !is_clear(question, row.manoeuvre, k);
       }
-      ASSERT_TRUE(touches) << (upward ? "lower" : "upper") << " end of a blocked row in\n" << told(rows);
+      ASSERT_TRUE(touches) << (upward ? "lower" : "upper") << " end of a blocked row in\n" << text_of(rows);
     }
     for (int j = 0; j < 8; ++j) {
       const double k = random.in(row.k_from + tolerance, row.k_to - tolerance);
       bool clear = true;
       for (int step = -4; step <= 4; ++step)
         clear = clear && is_clear(question, row.manoeuvre, k + 0.25 * step * tolerance);
-      ASSERT_FALSE(clear) << shown(k) << " seems clear in\n" << told(rows);
+      ASSERT_FALSE(clear) << shown(k) << " seems clear in\n" << text_of(rows);
     }
   }
 }

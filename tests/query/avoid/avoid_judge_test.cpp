@@ -1,12 +1,12 @@
-// No clear range is lost, none is wrong and every end is named, where touching is a matter of the last bits:
-// the same course, moored ships, obstacles, starts to come, bent paths. FORESEE_LONG=1: fifty times as many
-// scenes.
+// Avoidance where the last bits decide touching: no clear range is lost, none is wrong, and every end is
+// named. The scenes have equal courses, moored ships, obstacles, later starts and bent paths. FORESEE_LONG=1:
+// fifty times as many scenes.
 #include <cstdlib>
 #include <iostream>
 
 #include "query/avoid/judge.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::as_scene;
@@ -16,7 +16,7 @@ using testing::Random;
 using testing::RandomScene;
 using testing::rows_of;
 using testing::SceneOfTies;
-using testing::told;
+using testing::text_of;
 
 const int scenes = std::getenv("FORESEE_LONG") ? 50 * 400 : 400;
 
@@ -36,32 +36,32 @@ std::vector<Layout> judged_layouts() {
   return layouts;
 }
 
-void ask(AvoidQuestion& question, Random& random) {
+void draw_changes(AvoidQuestion& question, Random& random) {
   const Layout& layout = question.own->layout;
   question.touching = random.below(2) ? Touching::part : Touching::ignore;
-  std::vector<AskedChanges> asked{{Manoeuvre::speed, -8, 8}, {Manoeuvre::delay, 0, 20}};
+  std::vector<QueriedChanges> queried{{Manoeuvre::speed, -8, 8}, {Manoeuvre::delay, 0, 20}};
   if (layout.axes > 1)
-    asked.push_back({Manoeuvre::turn, -180, 180}), asked.push_back({Manoeuvre::turn, -60, 90});
-  if (layout.axes > 2) asked.push_back({Manoeuvre::climb, -5, 5});
-  if (layout.law == Law::accelerated) asked.push_back({Manoeuvre::accelerate, -1, 1});
-  const AskedChanges& one = asked[random.below(asked.size())];
+    queried.push_back({Manoeuvre::turn, -180, 180}), queried.push_back({Manoeuvre::turn, -60, 90});
+  if (layout.axes > 2) queried.push_back({Manoeuvre::climb, -5, 5});
+  if (layout.law == Law::accelerated) queried.push_back({Manoeuvre::accelerate, -1, 1});
+  const QueriedChanges& one = queried[random.below(queried.size())];
   question.how = one.manoeuvre, question.lo = one.lo, question.hi = one.hi;
 }
 
-std::string shown(const RandomScene& scene, const AvoidQuestion& question) {
+std::string described(const RandomScene& scene, const AvoidQuestion& question) {
   std::string text = testing::name_of(scene.layout) +
                      (question.touching == Touching::part ? ", part" : ", ignore") +
-                     ", h = " + base::shown(scene.h) + "\n";
+                     ", h = " + shown(scene.h) + "\n";
   const auto size = static_cast<std::size_t>(record_offsets(scene.layout).size);
   for (std::size_t i = 0; i < scene.size(); ++i) {
     text += "(" + std::to_string(scene.ids[i]);
-    for (std::size_t j = 0; j < size; ++j) text += ", " + base::shown(scene.records[i * size + j]);
+    for (std::size_t j = 0; j < size; ++j) text += ", " + shown(scene.records[i * size + j]);
     text += ")\n";
   }
   return text;
 }
 
-/// Changes of a row: all over it, and ever nearer to its ends.
+/// Changes of a row: anywhere, and at decreasing distances from its ends.
 std::vector<double> sample(double from, double to, Random& random) {
   std::vector<double> all;
   if (!(from <= to)) return all;
@@ -73,8 +73,8 @@ std::vector<double> sample(double from, double to, Random& random) {
   return all;
 }
 
-/// Of many changes that touch no more than a graze does, as along a path that is exactly as far away as both
-/// reach: narrow ranges beside it are given up (docs/avoidance.md, "Limits").
+/// Whether many changes of a row only graze, as along a path at exactly the distance that both reach. Narrow
+/// ranges near it are given up (docs/avoidance.md, "Limits").
 bool grazes(const Judge& judge, const AvoidRow& row, Random& random) {
   int touching = 0, grazing = 0;
   for (int i = 0; i < 400; ++i) {
@@ -85,7 +85,7 @@ bool grazes(const Judge& judge, const AvoidRow& row, Random& random) {
   return grazing * 100 > touching;
 }
 
-/// A change about which a clear range is lost: "" where none is.
+/// A change around which a clear range is lost, or "".
 std::string lost_in(const Judge& judge, const std::vector<AvoidRow>& rows, Random& random) {
   const double width = rows.back().k_to - rows.front().k_from, half = 0.6e-6 * width;
   for (const AvoidRow& row : rows) {
@@ -95,7 +95,7 @@ std::string lost_in(const Judge& judge, const std::vector<AvoidRow>& rows, Rando
       for (const double share : {0.0, -1.0, 1.0, -0.5, 0.5, 0.1, -0.1, 0.7, -0.7, 0.01, -0.01})
         clear = clear && judge.is_clear(k + share * half);
       for (const double share : {0.0, -1.0, 1.0}) clear = clear && judge.is_surely_clear(k + share * half);
-      if (clear && !grazes(judge, row, random)) return base::shown(k) + " is lost in\n" + told(rows);
+      if (clear && !grazes(judge, row, random)) return shown(k) + " is lost in\n" + text_of(rows);
     }
   }
   return "";
@@ -106,19 +106,22 @@ void expect_none_wrong(const Judge& judge, const std::vector<AvoidRow>& rows, Ra
     if (!row.clear) continue;
     const double aside = 1e-9 * (row.k_to - row.k_from);
     for (const double k : sample(row.k_from + aside, row.k_to - aside, random))
-      ASSERT_TRUE(judge.is_clear(k)) << base::shown(k) << " is not clear in\n" << told(rows);
+      ASSERT_TRUE(judge.is_clear(k)) << shown(k) << " is not clear in\n" << text_of(rows);
   }
 }
 
-/// Who is touched next to an end is named there: NULL only where it takes a velocity some last places aside.
+/// The object touched next to an end is named there. NULL requires that only velocities off by some last
+/// places touch.
 void expect_ends_named(const Judge& judge, const std::vector<AvoidRow>& rows) {
   const double width = rows.back().k_to - rows.front().k_from;
   for (const AvoidRow& row : rows) {
     const double length = row.k_to - row.k_from;
     if (row.clear || !(length > 1e-6 * width)) continue;
     for (double share = 0.25; share > 1e-8; share *= 0.25) {
-      ASSERT_TRUE(row.below || judge.is_clear(row.k_from + share * length)) << "nobody below\n" << told(rows);
-      ASSERT_TRUE(row.above || judge.is_clear(row.k_to - share * length)) << "nobody above\n" << told(rows);
+      ASSERT_TRUE(row.below || judge.is_clear(row.k_from + share * length)) << "no object below\n"
+                                                                            << text_of(rows);
+      ASSERT_TRUE(row.above || judge.is_clear(row.k_to - share * length)) << "no object above\n"
+                                                                          << text_of(rows);
     }
   }
 }
@@ -130,22 +133,22 @@ TEST(AvoidJudge, FindsEveryClearRangeAndNamesItsEnds) {
     Random random(1000 + static_cast<std::uint64_t>(i));
     const RandomScene scene = SceneOfTies(layouts[random.below(layouts.size())], random).made();
     AvoidQuestion question = avoid_question(scene, 0, as_scene(scene));
-    ask(question, random);
+    draw_changes(question, random);
     const std::vector<AvoidRow> rows = rows_of(question);
     if (rows.empty()) continue;
-    SCOPED_TRACE("scene " + std::to_string(i) + ": " + shown(scene, question));
+    SCOPED_TRACE("scene " + std::to_string(i) + ": " + described(scene, question));
     const Judge judge(question, random);
     expect_none_wrong(judge, rows, random);
     if (!HasFatalFailure()) expect_ends_named(judge, rows);
     if (HasFatalFailure()) return;
-    const std::string told_lost = lost_in(judge, rows, random);
-    if (told_lost.empty()) continue;
+    const std::string loss = lost_in(judge, rows, random);
+    if (loss.empty()) continue;
     ++lost;
-    std::cout << "scene " << i << ": " << shown(scene, question) << told_lost;
+    std::cout << "scene " << i << ": " << described(scene, question) << loss;
   }
-  // Where a limit of docs/avoidance.md is met: of bent paths that all but touch for many changes at once.
+  // The limits of docs/avoidance.md: bent paths that nearly touch for many changes at once.
   EXPECT_LE(lost * 500, scenes);
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// Laws of avoidance: a scene turned by right angles, or told in other units, has the same rows; a shorter
-// horizon and smaller shapes never block what was clear.
+// Laws of avoidance: a scene rotated by right angles, or in other units, has the same rows. A shorter horizon
+// and smaller shapes never block what was clear.
 #include <functional>
 
 #include "query/avoid/avoid_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::avoid_question;
@@ -13,7 +13,7 @@ using testing::random_scene;
 using testing::RandomScene;
 using testing::rows_of;
 
-/// Numbers of a row by what they are: use(number, quantity, axis).
+/// The quantity of a number of a row.
 enum class Of : std::uint8_t { time, place, speed, acceleration, force, size, growth };
 using Change = std::function<void(double& number, Of what)>;
 
@@ -54,7 +54,7 @@ RandomScene turned_right(RandomScene scene) {
   return scene;
 }
 
-std::vector<AvoidRow> asked(const RandomScene& scene, std::size_t i, Manoeuvre how, double hi) {
+std::vector<AvoidRow> queried(const RandomScene& scene, std::size_t i, Manoeuvre how, double hi) {
   AvoidQuestion question = avoid_question(scene, i, testing::as_scene(scene));
   question.how = how, question.lo = -hi, question.hi = hi;
   question.wants_ends = question.wants_motion = false;
@@ -86,7 +86,7 @@ TEST(AvoidLaws, ASceneTurnedByRightAnglesHasTheSameRows) {
   for_each_scene([](const RandomScene& scene, std::size_t i) {
     if (scene.layout.axes == 1) return;
     for (const Manoeuvre how : {Manoeuvre::turn, Manoeuvre::speed})
-      expect_same_rows(asked(scene, i, how, 4), asked(turned_right(scene), i, how, 4), 1);
+      expect_same_rows(queried(scene, i, how, 4), queried(turned_right(scene), i, how, 4), 1);
   });
 }
 
@@ -110,14 +110,14 @@ TEST(AvoidLaws, OtherUnitsChangeNothing) {
   for_each_scene([&](const RandomScene& scene, std::size_t i) {
     const RandomScene other = changed(scene, units);
     const double speed = length / time;
-    expect_same_rows(asked(scene, i, Manoeuvre::speed, 4), asked(other, i, Manoeuvre::speed, 4 * speed),
+    expect_same_rows(queried(scene, i, Manoeuvre::speed, 4), queried(other, i, Manoeuvre::speed, 4 * speed),
                      speed);
     if (scene.layout.axes > 1)
-      expect_same_rows(asked(scene, i, Manoeuvre::turn, 180), asked(other, i, Manoeuvre::turn, 180), 1);
+      expect_same_rows(queried(scene, i, Manoeuvre::turn, 180), queried(other, i, Manoeuvre::turn, 180), 1);
   });
 }
 
-/// What is clear of all is clear of less.
+/// What is clear of larger shapes for longer is clear of smaller ones.
 TEST(AvoidLaws, AShorterHorizonAndSmallerShapesBlockNoMore) {
   for_each_scene([](const RandomScene& scene, std::size_t i) {
     RandomScene shorter = scene;
@@ -140,4 +140,4 @@ TEST(AvoidLaws, AShorterHorizonAndSmallerShapesBlockNoMore) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,13 +1,13 @@
-// Avoidance against exact contact of single changes: no wrong clear, ends that are near, the same rows
-// whatever is searched. FORESEE_LONG=1: 200 times as many scenes.
+// Avoidance against exact contact of single changes: clear rows are right, ends are tight, and a tree and a
+// scene have the same rows. FORESEE_LONG=1: 200 times as many scenes.
 #include "query/avoid/avoid.h"
 
 #include <cstdlib>
 
 #include "query/avoid/avoid_cases.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::as_scene;
@@ -22,27 +22,27 @@ using testing::random_scene;
 using testing::RandomScene;
 using testing::rows_of;
 using testing::shifted;
-using testing::told;
+using testing::text_of;
 using testing::varied_layouts;
 
 const int rounds = std::getenv("FORESEE_LONG") ? 200 : 1;
 
 /// Any manoeuvre that the layout can have, with a range of its own.
-void ask_any(AvoidQuestion& question, Random& random) {
+void choose_changes(AvoidQuestion& question, Random& random) {
   const Layout& layout = question.own->layout;
-  std::vector<AskedChanges> asked{{Manoeuvre::speed, -4, 4}};
-  if (layout.axes > 1) asked.push_back({Manoeuvre::turn, -180, 180});
-  if (layout.axes > 1) asked.push_back({Manoeuvre::turn, -360, 45});
-  if (layout.axes > 2 && layout.law != Law::rest) asked.push_back({Manoeuvre::climb, -3, 3});
+  std::vector<QueriedChanges> queried{{Manoeuvre::speed, -4, 4}};
+  if (layout.axes > 1) queried.push_back({Manoeuvre::turn, -180, 180});
+  if (layout.axes > 1) queried.push_back({Manoeuvre::turn, -360, 45});
+  if (layout.axes > 2 && layout.law != Law::rest) queried.push_back({Manoeuvre::climb, -3, 3});
   if (layout.law == Law::accelerated || layout.law == Law::forced)
-    asked.push_back({Manoeuvre::accelerate, -0.5, 0.5});
+    queried.push_back({Manoeuvre::accelerate, -0.5, 0.5});
   if (layout.has_t) {
     const double t = question.record[static_cast<std::size_t>(record_offsets(layout).t)];
     // Earlier too, where nothing grows: from now on.
     const double lo = grows(layout) ? std::max(0.0, question.now - t) : question.now - t;
-    asked.push_back({Manoeuvre::delay, lo, std::max(lo, question.now - t + 5)});
+    queried.push_back({Manoeuvre::delay, lo, std::max(lo, question.now - t + 5)});
   }
-  const AskedChanges& one = asked[random.below(asked.size())];
+  const QueriedChanges& one = queried[random.below(queried.size())];
   question.how = one.manoeuvre, question.lo = one.lo, question.hi = one.hi;
   question.touching = random.below(2) ? Touching::part : Touching::ignore;
 }
@@ -55,7 +55,7 @@ TEST(Avoid, IsSoundAndTightAgainstSingleChanges) {
       if (random.below(4) == 0) scene = shifted(scene, 1.7e9);
       scene.h = random.below(8) == 0 ? 0 : random.in(1, 8);
       AvoidQuestion question = avoid_question(scene, random.below(scene.size()), as_scene(scene));
-      ask_any(question, random);
+      choose_changes(question, random);
       SCOPED_TRACE(testing::name_of(layout) + " of object " + std::to_string(question.own->ids[0]));
       const std::vector<AvoidRow> rows = rows_of(question);
       ASSERT_NO_FATAL_FAILURE(expect_sound(question, rows, random));
@@ -71,14 +71,14 @@ TEST(Avoid, GivesTheSameRowsFromATreeAndFromAScene) {
     for (const Layout& layout : varied_layouts()) {
       const RandomScene scene = random_scene({.layout = layout, .count = 60, .seed = random.below(1 << 20)});
       AvoidQuestion question = avoid_question(scene, random.below(scene.size()), as_scene(scene));
-      ask_any(question, random);
-      const std::string plain = told(rows_of(question));
+      choose_changes(question, random);
+      const std::string plain = text_of(rows_of(question));
       question.others = as_tree(scene);
-      EXPECT_EQ(told(rows_of(question)), plain) << testing::name_of(layout);
+      EXPECT_EQ(text_of(rows_of(question)), plain) << testing::name_of(layout);
     }
 }
 
-/// Discs by x, y, vx, vy, r; the first asks.
+/// Discs by x, y, vx, vy, r; the first is the object that changes.
 AvoidQuestion discs(const std::vector<std::array<double, 5>>& numbers, double h, double within = 0) {
   RandomScene scene;
   scene.layout = testing::discs;
@@ -96,7 +96,7 @@ std::vector<AvoidRow> rows_of_how(AvoidQuestion question, Manoeuvre how) {
   return rows_of(question);
 }
 
-TEST(Avoid, FindsATouchAtTheLastMomentOfOneChangeAlone) {
+TEST(Avoid, FindsATouchAtTheEndOfTheHorizonOfOneChangeAlone) {
   const auto rows = rows_of_how(discs({{0, 0, 0, 10, 10}, {0, 1020, 0, 0, 10}}, 100), Manoeuvre::turn);
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_FALSE(rows[1].clear);
@@ -107,7 +107,7 @@ TEST(Avoid, FindsATouchAtTheLastMomentOfOneChangeAlone) {
   EXPECT_EQ(rows[1].below->t, 100);
 }
 
-TEST(Avoid, BlocksAllSpeedsBesideWhoIsExactlyAsFarAsBothReach) {
+TEST(Avoid, BlocksAllSpeedsBesideAnObjectExactlyAsFarAsBothReach) {
   const auto touching = rows_of_how(discs({{0, 0, 0, 10, 10}, {20, 100, 0, 5, 10}}, 100), Manoeuvre::speed);
   ASSERT_EQ(touching.size(), 2u);  // slower than the other by enough, and all that meet
   EXPECT_TRUE(touching[0].clear);
@@ -152,13 +152,14 @@ TEST(Avoid, SeesBothArcsOfAFasterIntruder) {
   EXPECT_EQ(blocked, 2);
 }
 
-TEST(Avoid, AsksOnlyToPartOfWhoIsTouchedAlready) {
+TEST(Avoid, RequiresOnlySeparationFromObjectsThatTouchAlready) {
   const AvoidQuestion moored = discs({{0, 0, 0, 2, 10}, {15, 0, 0, 0, 10}}, 60);
-  const auto rows = rows_of_how(moored, Manoeuvre::turn);  // along its side at 0 and 180: they need not part
+  const auto rows =
+      rows_of_how(moored, Manoeuvre::turn);  // along its side at 0 and 180: no separation is needed
   const auto row_at = [&](double k) {
     return std::find_if(rows.begin(), rows.end(), [k](const AvoidRow& row) { return k <= row.k_to; });
   };
-  EXPECT_TRUE(row_at(-90)->clear) << told(rows);
+  EXPECT_TRUE(row_at(-90)->clear) << text_of(rows);
   EXPECT_NEAR(row_at(-90)->k_from, -180, 1e-6);
   EXPECT_NEAR(row_at(-90)->k_to, 0, 1e-6);
   EXPECT_TRUE(is_clear(moored, Manoeuvre::turn, 0));
@@ -180,7 +181,7 @@ TEST(Avoid, LeavesNothingWithinARing) {
   EXPECT_TRUE(rows[0].below && rows[0].above);
 }
 
-TEST(Avoid, TurnsTheOtherWayInAMirror) {
+TEST(Avoid, TurnsToTheOppositeSideInAMirror) {
   Random random(5);
   for (int i = 0; i < 10 * rounds; ++i) {
     std::vector<std::array<double, 5>> scene{{0, 0, 0, 10, 10}}, mirrored = scene;
@@ -199,15 +200,15 @@ TEST(Avoid, TurnsTheOtherWayInAMirror) {
   }
 }
 
-TEST(Avoid, HasOneAnswerForWhoRests) {
+TEST(Avoid, HasOneAnswerForAnObjectAtRest) {
   const AvoidQuestion resting = discs({{0, 0, 0, 0, 10}, {100, 0, -10, 0, 10}}, 60);
   const auto rows = rows_of(resting);
   ASSERT_EQ(rows.size(), 1u);
-  EXPECT_EQ(told(rows), "turn blocked -180 to 180 by 0.2@8 0.2@8\n");
+  EXPECT_EQ(text_of(rows), "turn blocked -180 to 180 by 0.2@8 0.2@8\n");
   EXPECT_TRUE(rows_of_how(resting, Manoeuvre::speed).empty());
 }
 
-TEST(Avoid, StopsWhenAsked) {
+TEST(Avoid, StopsWhenInterrupted) {
   std::vector<std::array<double, 5>> crowd{{0, 0, 0, 10, 10}};
   for (int i = 0; i < 5000; ++i) crowd.push_back({100.0 + i, 500, 0, 0, 10});
   testing::StopAt stop(3);
@@ -215,4 +216,4 @@ TEST(Avoid, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

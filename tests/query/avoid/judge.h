@@ -1,11 +1,11 @@
-// The judge of avoidance: scenes where touching is a matter of the last bits, and what each single change of
-// them does, decided by exact contact or, for separation on bent paths, in long double.
+// The reference answer of avoidance for single changes, and scenes where the last bits decide touching.
+// It is decided by exact contact or, for separation on bent paths, in long double.
 //
 //   const Judge judge(question, random);
 //   judge.is_surely_clear(12.5)
 //
-// Of what no velocity within 4 units in the last place changes, every clear interval wider than 10^-6 of the
-// range must be within a clear row (docs/avoidance.md, "Tight").
+// Every clear interval wider than 10^-6 of the range must be in a clear row, if velocities within 64 units in
+// the last place leave it clear (docs/avoidance.md, "Tight").
 #pragma once
 
 #include "query/avoid/avoid_cases.h"
@@ -13,8 +13,8 @@
 
 namespace foresee::testing {
 
-/// One axis or more, with t and until; sizes, places and velocities are small whole numbers by turns, so that
-/// much of it touches exactly, or misses by 2^-40.
+/// Random scenes in which many pairs touch exactly, or miss by 2^-40: many sizes, positions and velocities
+/// are small whole numbers.
 class SceneOfTies {
  public:
   SceneOfTies(const Layout& layout, Random& random) : at_(record_offsets(layout)), random_(random) {
@@ -71,7 +71,8 @@ class SceneOfTies {
     scene_.ids.push_back(static_cast<std::int64_t>(scene_.size()) + 1);
   }
 
-  /// On the same course, give or take, moored, or anywhere; beside it within some last bits, or anywhere.
+  /// An object on nearly the same course, moored or anywhere; beside the first within some last bits, or
+  /// anywhere.
   void add_other() {
     const double* const own = record(0);
     const auto axes = static_cast<std::size_t>(scene_.layout.axes);
@@ -83,7 +84,7 @@ class SceneOfTies {
     const double own_t = own[at_.t], t = random_.below(2) ? own_t : static_cast<double>(random_.below(20));
     const std::uint64_t place = random_.below(5);
     if (place == 0) return add(t, vector(40), v, a, random_.below(2) ? 5 : random_.in(1, 9));
-    // So far from it that both just touch, or overlap, as of the own t.
+    // At the distance at which both just touch, or overlap, at the own t.
     static constexpr double pythagorean[][3] = {{1, 0, 0}, {0, 1, 0},  {0.6, 0.8, 0}, {-0.8, 0.6, 0},
                                                 {0, 0, 1}, {-1, 0, 0}, {0, -1, 0},    {0.28, -0.96, 0}};
     const auto& side = pythagorean[axes == 1 ? 5 * random_.below(2) : random_.below(8)];
@@ -101,18 +102,18 @@ class SceneOfTies {
   Random& random_;
 };
 
-/// Of a question whose range is given.
+/// Decides single changes of a query with a given range.
 class Judge {
  public:
-  Judge(const AvoidQuestion& question, Random& random) : asked_(question) {
-    asked_.wants_motion = asked_.wants_ends = false;
+  Judge(const AvoidQuestion& question, Random& random) : queried_(question) {
+    queried_.wants_motion = queried_.wants_ends = false;
     for (int i = 0; i < 8; ++i) aside_.push_back(aside(random));
-    // Between bent paths intervals tell no less than this.
-    if (question.own->layout.law == Law::accelerated) aside_.push_back(wider(asked_));
+    // On bent paths the intervals of a proof cannot decide less than this.
+    if (question.own->layout.law == Law::accelerated) aside_.push_back(wider(queried_));
   }
 
-  bool is_clear(double k) const { return is_clear_in(asked_, k); }
-  /// Whatever the last bits of the velocity are, and of k.
+  bool is_clear(double k) const { return is_clear_in(queried_, k); }
+  /// For all last bits of the velocity and of k.
   bool is_surely_clear(double k) const {
     if (!is_clear(k) || starts_alongside()) return false;
     for (const AvoidQuestion& one : aside_)
@@ -120,10 +121,10 @@ class Judge {
     return true;
   }
 
-  /// As if everything were smaller by a billionth: what touches still does so by more than a graze.
+  /// With all sizes smaller by a billionth: what still touches does not only graze.
   bool is_clear_of_smaller(double k) const {
-    AvoidQuestion smaller = asked_;
-    const Scene &own = *asked_.own, &others = *asked_.others.scene;
+    AvoidQuestion smaller = queried_;
+    const Scene &own = *queried_.own, &others = *queried_.others.scene;
     std::vector<double> own_rows = own.rows, other_rows = others.rows;
     const auto shrink = [](const Layout& layout, const Offsets& at, std::vector<double>& rows) {
       for (std::size_t first = 0; first < rows.size(); first += static_cast<std::size_t>(at.size))
@@ -142,18 +143,19 @@ class Judge {
   }
 
  private:
-  /// Some velocity beside it leads towards who moves alongside, touching, when only the acceleration changes.
+  /// Whether a velocity off by last bits approaches an object that touches and moves alongside, when only the
+  /// acceleration changes.
   bool starts_alongside() const {
-    if (*asked_.how != Manoeuvre::accelerate || asked_.touching != Touching::part) return false;
-    const Scene& others = *asked_.others.scene;
+    if (*queried_.how != Manoeuvre::accelerate || queried_.touching != Touching::part) return false;
+    const Scene& others = *queried_.others.scene;
     for (std::size_t i = 0; i < others.size(); ++i) {
-      if (others.ids[i] == asked_.own->ids[0] || !touches_first(asked_, asked_.record, i)) continue;
-      const PlainPair pair = pair_of(asked_, asked_.record, others.bodies(), i);
+      if (others.ids[i] == queried_.own->ids[0] || !touches_first(queried_, queried_.record, i)) continue;
+      const PlainPair pair = pair_of(queried_, queried_.record, others.bodies(), i);
       double apart = 0, speed = 0;
       for (int axis = 0; axis < pair.axes; ++axis) {
         apart += static_cast<double>(std::abs(pair.w[static_cast<std::size_t>(axis)]));
-        speed +=
-            std::abs(asked_.record[static_cast<std::size_t>(record_offsets(asked_.own->layout).v + axis)]);
+        speed += std::abs(
+            queried_.record[static_cast<std::size_t>(record_offsets(queried_.own->layout).v + axis)]);
       }
       if (apart <= 0x1p-40 * (1 + speed)) return true;
     }
@@ -165,7 +167,7 @@ class Judge {
     return question;
   }
   AvoidQuestion aside(Random& random) const {
-    AvoidQuestion other = asked_;
+    AvoidQuestion other = queried_;
     const Layout& layout = other.own->layout;
     double* const v = other.record.data() + record_offsets(layout).v;
     double longest = 0;
@@ -246,7 +248,7 @@ class Judge {
     return pair;
   }
 
-  AvoidQuestion asked_;
+  AvoidQuestion queried_;
   std::vector<AvoidQuestion> aside_;
 };
 

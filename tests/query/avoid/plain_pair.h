@@ -1,4 +1,4 @@
-// Whether two that touch separate, on bent paths, in long double: the plain answer to compare with.
+// Separation of two that touch, on bent paths, in long double: the reference for the certificates.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 
 namespace foresee::testing {
 
-/// Two seen from each other, from the change on: d + w tau + b tau^2 / 2.
+/// The relative motion of two from the change on: d + w tau + b tau^2 / 2.
 struct PlainPair {
   using Real = long double;
   std::array<Real, 3> d{}, w{}, b{};
   std::array<Real, 3> half{};  ///< of a box, and of a cylinder along z
-  Real radius = 0, end = 0;    ///< end: below 0 where they are not both there at first
+  Real radius = 0, end = 0;    ///< end: below 0 if not both exist at first
   int axes = 0, round = 0;
 
   Real place(int axis, Real tau) const {
@@ -34,7 +34,7 @@ struct PlainPair {
     for (int axis = 0; axis < count; ++axis) sum += place(axis, tau) * speed(axis, tau);
     return sum;
   }
-  /// How fast the slope grows.
+  /// The derivative of the slope.
   Real bend(Real tau, int count) const {
     Real sum = 0;
     for (int axis = 0; axis < count; ++axis) {
@@ -50,9 +50,9 @@ struct PlainPair {
     return true;
   }
 
-  /// Of those that touch at first: the distance grows while they do, and then they are apart for good.
+  /// Of two that touch at first: the distance increases while they touch, and then they remain apart.
   bool separates() const {
-    const std::vector<Real> events = moments();
+    const std::vector<Real> events = instants();
     bool left = false;
     if (end <= 0) return true;
     if (slope(0, axes) < 0) return false;
@@ -67,8 +67,8 @@ struct PlainPair {
   }
 
  private:
-  /// When anything changes: whether they touch, and whether the distance grows.
-  std::vector<Real> moments() const {
+  /// When touching starts or ends, and when the distance starts to increase or decrease.
+  std::vector<Real> instants() const {
     std::vector<Real> all{0, end};
     const auto add_roots = [&](const auto& f, std::vector<Real> between) {
       std::sort(between.begin(), between.end());

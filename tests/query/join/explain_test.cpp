@@ -1,14 +1,15 @@
-// predictive_explain as a library call: its counts, against counts that use neither index nor batches.
+// predictive_explain as a library call: its counts equal those of a test of every pair without index or
+// batches.
 #include "query/join/explain.h"
 
 #include <gtest/gtest.h>
 
 #include "index/paper_grid/time_interval.h"
-#include "index/paper_grid/trajectory_intersection.h"
+#include "index/paper_grid/trajectory.h"
 #include "query/join_cases.h"
 #include "sanitized.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -40,7 +41,7 @@ Counts explained(JoinQuestion question, JoinMethod method) {
   return counts_of(explain_join(question, never));
 }
 
-/// Every pair, test by test: two boxes share a cell where their cells overlap on every axis.
+/// Counts every pair in every stage: two boxes share a cell where their cells overlap on every axis.
 template <int D>
 Counts counted_plainly(const RandomScene& scene) {
   const Vec<D> margin = Vec<D>::Constant(scene.within / 2);
@@ -115,7 +116,7 @@ TEST(Explain, NamesTheStagesInThePapersOrder) {
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_STREQ(rows[i].stage, stage_names[i]);
 }
 
-/// From all pairs to those that touch, each stage taking on what the one before has left.
+/// The stages lead from all pairs to those that touch; the input of each is the output of the one before.
 void expect_a_chain(const JoinQuestion& question, std::uint64_t all, const std::string& what) {
   const auto touching = rows_of(question).size();
   for (JoinMethod method : {JoinMethod::automatic, JoinMethod::grid, JoinMethod::scan, JoinMethod::gpcd}) {
@@ -141,7 +142,7 @@ TEST(Explain, LeadsFromAllPairsToThoseOfTheJoin) {
     }
 }
 
-TEST(Explain, BetweenTwoTablesBeginsWithEveryPair) {
+TEST(Explain, BetweenTwoTablesStartsWithEveryPair) {
   for (const Layout& layout : varied_layouts()) {
     const auto ships = random_scene({.layout = layout, .count = 40, .seed = 33});
     const auto crates = random_scene({.layout = layout, .count = 25, .seed = 34});
@@ -153,7 +154,7 @@ TEST(Explain, BetweenTwoTablesBeginsWithEveryPair) {
   }
 }
 
-TEST(Explain, HeedsWithinAndWithinZ) {
+TEST(Explain, AppliesWithinAndWithinZ) {
   const auto aircraft =
       random_scene({.layout = {.axes = 3, .law = Law::accelerated, .has_t = true}, .count = 150, .seed = 35});
   JoinQuestion question = question_about(aircraft);
@@ -181,7 +182,7 @@ TEST(Explain, CountsTheSameWhateverTheOrderOfTheRows) {
   EXPECT_NEAR(static_cast<double>(again[0].second), static_cast<double>(counts[0].second), 2);
 }
 
-TEST(Explain, TellsPrunePowerInPercent) {
+TEST(Explain, ReportsPrunePowerInPercent) {
   EXPECT_EQ((ExplainRow{"", 200, 50}.prune_power()), 75);
   EXPECT_EQ((ExplainRow{"", 200, 200}.prune_power()), 0);
   EXPECT_FALSE((ExplainRow{"", 0, 0}.prune_power()).has_value());
@@ -238,4 +239,4 @@ TEST(Explain, RefusesWhatTheJoinRefuses) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -4,9 +4,9 @@
 #include "query/join/join_plan.h"
 #include "query/join_cases.h"
 #include "sanitized.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::discs;
@@ -25,7 +25,7 @@ JoinQuestion question_of(SceneKind kind, const Layout& layout, std::size_t count
 
 std::vector<double> numbers_in_order(const JoinQuestion& question) {
   std::vector<JoinRow> all = rows_in_order(question);
-  for (JoinRow& row : all) {  // what is not wanted may be anything
+  for (JoinRow& row : all) {  // columns that are not wanted are unspecified
     if (!question.wants.ends) row.contact.t_end = row.contact.dt_end = 0;
     if (!question.wants.approach) row.approach = {};
   }
@@ -33,7 +33,7 @@ std::vector<double> numbers_in_order(const JoinQuestion& question) {
 }
 
 TEST(JoinHelpers, GiveTheSameRowsInTheSameOrder) {
-  constexpr std::size_t count = sanitized ? 13000 : 15000;  // with fewer, no helpers are asked
+  constexpr std::size_t count = sanitized ? 13000 : 15000;  // with fewer, the plan uses no helpers
   std::vector<JoinQuestion> questions = {
       question_of(SceneKind::uniform, discs, count), question_of(SceneKind::one_giant, discs, count),
       question_of(SceneKind::one_fast, {.axes = 3, .law = Law::accelerated, .shape = Shape::box}, count)};
@@ -68,10 +68,10 @@ std::shared_ptr<const Scene> giants_among(int axes, std::size_t count, JoinQuest
   return scene_of(scene);
 }
 
-void expect_same_with_helpers(JoinQuestion question, bool begins_alone) {
+void expect_same_with_helpers(JoinQuestion question, bool starts_alone) {
   for (JoinOrder order : {JoinOrder::any, JoinOrder::by_t_and_ids}) {
     question.order = order, question.helpers = 0;
-    question.wants = {.ends = !begins_alone, .approach = !begins_alone};
+    question.wants = {.ends = !starts_alone, .approach = !starts_alone};
     const auto alone = numbers_in_order(question);
     EXPECT_GT(alone.size(), 100000u);
     question.helpers = 2;
@@ -92,8 +92,8 @@ TEST(JoinHelpers, MeetManyGiantsFromAnyStripeOn) {
   expect_same_with_helpers(question, true);
 }
 
-/// Where a giant covers all others, the last that a slab hands over are pairs that touch: they are written
-/// once, also where other slabs follow.
+/// If a giant covers all others, the last batch of a slab has pairs that touch. They are written once, also
+/// if other slabs follow.
 TEST(JoinHelpers, WriteWhatTouchesOnceInSeveralSlabs) {
   constexpr std::size_t count = 15000;
   auto scene = random_scene(
@@ -151,4 +151,4 @@ TEST(JoinHelpers, AreStoppedByAnInterrupt) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// Every method gives the same rows: grid = gpcd = scan, and a question about one id = the filtered join.
+// Every method gives the same rows: grid = gpcd = scan, and a join of one id = the filtered join.
 #include <gtest/gtest.h>
 
 #include "query/join_cases.h"
 #include "sanitized.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::after_now;
@@ -141,8 +141,8 @@ TEST(JoinOfManyObjects, GridAndGpcdAgreeWithScan) {
   }
 }
 
-/// The only columns of a question that wants no others.
-std::vector<double> begins_of(JoinQuestion question, JoinMethod method) {
+/// The columns a, b, t and dt of a join in which only these are wanted.
+std::vector<double> starts_of(JoinQuestion question, JoinMethod method) {
   question.method = method, question.wants = {.ends = false, .approach = false};
   std::vector<double> numbers;
   for (const JoinRow& row : rows_of(question))
@@ -151,7 +151,7 @@ std::vector<double> begins_of(JoinQuestion question, JoinMethod method) {
   return numbers;
 }
 
-TEST(JoinOfManyObjects, WhoseBeginsAloneAreWantedHasTheSameRows) {
+TEST(JoinOfManyObjects, WhoseStartsAloneAreWantedHasTheSameRows) {
   constexpr std::size_t count = sanitized ? 50 : 150;
   std::uint64_t seed = 20;
   for (const Layout& layout : varied_layouts()) {
@@ -159,13 +159,13 @@ TEST(JoinOfManyObjects, WhoseBeginsAloneAreWantedHasTheSameRows) {
         random_scene({.layout = layout, .kind = SceneKind::one_giant, .count = count, .seed = ++seed});
     JoinQuestion question = question_about(scene);
     for (int kind = 0; kind < 6; ++kind) {
-      if (kind == 1) question.asked_dt = after_now;
-      if (kind == 2) question.asked_dt = {0, 0};
-      if (kind == 3) question.asked_dt = {}, question.only_a = scene.ids[scene.size() / 2];
+      if (kind == 1) question.queried_dt = after_now;
+      if (kind == 2) question.queried_dt = {0, 0};
+      if (kind == 3) question.queried_dt = {}, question.only_a = scene.ids[scene.size() / 2];
       if (kind == 4) question.only_a.reset(), question.b = question.a;
       if (kind == 5) question.b = scene_of(scene, "others");
-      EXPECT_EQ(begins_of(question, JoinMethod::grid), begins_of(question, JoinMethod::scan))
-          << name_of(layout) << ", question " << kind;
+      EXPECT_EQ(starts_of(question, JoinMethod::grid), starts_of(question, JoinMethod::scan))
+          << name_of(layout) << ", query " << kind;
     }
   }
 }
@@ -180,4 +180,4 @@ TEST(JoinOfManyObjects, ChoosesAMethodWithoutChangingTheRows) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

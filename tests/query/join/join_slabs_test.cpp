@@ -1,5 +1,5 @@
-// Time slabs: whatever the horizon is cut into, the rows are those of the plain answer, in the order asked
-// for.
+// Time slabs: however the horizon is cut, the rows are those of the join without slabs, in the requested
+// order.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "query/join/join_plan.h"
 #include "query/join_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::after_now;
@@ -34,7 +34,7 @@ bool are_in_order(const std::vector<JoinRow>& rows, JoinOrder order) {
   });
 }
 
-/// Every order of the grid, which asks slab by slab, beside the plain answer.
+/// Every order of the grid, which joins one slab after another, gives the rows of the join without slabs.
 void expect_all_orders(JoinQuestion question, const std::string& what) {
   question.method = JoinMethod::scan;
   const auto scanned = numbers_of(rows_of(question));
@@ -50,7 +50,7 @@ void expect_all_orders(JoinQuestion question, const std::string& what) {
     }
 }
 
-/// One layout in twelve, beginning with `first`: all of them are asked, but not about everything.
+/// One layout in twelve, from number `first` on: every layout is tested, but not in every test.
 std::vector<Layout> some_layouts(std::size_t first) {
   const std::vector<Layout> all = all_layouts();
   std::vector<Layout> some;
@@ -79,8 +79,8 @@ TEST(JoinSlabs, GiveThePlainAnswerAtTheEdgesOfTime) {
       }
 }
 
-/// Its t is rounded to infinity; dt tells when.
-TEST(JoinSlabs, HoldWhatBeginsAfterTheLastDouble) {
+/// Its t is rounded to infinity; dt is the finite time.
+TEST(JoinSlabs, HoldContactsThatStartAfterTheLastDouble) {
   JoinQuestion question{.a = scene_of({.axes = 1, .law = Law::uniform, .has_t = true}, {1, 2, 3},
                                       {1e308, 0, 1, 1e308, 1.2e308, 0, 1e308, 1e300, 0}),
                         .now = 1e308,
@@ -89,7 +89,7 @@ TEST(JoinSlabs, HoldWhatBeginsAfterTheLastDouble) {
   EXPECT_EQ(rows_of(question).size(), 2u);
 }
 
-TEST(JoinSlabs, LeaveOutTimesThatAreNotAskedFor) {
+TEST(JoinSlabs, LeaveOutTimesThatAreNotQueried) {
   for (double now : {0.0, 0.7, -3.0}) {
     RandomScene scene = random_scene({.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball},
                                       .kind = SceneKind::clustered,
@@ -100,24 +100,24 @@ TEST(JoinSlabs, LeaveOutTimesThatAreNotAskedFor) {
     const auto all = rows_of(question);
     ASSERT_GT(all.size(), 30u);
     const ContactTimes one = all[all.size() / 3].contact, other = all[all.size() / 2].contact;
-    const AskedTimes t{std::min(one.t, other.t), std::max(one.t, other.t)},
+    const QueriedTimes t{std::min(one.t, other.t), std::max(one.t, other.t)},
         dt{std::min(one.dt, other.dt), std::max(one.dt, other.dt)};
-    const std::pair<AskedTimes, AskedTimes> asked[] = {{t, {}},
-                                                       {{}, dt},
-                                                       {t, dt},
-                                                       {{t.least, inf}, {}},
-                                                       {{-inf, t.most}, {}},
-                                                       {{}, {dt.least, dt.least}},
-                                                       {{}, after_now},
-                                                       {{}, {inf, inf}},
-                                                       {{now + question.h, inf}, {}},
-                                                       {{}, {1, 0}}};
-    for (const auto& [asked_t, asked_dt] : asked) {
+    const std::pair<QueriedTimes, QueriedTimes> queried[] = {{t, {}},
+                                                             {{}, dt},
+                                                             {t, dt},
+                                                             {{t.min, inf}, {}},
+                                                             {{-inf, t.max}, {}},
+                                                             {{}, {dt.min, dt.min}},
+                                                             {{}, after_now},
+                                                             {{}, {inf, inf}},
+                                                             {{now + question.h, inf}, {}},
+                                                             {{}, {1, 0}}};
+    for (const auto& [queried_t, queried_dt] : queried) {
       std::vector<JoinRow> wanted;
       for (const JoinRow& row : all)
-        if (asked_t.holds(row.contact.t) && asked_dt.holds(row.contact.dt)) wanted.push_back(row);
+        if (queried_t.holds(row.contact.t) && queried_dt.holds(row.contact.dt)) wanted.push_back(row);
       JoinQuestion part = question;
-      part.asked_t = asked_t, part.asked_dt = asked_dt;
+      part.queried_t = queried_t, part.queried_dt = queried_dt;
       for (JoinMethod method : {JoinMethod::grid, JoinMethod::scan, JoinMethod::gpcd})
         for (JoinOrder order : {JoinOrder::any, JoinOrder::by_t}) {
           part.method = method, part.order = order;
@@ -162,10 +162,10 @@ struct CountingInterrupt final : Interrupt {
   std::size_t checks = 0;
 };
 
-TEST(JoinSlabs, GiveTheEarliestRowsWithoutLookingAtLaterOnes) {
+TEST(JoinSlabs, GiveTheEarliestRowsWithoutComputingLaterOnes) {
   const RandomScene scene = random_scene({.layout = discs, .count = 5000, .seed = 11});
   JoinQuestion question = question_about(scene);
-  question.h = 100, question.asked_dt = after_now, question.order = JoinOrder::by_t;
+  question.h = 100, question.queried_dt = after_now, question.order = JoinOrder::by_t;
   CountingInterrupt interrupt;
   Join join(question, interrupt);
   ASSERT_FALSE(join.next().empty());
@@ -186,12 +186,12 @@ TEST(TimeSlabs, FollowOneAnotherAndCoverTheHorizon) {
         EXPECT_EQ(slab->from, end);
         EXPECT_LT(slab->from, slab->before);
         EXPECT_GE(slab->horizon.now, now);
-        EXPECT_TRUE(count == 0 || slab->horizon.now < slab->from) << "what rounds to it begins earlier";
+        EXPECT_TRUE(count == 0 || slab->horizon.now < slab->from) << "times that round to it start earlier";
         EXPECT_GE(slab->horizon.now + slab->horizon.h, std::min(slab->before, now + 10));
         end = slab->before;
       }
       EXPECT_EQ(end, inf);
-      EXPECT_EQ(count, instant ? 8u : 7u);  // 0.1, 0.8, then 2 each; what is left is short
+      EXPECT_EQ(count, instant ? 8u : 7u);  // 0.1, 0.8, then 2 each; the remainder is short
     }
 }
 
@@ -208,4 +208,4 @@ TEST(TimeSlabs, OfOneLengthAreTheWholeHorizon) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

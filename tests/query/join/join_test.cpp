@@ -4,7 +4,7 @@
 
 #include "query/join_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::after_now;
@@ -14,7 +14,7 @@ using testing::pairs_of;
 using testing::rows_of;
 using testing::scene_of;
 
-/// Three discs on the x-axis: 1 and 2 meet head on from 3 to 4, 3 stands far off.
+/// Three discs on the x-axis: 1 and 2 collide head-on and touch from 3 to 4, 3 rests far away.
 std::shared_ptr<const Scene> head_on() {
   return scene_of(discs, {2, 1, 3},
                   {10, 0, -1, 0, 1,   //
@@ -22,7 +22,7 @@ std::shared_ptr<const Scene> head_on() {
                    0, 99, 0, 0, 1});  //
 }
 
-TEST(Join, GivesBeginEndAndClosestApproach) {
+TEST(Join, GivesStartEndAndClosestApproach) {
   const auto rows = rows_of({.a = head_on(), .now = 1, .h = 20});
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].a, 1);
@@ -43,7 +43,7 @@ TEST(Join, ClosesTheHorizonAtBothEnds) {
   EXPECT_EQ(pairs_of({.a = head_on(), .now = 7.001, .h = 1e300}).size(), 0u);
 }
 
-TEST(Join, TakesAnyFiniteMomentAsNow) {
+TEST(Join, TakesAnyFiniteTimeAsNow) {
   for (double now : {-1e308, -1e9, 0.0, 1e9, 1e308})
     for (double h : {0.0, 1.0, 1e308}) {
       const auto question = JoinQuestion{.a = head_on(), .now = now, .h = h, .method = JoinMethod::scan};
@@ -82,7 +82,7 @@ TEST(Join, OfFewerThanTwoObjectsIsEmpty) {
   }
 }
 
-TEST(Join, LooksAtOneObjectWhenItsIdIsAskedFor) {
+TEST(Join, TestsOneObjectIfItsIdIsRequested) {
   const auto ships = head_on();
   EXPECT_EQ(pairs_of({.a = ships, .h = 10, .only_a = 1}), (IdPairs{{1, 2}}));
   EXPECT_EQ(pairs_of({.a = ships, .h = 10, .only_b = 2}), (IdPairs{{1, 2}}));
@@ -94,8 +94,8 @@ TEST(Join, LooksAtOneObjectWhenItsIdIsAskedFor) {
 }
 
 TEST(Join, LeavesOutPairsThatTouchAlready) {
-  EXPECT_EQ(pairs_of({.a = head_on(), .now = 2, .h = 5, .asked_dt = after_now}).size(), 1u);
-  EXPECT_EQ(pairs_of({.a = head_on(), .now = 3, .h = 5, .asked_dt = after_now}).size(), 0u);
+  EXPECT_EQ(pairs_of({.a = head_on(), .now = 2, .h = 5, .queried_dt = after_now}).size(), 1u);
+  EXPECT_EQ(pairs_of({.a = head_on(), .now = 3, .h = 5, .queried_dt = after_now}).size(), 0u);
 }
 
 TEST(Join, ComputesOnlyWhatIsWanted) {
@@ -113,7 +113,7 @@ std::string error_of(const JoinQuestion& question) {
   return "";
 }
 
-TEST(Join, SaysWhatIsWrongWithAQuestion) {
+TEST(Join, SaysWhichParameterIsWrong) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(error_of({.a = head_on(), .h = -3}), "h must be a finite number >= 0, not -3");
   EXPECT_EQ(error_of({.a = head_on(), .h = infinity}), "h must be a finite number >= 0, not inf");
@@ -126,4 +126,4 @@ TEST(Join, SaysWhatIsWrongWithAQuestion) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

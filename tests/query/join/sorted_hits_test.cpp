@@ -1,4 +1,4 @@
-// Rows in an order of which few are read: few hits wait, and whoever reads on misses none.
+// Sorted hits of which few rows are read: few hits are kept, and a reader that continues misses none.
 #include "query/join/sorted_hits.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include "query/join_cases.h"
 #include "sanitized.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::numbers_of;
@@ -17,7 +17,7 @@ using testing::rows_in_order;
 using testing::sanitized;
 using testing::scene_of;
 
-/// Hits with few different times, so that most have others beside them.
+/// Hits with few different times, so that most are tied with others.
 Hits random_hits(std::uint32_t count, Random& random) {
   Hits hits;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -38,7 +38,7 @@ std::vector<Pair> taken(SortedHits& sorted, NeverInterrupt& never) {
   return pairs;
 }
 
-TEST(SortedHits, KeepSomeTimesAsManyAsAreReadAndGiveTheOthersIfAsked) {
+TEST(SortedHits, KeepAMultipleOfWhatIsReadAndGiveTheOthersLater) {
   constexpr std::uint32_t count = sanitized ? 60000 : 200000;
   NeverInterrupt never;
   Random random(1);
@@ -65,7 +65,7 @@ TEST(SortedHits, KeepSomeTimesAsManyAsAreReadAndGiveTheOthersIfAsked) {
   }
 }
 
-/// Discs that all begin at the same moment, most of them in contact then.
+/// Discs that all start at the same time, most of them in contact then.
 TEST(SortedHits, OfAJoinAreTheSameRowsInTheSameOrderHoweverFewAreLikely) {
   constexpr std::size_t count = sanitized ? 150 : 250;
   RandomScene scene =
@@ -88,4 +88,4 @@ TEST(SortedHits, OfAJoinAreTheSameRowsInTheSameOrderHoweverFewAreLikely) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// The tiles of any tiling answer the whole join together: every row once, with the same doubles.
+// Tiles: the tiles of any tiling give the whole join together, every row once, with the same doubles.
 // FORESEE_LONG=1: more than 10,000 tilings.
 #include "query/join/tile_scenes.h"
 
@@ -7,11 +7,11 @@
 #include <cstdlib>
 
 #include "base/axes.h"
-#include "never.h"
+#include "never_interrupt.h"
 #include "query/join/tilings.h"
 #include "query/join_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::discs;
@@ -31,12 +31,12 @@ constexpr JoinMethod methods[] = {JoinMethod::automatic, JoinMethod::grid, JoinM
                                   JoinMethod::gpcd};
 
 std::vector<FlatBox> boxes_of(const Scene& scene, const JoinQuestion& question) {
-  return base::with_axes(scene.layout.axes, [&]<int D>(base::Axes<D>) {
+  return with_axes(scene.layout.axes, [&]<int D>(Axes<D>) {
     return flat_boxes<D>(scene.bodies(), {question.now, question.h}, question.within);
   });
 }
 
-/// What is shipped to a tile: all that it needs, said in other words than Tile's, and some others.
+/// The objects sent to a tile: all that it needs, by a rule independent of Tile, and some others.
 std::shared_ptr<const Scene> shipped(const Scene& scene, const JoinQuestion& question, const Tile& tile,
                                      Random& random) {
   const std::vector<FlatBox> boxes = boxes_of(scene, question);
@@ -55,7 +55,7 @@ std::shared_ptr<const Scene> shipped(const Scene& scene, const JoinQuestion& que
   return scene_of(scene.layout, ids, rows);
 }
 
-/// The rows of all tiles; each is asked of the whole scenes or of what was shipped to it.
+/// The rows of all tiles; each joins the whole scenes, or only the objects sent to it.
 std::vector<double> rows_of_tiles(const JoinQuestion& question, const std::vector<Tile>& tiles,
                                   bool by_shipping, Random& random) {
   std::vector<JoinRow> all;
@@ -198,4 +198,4 @@ TEST(Tiles, LeaveNoTraceWhereTheyOwnAll) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

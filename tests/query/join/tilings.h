@@ -1,4 +1,4 @@
-// Rectangles that cover the plane without overlap, cut where it hurts.
+// Random tilings: rectangles that cover the plane without overlap, cut at critical places.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace foresee::testing {
 
-/// The x and y by which tiles decide; y: nothing on one axis.
+/// The intervals in x and y by which tiles decide; y is empty on one axis.
 struct FlatBox {
   double lower[2] = {0, 0}, upper[2] = {0, 0};
 };
@@ -19,7 +19,7 @@ template <int D>
 std::vector<FlatBox> flat_boxes(const Bodies& bodies, const Horizon& horizon, double within) {
   std::vector<FlatBox> boxes;
   for (std::size_t i = 0; i < bodies.count; ++i) {
-    const Box<D> box = swept_box<D>(bodies, i, horizon, query::sweep_margin<D>(within, {}));
+    const Box<D> box = swept_box<D>(bodies, i, horizon, sweep_margin<D>(within, {}));
     FlatBox& flat = boxes.emplace_back();
     for (int axis = 0; axis < std::min(D, 2); ++axis)
       flat.lower[axis] = box.lower[axis], flat.upper[axis] = box.upper[axis];

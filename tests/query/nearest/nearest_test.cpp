@@ -1,4 +1,5 @@
-// Nearest: ranks by the real distance rounded once, ties by id, whatever is searched.
+// k nearest neighbours: rows are ranked by the real distance rounded once, ties by id, in scenes and in
+// trees.
 #include "query/nearest/nearest.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 
 #include "query/search_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -102,7 +103,7 @@ TEST_P(NearestOfEveryLayout, RanksEveryObjectByItsExactDistance) {
         EXPECT_TRUE(last < distance || (last == distance && last_id < id)) << id;
         last = distance, last_id = id;
         if (id % 4 != 0) continue;
-        // Exact contact of two points agrees: within the next double they meet, within the one before not.
+        // Exact contact of two points agrees: they touch within the next double, not within the one before.
         EXPECT_EQ(approaches(scene, question, std::nextafter(distance, infinity), id).size(), 1u) << distance;
         if (distance == 0) continue;
         EXPECT_EQ(approaches(scene, question, std::nextafter(distance, 0), id).size(), 0u) << distance;
@@ -116,7 +117,7 @@ TEST_P(NearestOfEveryLayout, TreeAgreesWithScan) {
     for (double epoch : {0.0, 1.7e9}) {
       const RandomScene scene =
           shifted(random_scene({.layout = GetParam(), .kind = kind, .count = 60, .seed = 43}), epoch);
-      const Searched tree = as_tree(scene);
+      const SearchTarget tree = as_tree(scene);
       Random random(44);
       for (int i = 0; i < 6; ++i) {
         NearestQuestion question = random_question(random, scene, i);
@@ -130,7 +131,7 @@ TEST_P(NearestOfEveryLayout, TreeAgreesWithScan) {
 INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, NearestOfEveryLayout, ::testing::ValuesIn(varied_layouts()));
 
 TEST(Nearest, EqualDistancesComeById) {
-  // Eight mirror images of one motion: different numbers on the way, the same distance.
+  // Eight mirror images of one motion: different intermediate numbers, the same distance.
   const Layout layout{.axes = 2, .law = Law::uniform};
   std::vector<double> rows;
   std::vector<std::int64_t> ids;
@@ -152,14 +153,14 @@ TEST(Nearest, EqualDistancesComeById) {
   }
 }
 
-TEST(Nearest, ADistanceIsTheNearestDoubleWhereDoublesCannotTell) {
+TEST(Nearest, ADistanceIsTheNearestDoubleWhereDoubleArithmeticCannotDecide) {
   const Layout layout{.axes = 2, .law = Law::uniform};
   // Passes the point at 1e-30 and 1e20 a second: no digit of the distance is left in double-double.
-  const Searched ships{"ships", scene_of(layout, {1}, {-1e20, 1e-30, 1e20, 0}), nullptr};
+  const SearchTarget ships{"ships", scene_of(layout, {1}, {-1e20, 1e-30, 1e20, 0}), nullptr};
   const std::vector<Row> rows = answer({.objects = ships, .h = 2, .point = {0.0, 0.0}});
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(std::get<1>(rows[0]), 1e-30);
-  const Searched still{
+  const SearchTarget still{
       "ships", scene_of({.axes = 2}, {1, 2, 3, 4}, {3e200, 4e200, 3e-200, 4e-200, 0, 0, 1e308, 1.5e308}),
       nullptr};
   const std::vector<Row> far = answer({.objects = still, .k = 4, .point = {0.0, 0.0}});
@@ -181,7 +182,7 @@ std::string error_of(const NearestQuestion& question) {
 }
 
 TEST(Nearest, SaysWhatIsWrong) {
-  const Searched ships{"ships", scene_of({.axes = 2}, {}, {}), nullptr};
+  const SearchTarget ships{"ships", scene_of({.axes = 2}, {}, {}), nullptr};
   EXPECT_EQ(error_of({.objects = ships, .k = 0, .point = {0, 0}}), "k must be a whole number >= 1, not 0");
   EXPECT_EQ(error_of({.objects = ships, .h = -1, .point = {0, 0}}), "h must be a finite number >= 0, not -1");
   EXPECT_EQ(error_of({.objects = ships, .point = {0}}),
@@ -194,4 +195,4 @@ TEST(Nearest, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

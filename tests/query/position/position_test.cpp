@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "query/position/positions.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 std::shared_ptr<Scene> scene_of(const Layout& layout, std::vector<std::int64_t> ids,
@@ -15,7 +15,7 @@ std::shared_ptr<Scene> scene_of(const Layout& layout, std::vector<std::int64_t> 
 
 const Layout lifetimes{.axes = 1, .law = Law::uniform, .has_t = true, .has_until = true};
 
-TEST(Positions, GiveEveryObjectThatExistsAtTheMoment) {
+TEST(Positions, GiveEveryObjectThatExistsAtTheTime) {
   const auto scene = scene_of(lifetimes, {7, 8, 9},
                               {0, 1, 2, 10,     // gone after 10
                                0, 1, 3, 100,    //
@@ -46,11 +46,11 @@ TEST(Positions, FollowAccelerationOnEveryAxis) {
   EXPECT_EQ(row->v, (std::array<double, 3>{16, 14, 42}));
 }
 
-TEST(Positions, RefuseAMomentThatIsNoNumber) {
+TEST(Positions, RefuseATimeThatIsNotFinite) {
   const auto scene = scene_of(lifetimes, {}, {});
   EXPECT_THROW(Positions(scene, std::numeric_limits<double>::infinity()), Error);
   EXPECT_FALSE(Positions(scene, 1).next());
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

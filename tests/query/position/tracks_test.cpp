@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 std::shared_ptr<const Scene> moved(std::vector<std::int64_t> ids, std::vector<double> rows) {
@@ -24,24 +24,24 @@ struct TrackedRow {
   bool operator==(const TrackedRow&) const = default;
 };
 
-std::vector<TrackedRow> all_of(const std::shared_ptr<const Scene>& scene, const TrackMoments& moments) {
+std::vector<TrackedRow> all_of(const std::shared_ptr<const Scene>& scene, const TrackTimes& lifetime) {
   NeverInterrupt never;
-  Tracks tracks(scene, moments, never);
+  Tracks tracks(scene, lifetime, never);
   std::vector<TrackedRow> rows;
   while (const auto row = tracks.next()) rows.push_back({row->t, row->at.id, row->at.x[0]});
   EXPECT_FALSE(tracks.next());
   return rows;
 }
 
-std::vector<double> moments_of(const TrackMoments& moments) {
+std::vector<double> times_of(const TrackTimes& lifetime) {
   std::vector<double> all;
-  for (const auto& row : all_of(moved({1}, {-1e18, 0, 0, 1e18}), moments)) all.push_back(row.t);
+  for (const auto& row : all_of(moved({1}, {-1e18, 0, 0, 1e18}), lifetime)) all.push_back(row.t);
   return all;
 }
 
-TEST(Tracks, ComeByMomentThenById) {
+TEST(Tracks, ComeByTimeThenById) {
   const auto scene = moved({9, -3}, {0, 1, 2, 10,    // 9 is gone after 10
-                                     5, 0, 1, 99});  // -3 begins at 5
+                                     5, 0, 1, 99});  // -3 starts at 5
   EXPECT_EQ(
       all_of(scene, {4, 11, 3}),
       (std::vector<TrackedRow>{{4, 9, 9}, {7, -3, 2}, {7, 9, 15}, {10, -3, 5}, {10, 9, 21}, {11, -3, 6}}));
@@ -49,39 +49,39 @@ TEST(Tracks, ComeByMomentThenById) {
 }
 
 TEST(Tracks, EndAtT1WhateverTheStep) {
-  EXPECT_EQ(moments_of({0, 6, 3}), (std::vector<double>{0, 3, 6}));
-  EXPECT_EQ(moments_of({0, 7, 3}), (std::vector<double>{0, 3, 6, 7}));
-  EXPECT_EQ(moments_of({0, 7, 1e300}), (std::vector<double>{0, 7}));
-  EXPECT_EQ(moments_of({7, 7, 3}), (std::vector<double>{7}));
+  EXPECT_EQ(times_of({0, 6, 3}), (std::vector<double>{0, 3, 6}));
+  EXPECT_EQ(times_of({0, 7, 3}), (std::vector<double>{0, 3, 6, 7}));
+  EXPECT_EQ(times_of({0, 7, 1e300}), (std::vector<double>{0, 7}));
+  EXPECT_EQ(times_of({7, 7, 3}), (std::vector<double>{7}));
 }
 
-TEST(Tracks, RoundEachMomentOnce) {
+TEST(Tracks, RoundEachTimeOnce) {
   // 3 * 0.1 is 0.30000000000000004 in doubles; 1 + 3 * (the double 0.1), rounded once, is 1.3.
-  EXPECT_EQ(moments_of({1, 1.4, 0.1}), (std::vector<double>{1, 1.1, 1.2, 1.3, 1.4}));
-  const auto fine = moments_of({0, 1, 0.1});
+  EXPECT_EQ(times_of({1, 1.4, 0.1}), (std::vector<double>{1, 1.1, 1.2, 1.3, 1.4}));
+  const auto fine = times_of({0, 1, 0.1});
   EXPECT_EQ(fine[3], 0.1 * 3);
   EXPECT_EQ(fine.size(), 11u);
   for (int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     std::fesetround(mode);
-    const auto same = moments_of({0, 1, 0.1});
+    const auto same = times_of({0, 1, 0.1});
     std::fesetround(FE_TONEAREST);
     EXPECT_EQ(same, fine) << "whatever the host's rounding is";
   }
 }
 
-TEST(Tracks, GiveMomentsThatRoundAlikeOnce) {
-  EXPECT_EQ(moments_of({0x1p53, 0x1p53 + 4, 0.75}), (std::vector<double>{0x1p53, 0x1p53 + 2, 0x1p53 + 4}));
+TEST(Tracks, GiveTimesThatRoundAlikeOnce) {
+  EXPECT_EQ(times_of({0x1p53, 0x1p53 + 4, 0.75}), (std::vector<double>{0x1p53, 0x1p53 + 2, 0x1p53 + 4}));
 }
 
-TEST(Tracks, RefuseWhatMakesNoMoments) {
+TEST(Tracks, RefuseArgumentsThatGiveNoTimes) {
   const auto scene = moved({1}, {0, 0, 0, 1});
   const double inf = std::numeric_limits<double>::infinity();
-  for (const TrackMoments moments : {TrackMoments{0, 1, 0}, TrackMoments{0, 1, -1}, TrackMoments{0, 1, inf},
-                                     TrackMoments{1, 0, 1}, TrackMoments{0, inf, 1}, TrackMoments{-inf, 0, 1},
-                                     TrackMoments{0, 1, 1e-300}, TrackMoments{-1e308, 1e308, 1e-5}}) {
+  for (const TrackTimes lifetime : {TrackTimes{0, 1, 0}, TrackTimes{0, 1, -1}, TrackTimes{0, 1, inf},
+                                    TrackTimes{1, 0, 1}, TrackTimes{0, inf, 1}, TrackTimes{-inf, 0, 1},
+                                    TrackTimes{0, 1, 1e-300}, TrackTimes{-1e308, 1e308, 1e-5}}) {
     NeverInterrupt never;
-    EXPECT_THROW(Tracks(scene, moments, never), Error)
-        << moments.t0 << " " << moments.t1 << " " << moments.step;
+    EXPECT_THROW(Tracks(scene, lifetime, never), Error)
+        << lifetime.t0 << " " << lifetime.t1 << " " << lifetime.step;
   }
 }
 
@@ -89,11 +89,11 @@ struct AtOnce final : Interrupt {
   void check() override { throw Interrupted(); }
 };
 
-TEST(Tracks, HeedInterruptsWhereNothingExists) {
+TEST(Tracks, CheckForInterruptsWhereNothingExists) {
   AtOnce at_once;
   Tracks tracks(moved({1}, {0, 0, 0, 1}), {5, 1e15, 1}, at_once);
   EXPECT_THROW(tracks.next(), Interrupted);
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

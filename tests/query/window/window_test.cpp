@@ -1,4 +1,4 @@
-// Windows: the same answers as a box that joins, whatever is searched, with any side left out.
+// Window queries: the same rows as a join with a box, from scenes and from trees, with any bound left out.
 #include "query/window/window.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "query/search_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -96,7 +96,7 @@ TEST_P(WindowOfEveryLayout, TreeAgreesWithScan) {
     for (double epoch : {0.0, 1.7e9}) {
       const RandomScene scene =
           shifted(random_scene({.layout = GetParam(), .kind = kind, .count = 60, .seed = 33}), epoch);
-      const Searched tree = as_tree(scene), all = as_scene(scene);
+      const SearchTarget tree = as_tree(scene), all = as_scene(scene);
       Random random(34);
       for (int i = 0; i < 6; ++i) {
         WindowFaces faces = random_faces(random, scene, i % 2 == 0);
@@ -111,7 +111,7 @@ TEST_P(WindowOfEveryLayout, TreeAgreesWithScan) {
     }
 }
 
-/// Every subset of the sides left out is the window with those sides very far away.
+/// For every subset of the sides: leaving them out is the same as placing them very far away.
 TEST_P(WindowOfEveryLayout, AMissingSideIsOneThatIsNeverReached) {
   const RandomScene scene = random_scene({.layout = GetParam(), .count = 12, .seed = 35});
   Random random(36);
@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, WindowOfEveryLayout, ::testing::Valu
 const Layout disc{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
 
 /// One disc of radius 5 at (x, y) moving with (vx, vy).
-Searched one_disc(double x, double y, double vx, double vy) {
+SearchTarget one_disc(double x, double y, double vx, double vy) {
   return {"ships", scene_of(disc, {7}, {x, y, vx, vy, 5}), nullptr};
 }
 
@@ -142,7 +142,7 @@ WindowFaces faces_of(double x0, double x1, double y0 = -infinity, double y1 = in
   return {.lower = {x0, y0, -infinity}, .upper = {x1, y1, infinity}};
 }
 
-TEST(Window, MeasuresADiscFromTheCornerRound) {
+TEST(Window, MeasuresTheDistanceOfADiscFromTheCorner) {
   const WindowFaces quarter = faces_of(-infinity, 0, -infinity, 0);
   // From (3, 104) down: the corner is 3 to the left, so it touches 4 above it.
   EXPECT_EQ(answer({.objects = one_disc(3, 104, 0, -1), .h = 200, .faces = quarter}),
@@ -162,8 +162,8 @@ TEST(Window, NeedsNoCentreThatADoubleHolds) {
   // 0.1 and 1e17 have no double between them that is their middle, and their difference is not a double.
   const WindowFaces wide = faces_of(0.1, 1e17, -infinity, infinity);
   EXPECT_EQ(answer({.objects = one_disc(-4.9, 0, 0, 0), .h = 1, .faces = wide}).size(),
-            0u);  // a hair short of 0.1
-  const Searched points{
+            0u);  // slightly less than 0.1
+  const SearchTarget points{
       "points",
       scene_of({.axes = 1}, {1, 2, 3, 4}, {0.1, std::nextafter(0.1, 0), 1e17, std::nextafter(1e17, 2e17)}),
       nullptr};
@@ -185,7 +185,7 @@ std::string error_of(WindowQuestion question) {
 }
 
 TEST(Window, SaysWhatIsWrong) {
-  const Searched ships = one_disc(0, 0, 0, 0);
+  const SearchTarget ships = one_disc(0, 0, 0, 0);
   EXPECT_EQ(error_of({.objects = ships, .h = -1}), "h must be a finite number >= 0, not -1");
   EXPECT_EQ(error_of({.objects = ships, .now = infinity}), "now must be a finite number, not inf");
   EXPECT_EQ(error_of({.objects = ships, .faces = {.lower = {5, 0}, .upper = {3, 0}}}),
@@ -201,4 +201,4 @@ TEST(Window, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

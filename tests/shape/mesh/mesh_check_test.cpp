@@ -1,14 +1,14 @@
-// Which meshes are some: every triangle has an area, a solid is closed, and both still after a turn.
+// Validity of meshes: every triangle has an area, a solid is closed, and both also after a rotation.
 #include "shape/mesh/mesh_check.h"
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "shape/mesh/mesh_reader.h"
-#include "shape/mesh/meshes.h"
+#include "shape/mesh/mesh_text.h"
+#include "shape/mesh/test_meshes.h"
 #include "shape/mesh/turned_mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 std::string flaw(const std::string& text) {
@@ -77,15 +77,14 @@ TEST(MeshCheck, ATurnMayNeitherJoinCornersNorFlattenTriangles) {
   EXPECT_EQ(turned_flaw(tetrahedron, 37.5), "");
   const std::string near = "TIN Z(((1e-320 3e15 0, 0 3e15 0, 1 2 9, 1e-320 3e15 0)))";
   EXPECT_EQ(turned_flaw(near, 90), "");
-  EXPECT_EQ(
-      turned_flaw(near, 37.5),
-      "turned by 37.5 degrees its corners (1e-320 3e+15 0, 0 3e+15 0) become one: they are closer than a "
-      "double tells");
+  EXPECT_EQ(turned_flaw(near, 37.5),
+            "turned by 37.5 degrees its corners (1e-320 3e+15 0, 0 3e+15 0) become one: they are closer than "
+            "doubles resolve");
   const std::string thin = "TIN Z(((0 0 0, 4 0 0, 1 1e-30 0, 0 0 0)))";
   EXPECT_EQ(turned_flaw(thin, -270), "");
   EXPECT_EQ(turned_flaw(thin, 45),
             "turned by 45 degrees its face 1 (0 0 0, 4 0 0, 1 1e-30 0) has no area between its corners: they "
-            "are closer than a double tells");
+            "are closer than doubles resolve");
 }
 
 TEST(TurnedMesh, TurnsAroundTheUprightAxis) {
@@ -98,4 +97,4 @@ TEST(TurnedMesh, TurnsAroundTheUprightAxis) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

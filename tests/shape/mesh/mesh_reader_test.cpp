@@ -1,18 +1,16 @@
-// Texts of meshes: what they mean, and what is said of texts that are none.
-#include "shape/mesh/mesh_reader.h"
-
+// The reader and writer of meshes as well-known text, and the errors of invalid texts.
 #include <gtest/gtest.h>
 
 #include <chrono>
 
 #include "base/error.h"
-#include "shape/mesh/mesh_writer.h"
-#include "shape/mesh/meshes.h"
+#include "shape/mesh/mesh_text.h"
+#include "shape/mesh/test_meshes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
-/// What the reader says of the text; "" if it reads it.
+/// The error of the reader for this text; "" if it reads it.
 std::string refusal(std::string_view text) {
   try {
     read_mesh(text);
@@ -105,11 +103,11 @@ TEST(MeshReader, EveryCutTextIsRefused) {
 }
 
 TEST(MeshReader, ThereAreAtMostSoManyTriangles) {
-  EXPECT_EQ(refusal(fan("TIN Z", most_triangles)), "");
-  EXPECT_EQ(refusal(fan("TIN Z", most_triangles + 1)), "65537 triangles; at most 65536: simplify the mesh");
+  EXPECT_EQ(refusal(fan("TIN Z", max_triangles)), "");
+  EXPECT_EQ(refusal(fan("TIN Z", max_triangles + 1)), "65537 triangles; at most 65536: simplify the mesh");
   EXPECT_EQ(refusal(fan("TIN Z", 70000)), "70000 triangles; at most 65536: simplify the mesh");
   // What follows is not read any more.
-  EXPECT_EQ(refusal(fan("TIN Z", most_triangles + 1) + " nonsense").substr(0, 5), "65537");
+  EXPECT_EQ(refusal(fan("TIN Z", max_triangles + 1) + " nonsense").substr(0, 5), "65537");
 }
 
 // Unlike a table of hashes: no text makes corners collide.
@@ -120,7 +118,7 @@ TEST(MeshReader, TakesNoLongerThanTheTextIsLong) {
   std::string many = "TIN Z(((0 0 0";
   for (int i = 0; i < 300'000; ++i) many += ", 0 0 0";
   EXPECT_EQ(refusal(many + ")))"), "face 1 has 300000 corners: write triangles, of three corners each");
-  EXPECT_EQ(refusal(fan("MULTIPOLYGON Z", most_triangles)), "");
+  EXPECT_EQ(refusal(fan("MULTIPOLYGON Z", max_triangles)), "");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
@@ -134,4 +132,4 @@ TEST(MeshWriter, WritesWhatReadsBackTheSame) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

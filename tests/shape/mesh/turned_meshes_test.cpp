@@ -1,22 +1,22 @@
-// The meshes of many rows: looked up once, turned when asked for, by several threads too.
+// The rotated meshes of many rows: looked up once, rotated on demand, also by several threads.
 #include "shape/mesh/turned_meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "shape/mesh/meshes.h"
+#include "shape/mesh/test_meshes.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 struct Rack final : FormSource {
   std::shared_ptr<const Form> form(std::int64_t number) override {
-    ++asked;
+    ++queried;
     return read_form(Shape::mesh, number == 1 ? tetrahedron : "TIN Z(((0 0 3, 4 0 3, 0 5 4, 0 0 3)))");
   }
-  int asked = 0;
+  int queried = 0;
 };
 
 constexpr Layout drones{.axes = 3, .shape = Shape::mesh, .has_heading = true};
@@ -33,9 +33,9 @@ TEST(TurnedMeshes, AreSharedUnlessTheyAreTurned) {
   const auto rows = rows_of({{1, 0}, {0, 30}, {1, 90}, {2, 0}, {1, 0}});
   Rack rack;
   NeverInterrupt never;
-  OwnPieces<TriangleTree> own;
+  ScratchPieces<TriangleTree> own;
   const TurnedMeshes meshes(Bodies(drones, rows.data(), 5), rack, never);
-  EXPECT_EQ(rack.asked, 2);
+  EXPECT_EQ(rack.queried, 2);
   EXPECT_EQ(meshes.triangles(1, own), nullptr);
   EXPECT_EQ(meshes.triangles(0, own), meshes.triangles(4, own));
   EXPECT_NE(meshes.triangles(0, own), meshes.triangles(2, own));
@@ -57,7 +57,7 @@ TEST(TurnedMeshes, ManyThreadsGetTheSameTriangles) {
   std::vector<std::thread> threads;
   for (auto& mine : seen)
     threads.emplace_back([&] {
-      OwnPieces<TriangleTree> own;
+      ScratchPieces<TriangleTree> own;
       for (std::size_t i = 0; i < 64; ++i) mine.push_back(meshes.triangles(i, own));
     });
   for (std::thread& thread : threads) thread.join();
@@ -71,7 +71,7 @@ TEST(TurnedMeshes, OfMoreHeadingsThanThereIsRoomForAreMadeAgain) {
     for (const double value : rows_of({{1, 1 + i}})) rows.push_back(value);
   Rack rack;
   NeverInterrupt never;
-  OwnPieces<TriangleTree> own;
+  ScratchPieces<TriangleTree> own;
   TurnedMeshes meshes(budget);
   meshes.assign(Bodies(drones, rows.data(), 200), rack, never);
   const std::size_t before = meshes.memory();
@@ -97,4 +97,4 @@ TEST(MeshBounds, ReachToThePositionAndGrowOnAllSides) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 std::vector<Box<2>> random_boxes(std::mt19937_64& random, std::size_t count) {
@@ -95,4 +95,4 @@ TEST(BoxTree, BoxesInOnePlaceAreNoDeeperThanOthers) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,4 +1,5 @@
-// The judge is exact: pieces are convex, do not overlap, and are together the outline, in rational numbers.
+// Convex pieces, checked in rational numbers: they are convex, do not overlap, and their union is the
+// outline.
 #include "shape/outline/convex_pieces.h"
 
 #include <gtest/gtest.h>
@@ -8,17 +9,16 @@
 #include <utility>
 
 #include "contact/case_count.h"
-#include "shape/outline/judge.h"
-#include "shape/outline/outlines.h"
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_judge.h"
+#include "shape/outline/outline_rotation.h"
+#include "shape/outline/test_outlines.h"
 #include "shape/outline/validity.h"
-#include "shape/outline/wkt_reader.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
-using contact::testing_by_hand::scaled_count;
+using testing_by_hand::scaled_count;
 
 using Edge = std::pair<Corner, Corner>;
 
@@ -124,7 +124,7 @@ void expect_cut(const Outline& outline, std::mt19937_64& random) {
   expect_tree(pieces);
 }
 
-TEST(ConvexPieces, AConvexOutlineIsOnePieceEitherWayRound) {
+TEST(ConvexPieces, AConvexOutlineIsOnePieceInEitherDirection) {
   for (const char* text : {"POLYGON((0 0, 4 0, 4 4, 0 4, 0 0))", "POLYGON((0 0, 0 4, 4 4, 4 0, 2 0, 0 0))"}) {
     const ConvexPieces pieces = convex_pieces(read_outline(text));
     ASSERT_EQ(pieces.count(), 1u);
@@ -201,7 +201,7 @@ bool bends_in(std::span<const Corner> piece, std::size_t i, std::span<const Corn
   return side_of(exact(before), exact(piece[i]), exact(after)) < 0;
 }
 
-/// At four times the fewest pieces at most, as Hertel and Mehlhorn prove of what has no cut to spare.
+/// At most four times the minimal number of pieces, as Hertel and Mehlhorn prove if no cut can be removed.
 TEST(ConvexPieces, NoCutCouldBeSpared) {
   std::mt19937_64 random(15);
   for (const Outline& outline : {random_star(random, 100), comb(30), spiral(6), chain_of_holes(9)}) {
@@ -228,55 +228,55 @@ TEST(ConvexPieces, OfATurnedOutlineAreCutAlike) {
     const Outline outline = random_star(random, 30);
     const ConvexPieces pieces = convex_pieces(outline);
     for (const double heading : {0.0, 37.5, 90.0, 211.0}) {
-      const Outline lies = turned(outline, heading);
-      const ConvexPieces as_it_lies = turned_pieces(pieces, lies);
-      EXPECT_EQ(as_it_lies.cut(), pieces.cut());
-      expect_tiling(as_it_lies, lies);
+      const Outline posed = turned(outline, heading);
+      const ConvexPieces rotated = turned_pieces(pieces, posed);
+      EXPECT_EQ(rotated.cut(), pieces.cut());
+      expect_tiling(rotated, posed);
     }
   }
 }
 
-TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereRoundingBrokeOne) {
+TEST(ConvexPieces, OfATurnedOutlineAreCutAgainWhereRoundingBrokeOne) {
   // The middle of the lower edge lies on it, but not after most turns.
   const Outline outline = read_outline("POLYGON((0 0, 1 0, 3 0, 3 7, 2 3, 0 9, 0 0))");
   const ConvexPieces pieces = convex_pieces(outline);
   std::mt19937_64 random(17);
-  int anew = 0;
+  int cut_again = 0;
   for (int heading = 1; heading < 90; ++heading) {
-    const Outline lies = turned(outline, heading);
-    const ConvexPieces as_it_lies = turned_pieces(pieces, lies);
-    expect_tiling(as_it_lies, lies);
-    expect_edges(as_it_lies, lies);
-    anew += as_it_lies.cut() != pieces.cut();
+    const Outline posed = turned(outline, heading);
+    const ConvexPieces rotated = turned_pieces(pieces, posed);
+    expect_tiling(rotated, posed);
+    expect_edges(rotated, posed);
+    cut_again += rotated.cut() != pieces.cut();
   }
-  EXPECT_GT(anew, 10);
+  EXPECT_GT(cut_again, 10);
 }
 
-TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereCornersBecameOne) {
+TEST(ConvexPieces, OfATurnedOutlineAreCutAgainWhereCornersBecameOne) {
   const Outline outline = read_outline("POLYGON((0 0, 100 0, 100 1e-30, 1 1, 0 100, 0 0))");
-  const Outline lies = turned(outline, 20);
-  ASSERT_LT(lies.corners().size(), outline.corners().size());
-  expect_tiling(turned_pieces(convex_pieces(outline), lies), lies);
+  const Outline posed = turned(outline, 20);
+  ASSERT_LT(posed.corners().size(), outline.corners().size());
+  expect_tiling(turned_pieces(convex_pieces(outline), posed), posed);
 }
 
-TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereRoundingTurnedAHoleInsideOut) {
-  // So flat is the hole that it may run the other way round when it is turned.
+TEST(ConvexPieces, OfATurnedOutlineAreCutAgainWhereRoundingTurnedAHoleInsideOut) {
+  // The hole is so flat that a rotation may reverse its direction.
   const Outline outline = read_outline(
       "POLYGON((0 0, 5 0, 5 5, 0 5, 0 0), "
       "(4 1, 3.9999999999999996 1, 1.0000000000000002 1.0000000000000002, 4 1))");
   const ConvexPieces pieces = convex_pieces(outline);
-  int anew = 0;
+  int cut_again = 0;
   for (double heading = 0.25; heading < 90; heading += 0.25) {
-    const Outline lies = turned(outline, heading);
-    if (flaw_of(lies)) continue;
-    const ConvexPieces as_it_lies = turned_pieces(pieces, lies);
-    expect_tiling(as_it_lies, lies);
-    anew += as_it_lies.cut() != pieces.cut();
+    const Outline posed = turned(outline, heading);
+    if (flaw_of(posed)) continue;
+    const ConvexPieces rotated = turned_pieces(pieces, posed);
+    expect_tiling(rotated, posed);
+    cut_again += rotated.cut() != pieces.cut();
   }
-  EXPECT_GT(anew, 5);
+  EXPECT_GT(cut_again, 5);
 }
 
-TEST(ConvexPieces, OfTheMostCornersTakeNoLongerThanOthers) {
+TEST(ConvexPieces, OfTheMaximumOfCornersTakeNoLongerThanOthers) {
   std::mt19937_64 random(18);
   const Outline slanted = moved(comb(32767), [](const Corner& c) {
     return Corner{c.x * 1000 + c.y, c.x * 1000 - c.y};
@@ -291,4 +291,4 @@ TEST(ConvexPieces, OfTheMostCornersTakeNoLongerThanOthers) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "shape/outline/judge.h"
+#include "shape/outline/outline_judge.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 void expect_exact(const Corner& a, const Corner& b, const Corner& c) {
@@ -59,4 +59,4 @@ TEST(Orientation, OfARingIsThatOfAllItsCorners) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -6,17 +6,16 @@
 #include <cmath>
 
 #include "shape/outline/convex_pieces.h"
-#include "shape/outline/outlines.h"
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
+#include "shape/outline/test_outlines.h"
 #include "shape/outline/validity.h"
-#include "shape/outline/wkt_reader.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 
 #ifdef __SSE2_MATH__
 #include <xmmintrin.h>
 #endif
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 TEST(Outline, KnowsItsRingsAndParts) {
@@ -24,10 +23,10 @@ TEST(Outline, KnowsItsRingsAndParts) {
       outline_of_parts({{{{0, 0}, {9, 0}, {0, 9}}, {{1, 1}, {2, 1}, {1, 2}}}, {{{20, 0}, {29, 0}, {20, 9}}}});
   EXPECT_EQ(outline.parts(), 2u);
   EXPECT_EQ(outline.rings(), 3u);
-  EXPECT_EQ(outline.part_begin(0), 0u);
-  EXPECT_EQ(outline.part_begin(1), 2u);
-  EXPECT_EQ(outline.part_begin(2), 3u);
-  EXPECT_EQ(outline.ring_begin(1), 3u);
+  EXPECT_EQ(outline.part_start(0), 0u);
+  EXPECT_EQ(outline.part_start(1), 2u);
+  EXPECT_EQ(outline.part_start(2), 3u);
+  EXPECT_EQ(outline.ring_start(1), 3u);
   EXPECT_EQ(outline.ring(1).front(), (Corner{1, 1}));
 }
 
@@ -54,11 +53,11 @@ struct AllAbout {
 
 /// Everything that is computed about an outline.
 AllAbout all_about(const std::string& text) {
-  const Outline outline = read_outline(text), lies = turned(outline, 37.3);
+  const Outline outline = read_outline(text), posed = turned(outline, 37.3);
   check_outline(outline);
-  check_turned(outline, lies, 37.3);
-  AllAbout all{write_outline(outline), write_outline(lies), {}};
-  const ConvexPieces pieces = turned_pieces(convex_pieces(outline), lies);
+  check_turned(outline, posed, 37.3);
+  AllAbout all{write_outline(outline), write_outline(posed), {}};
+  const ConvexPieces pieces = turned_pieces(convex_pieces(outline), posed);
   for (std::size_t p = 0; p < pieces.count(); ++p)
     all.corners.insert(all.corners.end(), pieces.corners(p).begin(), pieces.corners(p).end());
   return all;
@@ -87,4 +86,4 @@ TEST(Outline, IsTheSameInAnyFloatingPointEnvironment) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,24 +1,24 @@
-// The outlines of many rows: looked up once, turned when asked for, by several threads too.
+// The rotated outlines of many rows: looked up once, rotated on demand, also by several threads.
 #include "shape/outline/turned_outlines.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 struct Shelf final : FormSource {
   std::shared_ptr<const Form> form(std::int64_t number) override {
-    ++asked;
+    ++queried;
     if (number > 2) throw Error("no such outline");
-    return std::make_shared<const CutOutline>(read_outline(
+    return std::make_shared<const SharedOutline>(read_outline(
         number == 1 ? "POLYGON((0 0, 4 0, 0 3, 0 0))" : "POLYGON((-9 -9, -5 -9, -5 -5, -6 -8, -9 -9))"));
   }
-  int asked = 0;
+  int queried = 0;
 };
 
 constexpr Layout ships{.axes = 2, .shape = Shape::outline, .has_heading = true};
@@ -38,9 +38,9 @@ TEST(TurnedOutlines, AreSharedUnlessTheyAreTurned) {
   const auto rows = rows_of({row(1, 0), row(0, 30), row(1, 90), row(2, 0), row(1, 0)});
   Shelf shelf;
   NeverInterrupt never;
-  OwnPieces<ConvexPieces> own;
+  ScratchPieces<ConvexPieces> own;
   const TurnedOutlines outlines(Bodies(ships, rows.data(), 5), shelf, never);
-  EXPECT_EQ(shelf.asked, 2);
+  EXPECT_EQ(shelf.queried, 2);
   EXPECT_EQ(outlines.pieces(1, own), nullptr);
   EXPECT_EQ(outlines.pieces(0, own), outlines.pieces(4, own));
   EXPECT_NE(outlines.pieces(0, own), outlines.pieces(2, own));
@@ -53,7 +53,7 @@ TEST(TurnedOutlines, OfOneHeadingAreShared) {
   const auto rows = rows_of({row(1, 90), row(2, 90), row(1, 90), row(1, 91)});
   Shelf shelf;
   NeverInterrupt never;
-  OwnPieces<ConvexPieces> own;
+  ScratchPieces<ConvexPieces> own;
   const TurnedOutlines outlines(Bodies(ships, rows.data(), 4), shelf, never);
   EXPECT_EQ(outlines.pieces(0, own), outlines.pieces(2, own));
   EXPECT_NE(outlines.pieces(0, own), outlines.pieces(1, own));
@@ -68,7 +68,7 @@ TEST(TurnedOutlines, OfMoreHeadingsThanThereIsRoomForAreMadeAgainAndAreTheSame) 
     for (const double number : row(1 + i % 2, 1.0 + static_cast<double>(i))) rows.push_back(number);
   Shelf shelf;
   NeverInterrupt never;
-  OwnPieces<ConvexPieces> own, unused;
+  ScratchPieces<ConvexPieces> own, unused;
   TurnedOutlines few(budget), all;
   for (TurnedOutlines* outlines : {&few, &all})
     outlines->assign(Bodies(ships, rows.data(), count), shelf, never);
@@ -81,7 +81,7 @@ TEST(TurnedOutlines, OfMoreHeadingsThanThereIsRoomForAreMadeAgainAndAreTheSame) 
     for (std::size_t p = 0; p < one.count(); ++p)
       ASSERT_TRUE(std::equal(one.corners(p).begin(), one.corners(p).end(), other.corners(p).begin()));
     made_again += &one == own.pieces.get();
-    EXPECT_EQ(few.pieces(i, own), &one) << "asked again it is there still";
+    EXPECT_EQ(few.pieces(i, own), &one) << "the same pieces at a second read";
   }
   EXPECT_LE(few.memory(), before + budget);
   EXPECT_GT(all.memory(), before + 4 * budget);
@@ -93,7 +93,7 @@ TEST(TurnedOutlines, SayWhatMemoryTheyTake) {
   const auto rows = rows_of({row(1, 0), row(1, 90), row(2, 90)});
   Shelf shelf;
   NeverInterrupt never;
-  OwnPieces<ConvexPieces> own;
+  ScratchPieces<ConvexPieces> own;
   const TurnedOutlines outlines(Bodies(ships, rows.data(), 3), shelf, never);
   const std::size_t before = outlines.memory();
   outlines.pieces(0, own);
@@ -114,7 +114,7 @@ TEST(TurnedOutlines, ManyThreadsGetTheSamePieces) {
   std::vector<std::thread> threads;
   for (auto& mine : seen)
     threads.emplace_back([&] {
-      OwnPieces<ConvexPieces> own;
+      ScratchPieces<ConvexPieces> own;
       for (int i = 0; i < count; ++i) mine.push_back(outlines.pieces(static_cast<std::size_t>(i), own));
     });
   for (std::thread& thread : threads) thread.join();
@@ -122,11 +122,11 @@ TEST(TurnedOutlines, ManyThreadsGetTheSamePieces) {
   EXPECT_EQ(seen[0], seen[2]);
 }
 
-TEST(TurnedOutlines, AreMadeAnewForOtherRows) {
+TEST(TurnedOutlines, AreMadeAgainForOtherRows) {
   auto rows = row(1, 90);
   Shelf shelf;
   NeverInterrupt never;
-  OwnPieces<ConvexPieces> own;
+  ScratchPieces<ConvexPieces> own;
   TurnedOutlines outlines;
   outlines.assign(Bodies(ships, rows.data(), 1), shelf, never);
   EXPECT_EQ(outlines.pieces(0, own)->bounds(0).lower[1], -4);
@@ -151,4 +151,4 @@ TEST(OutlineShape, ItsExtentsAreThoseOfTheOutlineGrownAndOfThePosition) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

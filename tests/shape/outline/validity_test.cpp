@@ -1,5 +1,5 @@
-// Every rule by hand, then all of them against the judge, which asks rational numbers about every pair of
-// edges.
+// Every rule of outline validity by example, then all of them against a reference that tests every pair of
+// edges in rational numbers.
 #include "shape/outline/validity.h"
 
 #include <gtest/gtest.h>
@@ -9,18 +9,17 @@
 
 #include "base/error.h"
 #include "contact/case_count.h"
-#include "shape/outline/judge.h"
-#include "shape/outline/outlines.h"
-#include "shape/outline/turn.h"
-#include "shape/outline/wkt_reader.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/outline_judge.h"
+#include "shape/outline/outline_rotation.h"
+#include "shape/outline/test_outlines.h"
+#include "shape/outline/wkt.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
-using contact::testing_by_hand::scaled_count;
+using testing_by_hand::scaled_count;
 
-/// What is said of it; "" if nothing.
+/// The text of the flaw; "" if the outline is valid.
 std::string flaw_in(const char* text) {
   try {
     check_outline(read_outline(text));
@@ -85,7 +84,7 @@ TEST(Validity, RingsMayTouchInSinglePoints) {
       "");
 }
 
-TEST(Validity, RingsDoNotLieOnEachOther) {
+TEST(Validity, RingsDoNotOverlap) {
   EXPECT_EQ(flaw_in("MULTIPOLYGON(((0 0, 1 0, 1 1, 0 1, 0 0)), ((1 0, 2 0, 2 1, 1 1, 1 0)))"),
             "edges (1 0, 1 1) and (1 1, 1 0) overlap");
   EXPECT_EQ(flaw_in("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 0, 3 0, 2 2, 1 0))"),
@@ -97,7 +96,7 @@ TEST(Validity, RingsDoNotCrossInACorner) {
             "edges (2 2, 4 0) and (2 2, 9 9) cross");
 }
 
-TEST(Validity, HolesLieWithinTheirPart) {
+TEST(Validity, HolesAreWithinTheirPart) {
   EXPECT_EQ(flaw_in("POLYGON((0 0, 4 0, 0 4, 0 0), (8 8, 9 8, 8 9, 8 8))"),
             "ring 2 is a hole but lies outside its part");
   EXPECT_EQ(flaw_in("POLYGON((1 1, 2 1, 1 2, 1 1), (0 0, 4 0, 0 4, 0 0))"),
@@ -106,7 +105,7 @@ TEST(Validity, HolesLieWithinTheirPart) {
             "ring 3 is a hole but lies within ring 2");
 }
 
-TEST(Validity, PartsLieApartOrWithinAHole) {
+TEST(Validity, PartsAreDisjointOrWithinAHole) {
   EXPECT_EQ(flaw_in("MULTIPOLYGON(((0 0, 9 0, 0 9, 0 0)), ((1 1, 2 1, 1 2, 1 1)))"),
             "ring 1 of part 2 lies within ring 1 of part 1: write parts that lie apart");
   EXPECT_EQ(flaw_in("MULTIPOLYGON(((2 2, 2.5 2, 2 2.5, 2 2)), ((0 0, 9 0, 0 9, 0 0), (1 1, 4 1, 1 4, 1 1)))"),
@@ -182,7 +181,7 @@ TEST(Validity, ATurnPartsACornerFromAnEdge) {
             "");
 }
 
-TEST(Validity, WhereEdgesAreTouchedIsAskedOnceForAllTurns) {
+TEST(Validity, EdgeTouchesAreComputedOnceForAllRotations) {
   const Outline outline = read_outline("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (2 0, 3 1, 1 1, 2 0))");
   const auto touch = edge_touch_of(outline);
   ASSERT_TRUE(touch.has_value());
@@ -205,14 +204,14 @@ TEST(Validity, ATurnMayCloseAGapOfAnUlp) {
     const std::string message = flaw_turned(outline, heading);
     if (message.empty()) continue;
     ++refused;
-    EXPECT_NE(message.find("touch: they are closer than a double tells"), std::string::npos) << message;
+    EXPECT_NE(message.find("touch: they are closer than doubles resolve"), std::string::npos) << message;
     EXPECT_FALSE(is_sound(turned(outline, heading)));
   }
   EXPECT_GT(refused, 20);
 }
 
-/// Cost must grow as n log n, whatever the outline: the most corners in well below a second.
-TEST(Validity, TheMostCornersTakeNoLongerThanOthers) {
+/// Cost must grow as n log n for every outline: the maximum of corners takes well below a second.
+TEST(Validity, TheMaximumOfCornersTakesNoLongerThanOthers) {
   std::mt19937_64 random(6);
   const Outline slanted = moved(comb(32767), [](const Corner& c) {
     return Corner{c.x * 1000 + c.y, c.x * 1000 - c.y};
@@ -220,7 +219,7 @@ TEST(Validity, TheMostCornersTakeNoLongerThanOthers) {
   for (const Outline& outline :
        {random_star(random, 65536), comb(32767), slanted, spiral(8192), chain_of_holes(16382)}) {
     EXPECT_GT(outline.corners().size(), 65500u);
-    EXPECT_LE(outline.corners().size(), most_corners);
+    EXPECT_LE(outline.corners().size(), max_corners);
     const auto begin = std::chrono::steady_clock::now();
     EXPECT_EQ(flaw_of(outline), std::nullopt);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
@@ -228,4 +227,4 @@ TEST(Validity, TheMostCornersTakeNoLongerThanOthers) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,16 +1,15 @@
-#include "shape/outline/wkt_reader.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <string>
 
 #include "base/error.h"
+#include "shape/outline/wkt.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
-/// What the reader says of the text; "" if it reads it.
+/// The error of the reader for this text; "" if it reads it.
 std::string refusal(std::string_view text) {
   try {
     read_outline(text);
@@ -39,7 +38,7 @@ TEST(WktReader, ReadsPartsRingsAndCorners) {
       read_outline("MULTIPOLYGON(((0 0, 9 0, 0 9, 0 0), (1 1, 2 1, 1 2, 1 1)), ((20 0, 29 0, 20 9, 20 0)))");
   EXPECT_EQ(outline.parts(), 2u);
   EXPECT_EQ(outline.rings(), 3u);
-  EXPECT_EQ(outline.part_begin(1), 2u);
+  EXPECT_EQ(outline.part_start(1), 2u);
   EXPECT_EQ(outline.corners().size(), 9u);
   EXPECT_EQ(outline.ring(1)[2], (Corner{1, 2}));
   EXPECT_EQ(outline.extents().upper[0], 29);
@@ -138,7 +137,7 @@ TEST(WktReader, QuotesFortyCharactersAtMost) {
             "at character 1: expected POLYGON or MULTIPOLYGON, found 'ab'");
 }
 
-TEST(WktReader, TheMostCornersAreRead) {
+TEST(WktReader, TheMaximumOfCornersIsRead) {
   EXPECT_EQ(read_outline("POLYGON(" + ring_of(65536) + ")").corners().size(), 65536u);
   EXPECT_EQ(read_outline("POLYGON(" + ring_of(65533) + ", " + ring_of(3) + ")").corners().size(), 65536u);
 }
@@ -169,4 +168,4 @@ TEST(WktReader, HostileTextTakesNoLongerThanItIs) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

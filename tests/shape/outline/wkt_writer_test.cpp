@@ -1,15 +1,13 @@
-#include "shape/outline/wkt_writer.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 #include <random>
 
-#include "shape/outline/outlines.h"
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/test_outlines.h"
+#include "shape/outline/wkt.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 TEST(WktWriter, WritesWhatTheReferenceShows) {
@@ -44,4 +42,4 @@ TEST(WktWriter, WhatIsWrittenReadsBackTheSame) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -1,5 +1,5 @@
-// predictive_avoid for outlines, by hand: a hull that turns with its course, gaps, holes, quays, what cannot
-// be turned.
+// predictive_avoid for outlines, by hand: a hull that rotates with its course, gaps, holes, quays, and
+// outlines that cannot be rotated.
 #if defined(__linux__)
 #include <sys/resource.h>
 #endif
@@ -10,8 +10,8 @@
 namespace foresee::testing {
 namespace {
 
-/// That this process had so far, in KiB; 0 where it is not told.
-long most_memory() {
+/// The peak memory of this process, in KiB; 0 where it is not known.
+long max_memory() {
 #if defined(__linux__)
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -22,7 +22,7 @@ long most_memory() {
 }
 
 struct AvoidHulls : ::testing::Test {
-  /// A hull of 2 by 12, on its way north at 5, and what is in its way.
+  /// A hull of 2 by 12 that moves north at 5, and the obstacles.
   void make(const std::string& heading, const std::string& others) {
     db.exec(
         "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, shape" + heading +
@@ -41,7 +41,7 @@ struct AvoidHulls : ::testing::Test {
   Database db;
 };
 
-/// The quay is 2 to the right of the way: turned to port, the stern swings to it, by asin(2 / |(1, 6)|) less
+/// The quay is 2 to the right of the path. Turned to port, the stern swings to it at asin(2 / |(1, 6)|) -
 /// atan(1 / 6).
 TEST_F(AvoidHulls, TurnWithTheirCourse) {
   make(", heading", "(1, 0, 0, 'POLYGON((2 -50, 3 -50, 3 50, 2 50, 2 -50))')");
@@ -65,7 +65,7 @@ TEST_F(AvoidHulls, PassThroughAGapThatTheirBoxesDoNot) {
   EXPECT_EQ(avoid("'speed', -5, 5, NULL, 'quays'"), "1|-5.0|5.0|NULL|NULL|NULL");
 }
 
-/// Within a lock: whoever stays clear of the outline around it stays there.
+/// Inside a lock: an object that keeps clear of the outline around it remains inside.
 TEST_F(AvoidHulls, KeepWithinAHole) {
   make(", heading",
        "(1, 0, 0, 'POLYGON((-20 -20, 20 -20, 20 60, -20 60, -20 -20), (-10 -10, 10 -10, 10 54, -10 54, -10 "
@@ -111,24 +111,25 @@ TEST_F(AvoidHulls, OfTrianglesInSpaceAreRefused) {
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(60, 'rocks', 1)"),
             "predictive_avoid: predictive_avoid does not answer for meshes, which rocks has: declare hz "
             "beside shape "
-            "for prisms, or ask about a table with r around each");
+            "for prisms, or query a table with r around each");
 }
 
-/// As of now the place is rounded, and touches the hull around it, which the stored row just left: whoever
-/// turns touches already, asked about alone too.
+/// At now the position is rounded, and touches the hull around it, which the stored row just left. A ship
+/// that turns touches already, also in a query of one change.
 TEST_F(AvoidHulls, TouchAlreadyWhatTheirRoundedPlaceTouches) {
   db.exec(
       "CREATE VIRTUAL TABLE boats USING moving_objects(id, t, x, y, z, vx, vy, vz, shape, heading, hz);"
       "INSERT INTO boats VALUES"
       "  (1, 0, 4, 21, -3300000, 2, 2, 1.999999999998181, 'POLYGON((-6 -6, 6 -6, 6 6, -6 6, -6 -6))', 0, 0),"
       "  (2, 0, 0, 0, -3299999, 2, 2, 2, 'POLYGON((-40 -60, 40 -60, 40 60, -40 60, -40 -60))', 0, 1)");
-  const std::string asked = "SELECT clear FROM predictive_avoid(1, 'boats', 1, 0, 'turn', ";
-  EXPECT_EQ(db.rows(asked + "-5, -1, 1)"), "1");
-  EXPECT_EQ(db.rows(asked + "-2, -2, 1)"), "1");
-  EXPECT_EQ(db.rows(asked + "2, 2, 1)"), "0");
+  const std::string queried = "SELECT clear FROM predictive_avoid(1, 'boats', 1, 0, 'turn', ";
+  EXPECT_EQ(db.rows(queried + "-5, -1, 1)"), "1");
+  EXPECT_EQ(db.rows(queried + "-2, -2, 1)"), "1");
+  EXPECT_EQ(db.rows(queried + "2, 2, 1)"), "0");
 }
 
-/// Shapes of many pieces, each pair of which is in doubt for some turns: few of the pairs are kept.
+/// Shapes of many pieces, of which each pair is undecided for some turns: few of the pairs are kept in
+/// memory.
 TEST_F(AvoidHulls, OfManyPiecesTakeLittleMemory) {
   db.exec(
       "CREATE VIRTUAL TABLE stars USING moving_objects(id, x, y, vx, vy, shape, heading);"
@@ -140,15 +141,15 @@ TEST_F(AvoidHulls, OfManyPiecesTakeLittleMemory) {
       "  INSERT INTO stars SELECT id, 400 * id, 40 * id, 1 - 2 * id, 0, 'POLYGON((' || corners || '))', 3 * "
       "id"
       "    FROM star, (SELECT 0 AS id UNION ALL SELECT 1)");
-  const long before = most_memory();
+  const long before = max_memory();
   EXPECT_EQ(db.rows("SELECT count(*), sum(clear) FROM predictive_avoid(600, 'stars', 0, 0, 'turn')"), "3|2");
   if (!sanitized) {
-    EXPECT_LT(most_memory() - before, 128 << 10);
+    EXPECT_LT(max_memory() - before, 128 << 10);
   }
 }
 
-/// Two flat things that pass the same height at one moment touch with no depth for many a rate of climb:
-/// where that begins is noise to whoever guesses. (0.2.0 went down guess by guess until the stack ended.)
+/// Two flat objects that pass the same height at one time touch without depth for many rates of climb. A
+/// guess of the first of these is noise. (0.2.0 split the range at each guess until the stack overflowed.)
 TEST_F(AvoidHulls, FlatOnesThatPassOneHeightTouchWithoutDepth) {
   db.exec(
       "CREATE VIRTUAL TABLE kites USING moving_objects(id, t, x, y, z, vx, vy, vz, shape, heading, hz);"

@@ -1,17 +1,17 @@
-// predictive_avoid for outlines and prisms: against exact contact of single changes, against the shapes that
-// they are alike, by hand, and written back. FORESEE_LONG=1: a hundred times as many scenes.
+// predictive_avoid for outlines and prisms: against exact contact of single changes, against equal shapes of
+// other kinds, and written back. FORESEE_LONG=1: a hundred times as many scenes.
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
 
 #include "sanitized.h"
 #include "sqlite/database.h"
-#include "sqlite/drawn.h"
+#include "sqlite/random_numbers.h"
 
 namespace foresee::testing {
 namespace {
 
-constexpr const char* looks[] = {
+constexpr const char* shapes[] = {
     "'POLYGON((-2 -6, 2 -6, 2 4, 0 6, -2 4, -2 -6))'",                              // a hull
     "'POLYGON((-1 -1, 1 -1, 1 1, -1 1, -1 -1))'",                                   // a box
     "'POLYGON((-5 -5, 5 -5, 5 5, 3 5, 3 -3, -3 -3, -3 5, -5 5, -5 -5))'",           // a dock
@@ -41,7 +41,7 @@ struct Scene {
         if (box)
           row << ", " << drawn(random, 0, 3) << ", " << std::abs(number(3));
         else
-          row << ", " << looks[drawn(random, 0, 7)];
+          row << ", " << shapes[drawn(random, 0, 7)];
         if (!box && has_heading)
           row << ", " << (drawn(random, 0, 1) ? 45 * drawn(random, -8, 8) : number(360));
         if (!box && has_r) row << ", " << drawn(random, 0, 2);
@@ -53,8 +53,8 @@ struct Scene {
   }
 
   std::string z(const std::string& text) const { return axes == 3 ? text : ""; }
-  double number(double most) {
-    const double drawn_number = drawn(random, -most, most);
+  double number(double limit) {
+    const double drawn_number = drawn(random, -limit, limit);
     return drawn(random, 0, 2) == 0 ? std::round(drawn_number) : drawn_number;
   }
   /// As in FROM. `range`: how, lo, hi.
@@ -66,8 +66,8 @@ struct Scene {
     const std::string at = shown_exactly(k);
     return db.rows("SELECT clear FROM " + avoid("'" + how + "', " + at + ", " + at)) == "1";
   }
-  /// Whom the object touches within h from the change on.
-  std::string touched(const std::string& h) {
+  /// The objects that the object touches within h from the change on.
+  std::string touching_objects(const std::string& h) {
     const std::string self = "(SELECT max(1, t) FROM own WHERE id = " + id + ")";
     std::string sql = "SELECT 'own', a + b - " + id + " AS other FROM predictive_join(" + h + ", 'own', " +
                       within + ") WHERE now = " + self + " AND (a = " + id + " OR b = " + id + ")";
@@ -112,20 +112,20 @@ struct Range {
 constexpr Range ranges[] = {{"turn", -180, 180}, {"turn", -360, 30}, {"speed", -3, 3}, {"delay", 0, 8}};
 const int scenes = (std::getenv("FORESEE_LONG") ? 100 : 1) * (sanitized ? 20 : 40);
 
-/// Changes of a row: its ends, beside them and within.
-std::vector<double> asked_of(Engine& random, const Row& row) {
-  std::vector<double> asked{row.from, row.to, row.k};
+/// Changes of a row: its ends, near them and between them.
+std::vector<double> queried_of(Engine& random, const Row& row) {
+  std::vector<double> queried{row.from, row.to, row.k};
   const double width = row.to - row.from;
   for (int i = 0; i < 3; ++i) {
-    asked.push_back(row.from + width * drawn(random, 0.0, 1.0));
+    queried.push_back(row.from + width * drawn(random, 0.0, 1.0));
     const double near = width * std::exp2(-drawn(random, 1.0, 45.0));
-    asked.push_back(row.from + near), asked.push_back(row.to - near);
+    queried.push_back(row.from + near), queried.push_back(row.to - near);
   }
-  std::erase_if(asked, [&](double k) { return k < row.from || k > row.to; });
-  return asked;
+  std::erase_if(queried, [&](double k) { return k < row.from || k > row.to; });
+  return queried;
 }
 
-/// A blocked row ends next to changes that touch, and holds no clear range of a width.
+/// A blocked row ends next to changes that touch, and contains no clear range wider than 10^-6.
 void expect_tight(Scene& scene, const Range& range, const Row& row) {
   const double width = 1e-6 * (range.hi - range.lo);
   if (row.to - row.from <= width) return;
@@ -142,13 +142,14 @@ void expect_tight(Scene& scene, const Range& range, const Row& row) {
   EXPECT_FALSE(clear) << range.text() << ": " << k << " in " << row.from << " to " << row.to;
 }
 
-/// Whom it touches once a change is stored, it touched before.
+/// Objects that it touches once a change is stored touched before.
 void expect_clear_once_stored(Scene& scene, const Range& range, double k) {
-  const std::string before = '\n' + scene.touched("0") + '\n', at = shown_exactly(k);
+  const std::string before = '\n' + scene.touching_objects("0") + '\n', at = shown_exactly(k);
   scene.db.exec("SAVEPOINT before");
   scene.db.exec("UPDATE own SET (" + scene.moved + ") = (SELECT " + scene.moved + " FROM " +
                 scene.avoid(Range{range.how, k, k}.text()) + " WHERE clear) WHERE id = " + scene.id);
-  std::istringstream after(scene.touched("12 - max(0, (SELECT t FROM own WHERE id = " + scene.id + ") - 1)"));
+  std::istringstream after(
+      scene.touching_objects("12 - max(0, (SELECT t FROM own WHERE id = " + scene.id + ") - 1)"));
   for (std::string line; std::getline(after, line);)
     EXPECT_NE(before.find('\n' + line + '\n'), std::string::npos)
         << range.text() << " at " << at << ": " << line;
@@ -168,7 +169,7 @@ TEST(AvoidOutlines, IsSoundAndTightAgainstSingleChanges) {
       ASSERT_EQ(rows[i].from, i == 0 ? range.lo : rows[i - 1].to);
       if (!rows[i].clear && scene.touching == "ignore") ++blocked, expect_tight(scene, range, rows[i]);
       if (!rows[i].clear) continue;
-      for (const double k : asked_of(scene.random, rows[i])) {
+      for (const double k : queried_of(scene.random, rows[i])) {
         ++clear;
         EXPECT_TRUE(scene.is_clear(range.how, k)) << range.text() << ": " << shown_exactly(k);
       }
@@ -184,11 +185,11 @@ TEST(AvoidOutlines, IsSoundAndTightAgainstSingleChanges) {
 /// The rows of two tables with the same motions: ends as near as both are tight.
 void expect_same_rows(Database& db, const std::string& one, const std::string& other, const Range& range) {
   for (int id = 1; id <= 30; ++id) {
-    const auto asked = [&](const std::string& table) {
+    const auto queried = [&](const std::string& table) {
       return rows_of(
           db, "predictive_avoid(20, '" + table + "', " + std::to_string(id) + ", 1.5, " + range.text() + ")");
     };
-    const std::vector<Row> rows = asked(one), others = asked(other);
+    const std::vector<Row> rows = queried(one), others = queried(other);
     ASSERT_EQ(rows.size(), others.size()) << one << ' ' << other << ' ' << range.text() << ' ' << id;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       EXPECT_EQ(rows[i].clear, others[i].clear);

@@ -1,5 +1,5 @@
-// predictive_avoid in SQL: what is written back keeps clear, a second table, errors, NULLs where a table has
-// no column.
+// predictive_avoid in SQL: changes written back keep clear, a second table, errors, and NULL for columns that
+// the table does not have.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -42,7 +42,7 @@ TEST_F(AvoidInSql, ChangesNothingWhereNothingIsClear) {
   EXPECT_EQ(
       db.error_of("UPDATE ships SET (t, x, y, vx, vy) = (SELECT t, x, y, vx, vy FROM predictive_avoid(60, "
                   "'ships', 1, 50, 'turn', 0, 1) WHERE clear ORDER BY abs(k) LIMIT 1) WHERE id = 1"),
-      "ships.t of row 1 is NULL: a declared reference time is needed; write the moment at which the position "
+      "ships.t of row 1 is NULL: a declared reference time is needed; write the time at which the position "
       "holds");
   EXPECT_EQ(db.rows("SELECT t, x, y, vx, vy FROM ships WHERE id = 1"), "0.0|0.0|0.0|0.0|10.0");
 }
@@ -100,7 +100,7 @@ TEST_F(AvoidInSql, AnEarlierStartIsALaterOneOfAnEarlierReport) {
 
 TEST_F(AvoidInSql, DoesNotDependOnTheOrderOfInsertion) {
   const std::string columns = "id, t, x, y, vx, vy, r";
-  const std::string ask =
+  const std::string select =
       "SELECT manoeuvre, clear, k_from, k_to, vx, vy, below, t_below, above FROM predictive_avoid(60, '";
   db.exec("CREATE VIRTUAL TABLE one USING moving_objects(" + columns +
           ");"
@@ -112,7 +112,7 @@ TEST_F(AvoidInSql, DoesNotDependOnTheOrderOfInsertion) {
           "INSERT INTO two SELECT * FROM one ORDER BY id * 31 % 307;"
           "DELETE FROM two WHERE id = 299; INSERT INTO two SELECT * FROM one WHERE id = 299");
   for (const char* id : {"1", "2", "3", "50", "299"})
-    EXPECT_EQ(db.rows(ask + "one', " + id + ", 20)"), db.rows(ask + "two', " + id + ", 20)"));
+    EXPECT_EQ(db.rows(select + "one', " + id + ", 20)"), db.rows(select + "two', " + id + ", 20)"));
 }
 
 TEST_F(AvoidInSql, IsInterrupted) {
@@ -122,7 +122,7 @@ TEST_F(AvoidInSql, IsInterrupted) {
   sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
 }
 
-TEST_F(AvoidInSql, HasNoRowsForWhoIsNotThere) {
+TEST_F(AvoidInSql, HasNoRowsForObjectsThatDoNotExist) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(60, 'ships', 99)"), "0");
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(60, 'ships', 1, 0, NULL, NULL, NULL, -100)"), "0");
 }
@@ -153,7 +153,7 @@ TEST_F(AvoidInSql, SaysWhatToWrite) {
                 ": hi - lo must be a finite number: lo is -1.7e+308, hi is 1.7e+308; write changes that the "
                 "object can make, as in -10, 10");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'turn', -361, 0)"),
-            name + ": a turn is asked in degrees from -360 to 360: lo is -361, hi is 0");
+            name + ": a turn is given in degrees from -360 to 360: lo is -361, hi is 0");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'climb')"),
             name + ": 'climb' has no range of its own: give lo and hi, as in 'climb', -5, 5");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'climb', -5, 5)"),
@@ -177,7 +177,7 @@ TEST_F(AvoidInSql, RefusesWhatATableCannotHold) {
   db.exec("CREATE VIRTUAL TABLE trains USING moving_objects(id, x, vx)");
   const std::string name = "predictive_avoid: ";
   EXPECT_EQ(error("predictive_avoid(60, 'trains', 1, 0, 'turn')"),
-            name + "a turn needs x and y: trains has one axis; ask 'speed'");
+            name + "a turn needs x and y: trains has one axis; write 'speed'");
   EXPECT_EQ(error("predictive_avoid(60, 'trains', 1, 0, NULL, NULL, NULL, 5)"),
             name +
                 "now must be 0 in a table without t: write now = 0, or declare t in trains; a change from 5 "
@@ -213,39 +213,39 @@ TEST_F(AvoidInSql, RefusesTheDefaultRangeOfASpeedThatCannotBeDoubled) {
 }
 
 struct NearTouching : AvoidInSql {
-  /// Rows with ends to six places, and who is named there.
-  std::string asked(const std::string& call) {
+  /// Rows with ends to six decimals, and the objects named there.
+  std::string rows_of(const std::string& call) {
     return db.rows("SELECT clear, round(k_from, 6), round(k_to, 6), below, above FROM predictive_avoid(" +
                    call + ") WHERE k_to - k_from > 1e-6 OR clear = 0 AND k_from = k_to");
   }
 };
 
-TEST_F(NearTouching, EveryTurnAwayIsClearBesideWhoIsNearlyTouched) {
+TEST_F(NearTouching, EveryTurnAwayIsClearBesideANearContact) {
   db.exec(
       "CREATE VIRTUAL TABLE beside USING moving_objects(id, t, x, y, vx, vy, r);"
       "INSERT INTO beside VALUES (1, 0, 0, 0, 8, 0, 5), (2, 0, 0, 10.00000000000090949470177, 8, 0, 5)");
-  EXPECT_EQ(asked("100, 'beside', 1, 0, 'turn', -60, 90"), "0|-60.0|0.0|2|2\n1|0.0|90.0|NULL|NULL");
-  EXPECT_EQ(asked("100, 'beside', 1, 0, 'turn', -90, 180"), "0|-90.0|0.0|2|2\n1|0.0|180.0|NULL|NULL");
+  EXPECT_EQ(rows_of("100, 'beside', 1, 0, 'turn', -60, 90"), "0|-60.0|0.0|2|2\n1|0.0|90.0|NULL|NULL");
+  EXPECT_EQ(rows_of("100, 'beside', 1, 0, 'turn', -90, 180"), "0|-90.0|0.0|2|2\n1|0.0|180.0|NULL|NULL");
 }
 
-TEST_F(NearTouching, EveryDelayIsClearOfWhoRestsJustBesideTheStart) {
+TEST_F(NearTouching, EveryDelayIsClearOfAnObjectAtRestJustBesideTheStart) {
   db.exec(
       "CREATE VIRTUAL TABLE starts USING moving_objects(id, t, x, y, vx, vy, r);"
       "INSERT INTO starts VALUES (1, 0, 0, 0, -4, 0, 5), (2, 16, 10.00000000000090949470177, 0, 0, 0, 5)");
-  EXPECT_EQ(asked("100, 'starts', 1, 0, 'delay', 0, 20, 0"), "1|0.0|20.0|NULL|NULL");
-  // Another that touches the start, and moves on.
+  EXPECT_EQ(rows_of("100, 'starts', 1, 0, 'delay', 0, 20, 0"), "1|0.0|20.0|NULL|NULL");
+  // Another object that touches the start, and moves on.
   db.exec(
       "UPDATE starts SET t = 0, x = -10, vx = -8 WHERE id = 2; UPDATE starts SET vx = 0, vy = 3 WHERE id = "
       "1");
-  EXPECT_EQ(asked("100, 'starts', 1, 0, 'delay', 0, 20, 0"), "1|0.0|20.0|NULL|NULL");
+  EXPECT_EQ(rows_of("100, 'starts', 1, 0, 'delay', 0, 20, 0"), "1|0.0|20.0|NULL|NULL");
 }
 
 TEST_F(NearTouching, TurnsAtWhichTheDistanceOnlyGrowsAreClearOnBentPathsToo) {
   db.exec(
       "CREATE VIRTUAL TABLE bent USING moving_objects(id, t, x, y, vx, vy, ax, ay, r);"
       "INSERT INTO bent VALUES (1, 0, 0, 0, 8, 0, 0, 0, 5), (2, 0, 0, 9, 0, 0, 0, 0.1, 5)");
-  EXPECT_EQ(asked("100, 'bent', 1, 0, 'turn'"), "0|-180.0|0.0|2|2\n1|0.0|180.0|NULL|NULL");
-  EXPECT_EQ(asked("100, 'bent', 1, 0, 'turn', -90, -45"), "0|-90.0|-45.0|2|2");
+  EXPECT_EQ(rows_of("100, 'bent', 1, 0, 'turn'"), "0|-180.0|0.0|2|2\n1|0.0|180.0|NULL|NULL");
+  EXPECT_EQ(rows_of("100, 'bent', 1, 0, 'turn', -90, -45"), "0|-90.0|-45.0|2|2");
 }
 
 TEST_F(AvoidInSql, EndsSoonWherePathsGrazeOrOverflow) {

@@ -1,5 +1,5 @@
-// predictive_explain in SQL: its columns, inputs and errors.
-#include "sqlite/harbour.h"
+// predictive_explain in SQL: columns, inputs and errors.
+#include "sqlite/harbour_scene.h"
 #include "sqlite/scene_table.h"
 
 namespace foresee::testing {
@@ -16,7 +16,7 @@ TEST_F(ExplainInSql, ListsTheStagesInOrder) {
             "0|0.0|left out: no outlines; step 6");
 }
 
-TEST_F(ExplainInSql, SaysWhatRefinementTook) {
+TEST_F(ExplainInSql, CountsTheTestsOfRefinement) {
   db.exec(
       "CREATE VIRTUAL TABLE hulls USING moving_objects(id, x, y, z, vx, vy, vz, hz, shape);"
       "INSERT INTO hulls VALUES (1, 0, 0, 0, 1, 0, 0, 1, 'POLYGON((0 0, 4 0, 4 1, 1 1, 1 4, 0 4, 0 0))'),"
@@ -27,7 +27,7 @@ TEST_F(ExplainInSql, SaysWhatRefinementTook) {
             "refinement|1|1|3.0 pieces, 6.0 node tests and 1.0 leaf tests a pair; step 6");
 }
 
-TEST_F(ExplainInSql, CountsNoLeafTestsOfHullsThatPlainDoublesTell) {
+TEST_F(ExplainInSql, CountsNoLeafTestsOfHullsThatPlainDoublesDecide) {
   db.exec(
       "CREATE VIRTUAL TABLE hulls USING moving_objects(id, x, y, vx, vy, shape);"
       "INSERT INTO hulls VALUES (1, 0, 0, 1, 0, 'POLYGON((0 0, 4 0, 4 1, 1 1, 1 4, 0 4, 0 0))'),"

@@ -1,4 +1,4 @@
-// Latitude and longitude in SQL: what is NULL, what is refused, and that a report comes back as it went in.
+// Latitude and longitude in SQL: NULL inputs, errors, and round trips of a report.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -32,15 +32,14 @@ TEST_F(GeoFunctions, LeadBackToTheReport) {
 TEST_F(GeoFunctions, MeasureDistances) {
   EXPECT_EQ(db.rows("SELECT round(geo_distance(40.6, -73.8, 51.6, -0.5), 6)"), "5551759.400319");
   EXPECT_EQ(db.rows("SELECT geo_distance(1, 2, 3, NULL) IS NULL, geo_distance(1, 179, 1, -181)"), "1|0.0");
-  EXPECT_EQ(
-      db.error_of("SELECT geo_distance(1, 2, 91, 4)"),
-      "lat2 is 91: latitudes lie between -90 and 90; write NULL where there is none, as nullif(lat2, 91) "
-      "does for AIS");
+  EXPECT_EQ(db.error_of("SELECT geo_distance(1, 2, 91, 4)"),
+            "lat2 is 91: latitudes lie between -90 and 90; write NULL if it is unknown, as nullif(lat2, 91) "
+            "does for AIS");
   EXPECT_EQ(db.error_of("SELECT geo_distance(1, 'east', 3, 4)"),
             "geo_distance: lon1 must be a number of degrees, not 'east'");
 }
 
-TEST_F(GeoFunctions, APlaceThatIsNullGivesOneRowOfNulls) {
+TEST_F(GeoFunctions, APositionThatIsNullGivesOneRowOfNulls) {
   for (const char* call : {"geo_to_plane(NULL, 2, 3, 4, 5, 6)", "geo_to_plane(1, NULL, 3, 4, 5, 6)",
                            "plane_to_geo(NULL, 2, 3, 4, 5, 6)", "geo_to_globe(NULL, 2, 3, 4, 5, 6)",
                            "globe_to_geo(1, 2, NULL, 4, 5, 6)"})
@@ -52,7 +51,7 @@ TEST_F(GeoFunctions, APlaceThatIsNullGivesOneRowOfNulls) {
         << call;
 }
 
-TEST_F(GeoFunctions, ASpeedOrCourseThatIsNullGivesAPlaceWithoutVelocity) {
+TEST_F(GeoFunctions, ASpeedOrCourseThatIsNullGivesAPositionWithoutVelocity) {
   for (const char* rest : {"NULL, 4", "3, NULL", "NULL, NULL"}) {
     EXPECT_EQ(
         db.rows(std::string("SELECT x IS NULL, y IS NULL, vx IS NULL, vy IS NULL FROM geo_to_plane(1, 2, ") +
@@ -66,13 +65,13 @@ TEST_F(GeoFunctions, ASpeedOrCourseThatIsNullGivesAPlaceWithoutVelocity) {
   EXPECT_EQ(db.rows("SELECT speed, course IS NULL FROM plane_to_geo(10, 20, 0, 0, 5, 6)"), "0.0|1");
 }
 
-TEST_F(GeoFunctions, OfHeightsAndClimbsThatAreNullAreAtSeaLevel) {
+TEST_F(GeoFunctions, PutNullHeightsAndClimbsAtSeaLevel) {
   EXPECT_EQ(db.rows("SELECT x, vz FROM geo_to_globe(0, 0, NULL, 1, 0, NULL)"), "6378137.0|1.0");
 }
 
 TEST_F(GeoFunctions, SayWhatIsWrong) {
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(91, 181, 3, 4, 5, 6)"),
-            "geo_to_plane: lat is 91: latitudes lie between -90 and 90; write NULL where there is none, as "
+            "geo_to_plane: lat is 91: latitudes lie between -90 and 90; write NULL if it is unknown, as "
             "nullif(lat, 91) does for AIS");
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(1, 2, 3, 4, NULL, 6)"),
             "geo_to_plane: lat0 is missing or NULL: write geo_to_plane(lat, lon, speed, course, lat0, lon0)");

@@ -1,5 +1,5 @@
-// Every wrong call of predictive_join says what to write.
-#include "sqlite/harbour.h"
+// Errors of predictive_join: each message says what to write instead.
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {
@@ -67,7 +67,7 @@ TEST_F(JoinErrors, NameBothTablesOfShapesWithoutADistance) {
   EXPECT_NE(message.find("balls"), std::string::npos) << message;
 }
 
-/// Whatever the radii, the method, the id asked for, and whether there is anything at all.
+/// For every radius, method and id, and for empty tables too.
 TEST_F(JoinErrors, OfShapesWithoutADistanceFollowFromTheDeclarations) {
   db.exec(
       "CREATE VIRTUAL TABLE cans USING moving_objects(id, x, y, z, r, hz);"

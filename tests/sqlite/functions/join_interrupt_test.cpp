@@ -1,17 +1,18 @@
-// An interrupt ends a long join within 50 ms, and the progress handler is asked while it runs.
+// Interrupts of predictive_join: an interrupt ends a long join within 50 ms, and the join calls the progress
+// handler while it runs.
 #include <algorithm>
 #include <chrono>
 #include <thread>
 #include <vector>
 
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Everything on one spot: 200 million pairs.
+/// All objects at one point: 200 million pairs.
 struct JoinInterrupt : ::testing::Test {
   JoinInterrupt() {
     db.exec(
@@ -22,17 +23,17 @@ struct JoinInterrupt : ::testing::Test {
 
   /// Milliseconds from sqlite3_interrupt to the end of the statement.
   double latency(const std::string& sql, std::chrono::milliseconds after) {
-    Clock::time_point asked;
+    Clock::time_point queried;
     std::thread other([&] {
       std::this_thread::sleep_for(after);
-      asked = Clock::now();
+      queried = Clock::now();
       sqlite3_interrupt(db.handle());
     });
     const int rc = db.code_of(sql);
     const Clock::time_point ended = Clock::now();
     other.join();
     EXPECT_EQ(rc, SQLITE_INTERRUPT) << sql;
-    return std::chrono::duration<double, std::milli>(ended - asked).count();
+    return std::chrono::duration<double, std::milli>(ended - queried).count();
   }
 
   double median_latency(const std::string& sql) {
@@ -75,7 +76,7 @@ TEST_F(JoinInterrupt, LeavesTheNextStatementAlone) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_join(0) WHERE b = 20000"), "19999");
 }
 
-TEST_F(JoinInterrupt, AsksTheProgressHandler) {
+TEST_F(JoinInterrupt, CallsTheProgressHandler) {
   int calls = 0;
   sqlite3_progress_handler(
       db.handle(), 1, [](void* count) { return ++*static_cast<int*>(count) > 20 ? 1 : 0; }, &calls);

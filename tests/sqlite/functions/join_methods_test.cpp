@@ -1,4 +1,5 @@
-// Through SQL as through the core: every method gives the same rows, for every axes x law x shape.
+// Join methods through SQL: every method gives the same rows, for every combination of axes, law of motion
+// and shape.
 #include "sanitized.h"
 #include "sqlite/scene_table.h"
 

@@ -1,4 +1,4 @@
-// What the planner does with predictive_join where rows are wanted in an order, and some of them only.
+// Query plans of predictive_join with ORDER BY and LIMIT.
 #include "sqlite/functions/join_planner.h"
 
 namespace foresee::testing {
@@ -54,23 +54,24 @@ TEST_F(JoinOrder, GivesRowsInTheOrderOfTimeWithoutSorting) {
       db.rows("SELECT a, b, t FROM whole WHERE dt > 0 ORDER BY t, a, b LIMIT 5"));
 }
 
-/// "@n" and "@o" in the plan: LIMIT and OFFSET are handed over (sqlite/functions/row_limit.h).
-TEST_F(JoinOrder, TellsACallInAnOrderHowManyRowsAreRead) {
-  const auto is_told = [&](const std::string& rest, const std::string& what = "SELECT a, t") {
+/// "@n" and "@o" in the plan: SQLite passes LIMIT and OFFSET to the function
+/// (sqlite/functions/function_call.h).
+TEST_F(JoinOrder, GivesACallInAnOrderTheNumberOfRowsToRead) {
+  const auto passes_limit = [&](const std::string& rest, const std::string& what = "SELECT a, t") {
     return plan(what + " FROM predictive_join(3) " + rest).find("@n") != std::string::npos;
   };
-  EXPECT_TRUE(is_told("ORDER BY t LIMIT 5"));
-  EXPECT_TRUE(is_told("WHERE dt > 0 AND t < 2 ORDER BY t, a, b LIMIT 5 OFFSET 3"));
-  EXPECT_TRUE(is_told("WHERE a = 7 ORDER BY dt LIMIT 5"));
-  EXPECT_FALSE(is_told("LIMIT 5")) << "nothing waits";
-  EXPECT_FALSE(is_told("ORDER BY t DESC LIMIT 5")) << "SQLite sorts";
-  EXPECT_FALSE(is_told("WHERE t_end > 1 ORDER BY t LIMIT 5")) << "more rows are read than come";
-  EXPECT_FALSE(is_told("WHERE a > 7 ORDER BY t LIMIT 5"));
-  EXPECT_FALSE(is_told("WHERE b % 2 = 0 ORDER BY t LIMIT 5"));
-  EXPECT_FALSE(is_told("ORDER BY t LIMIT 5", "SELECT DISTINCT t"));
+  EXPECT_TRUE(passes_limit("ORDER BY t LIMIT 5"));
+  EXPECT_TRUE(passes_limit("WHERE dt > 0 AND t < 2 ORDER BY t, a, b LIMIT 5 OFFSET 3"));
+  EXPECT_TRUE(passes_limit("WHERE a = 7 ORDER BY dt LIMIT 5"));
+  EXPECT_FALSE(passes_limit("LIMIT 5")) << "no ORDER BY";
+  EXPECT_FALSE(passes_limit("ORDER BY t DESC LIMIT 5")) << "SQLite sorts";
+  EXPECT_FALSE(passes_limit("WHERE t_end > 1 ORDER BY t LIMIT 5")) << "more rows are read than come";
+  EXPECT_FALSE(passes_limit("WHERE a > 7 ORDER BY t LIMIT 5"));
+  EXPECT_FALSE(passes_limit("WHERE b % 2 = 0 ORDER BY t LIMIT 5"));
+  EXPECT_FALSE(passes_limit("ORDER BY t LIMIT 5", "SELECT DISTINCT t"));
 }
 
-TEST_F(JoinOrder, LimitsRowsThatAllBeginAtOnceAsAnyTableDoes) {
+TEST_F(JoinOrder, LimitsRowsThatAllStartAtOnceAsAnyTableDoes) {
   Database crowd;
   crowd.exec(
       "CREATE VIRTUAL TABLE discs USING moving_objects(id, t, x, y, r);"
@@ -79,10 +80,10 @@ TEST_F(JoinOrder, LimitsRowsThatAllBeginAtOnceAsAnyTableDoes) {
       "CREATE TEMP TABLE whole AS SELECT * FROM predictive_join(3, 'discs', 0, NULL, 3)");
   ASSERT_EQ(crowd.rows("SELECT count(*) FROM whole WHERE t = 5"), "44850");
   const auto both = [&](const std::string& rest) {
-    const std::string asked =
+    const std::string queried =
         crowd.rows("SELECT a, b, t FROM predictive_join(3, 'discs', 0, NULL, 3) " + rest);
-    EXPECT_EQ(asked, crowd.rows("SELECT a, b, t FROM whole " + rest)) << rest;
-    EXPECT_NE(asked.substr(0, 5), "error");
+    EXPECT_EQ(queried, crowd.rows("SELECT a, b, t FROM whole " + rest)) << rest;
+    EXPECT_NE(queried.substr(0, 5), "error");
   };
   for (const char* limit :
        {"0", "1", "300", "5000", "100000", "-1", "3 OFFSET 2", "3 OFFSET 44848", "2 OFFSET -7",

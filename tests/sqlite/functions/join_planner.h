@@ -1,5 +1,5 @@
-// What does the planner make of a call of predictive_join? The call, and beside it a table of all its rows,
-// of which SQLite knows by itself what any condition, order or limit gives.
+// A test fixture for query plans of predictive_join: the call, and an ordinary table with all its rows.
+// SQLite itself applies any condition, order or limit to that table.
 //
 //   TEST_F(JoinPlanner, ...) { both("WHERE dt > 0 ORDER BY t, a, b LIMIT 10"); }
 #pragma once
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 #include "sqlite/scene_table.h"
 
 namespace foresee::testing {
@@ -24,11 +24,11 @@ struct JoinPlanner : ::testing::Test {
     db.exec("CREATE TEMP TABLE whole AS SELECT * FROM predictive_join(3)");
   }
 
-  /// The rows of the call, which must be those of a table that holds its whole answer.
+  /// The rows of the call, which must equal those of the table that holds all its rows.
   std::string both(const std::string& where) {
-    const std::string asked = db.rows("SELECT * FROM predictive_join(3) " + where);
-    EXPECT_EQ(asked, db.rows("SELECT * FROM whole " + where)) << where;
-    return asked;
+    const std::string queried = db.rows("SELECT * FROM predictive_join(3) " + where);
+    EXPECT_EQ(queried, db.rows("SELECT * FROM whole " + where)) << where;
+    return queried;
   }
 
   /// As db.rows(), with numbers, texts and NULL bound.

@@ -1,10 +1,10 @@
-// What the planner does with predictive_join: ids and moments asked for, NULLs, views, lateral calls.
+// Query plans of predictive_join: constraints on ids and times, NULLs, views, lateral calls.
 #include "sqlite/functions/join_planner.h"
 
 namespace foresee::testing {
 namespace {
 
-TEST_F(JoinPlanner, AListOfMomentsIsOneCall) {
+TEST_F(JoinPlanner, AListOfTimesIsOneCall) {
   const std::string some = " IN (SELECT t FROM whole WHERE t > 0 LIMIT 20)";
   EXPECT_NE(both("WHERE t" + some + " ORDER BY a, b"), "");
   both("WHERE dt" + some + " ORDER BY a, b");
@@ -46,7 +46,7 @@ TEST_F(JoinPlanner, FindsEveryPairOfAnId) {
   }
 }
 
-TEST_F(JoinPlanner, ProbesOneObjectWhenItsIdIsAskedFor) {
+TEST_F(JoinPlanner, ProbesOneObjectWhenItsIdIsGiven) {
   EXPECT_NE(plan("SELECT * FROM predictive_join(3) WHERE a = 42 OR b = 42").find("MULTI-INDEX OR"),
             std::string::npos);
 }
@@ -57,7 +57,7 @@ TEST_F(JoinPlanner, ProbesOneObjectAlsoWhereInputsAreBound) {
                     by_name = "SELECT a, b, t FROM predictive_join WHERE h = ?1 AND tbl = ?2 AND " + sides,
                     computed = "SELECT a, b, t FROM predictive_join(?1, lower(?2), 0 + 0) WHERE " + sides;
   for (const std::string& sql : {by_place, by_name, computed}) {
-    // Newer versions do not let a NULL be refused.
+    // In newer versions a function cannot refuse a NULL.
     const bool probes = plan(sql).find("MULTI-INDEX OR") != std::string::npos;
     EXPECT_EQ(probes, 3040000 <= sqlite3_libversion_number() && sqlite3_libversion_number() < 3041000) << sql;
     for (const std::string id : {"7", "42", "100000"})
@@ -134,7 +134,7 @@ TEST_F(JoinPlanner, UsesBoundsOfTimeAsTheyAreWritten) {
     }
 }
 
-TEST_F(JoinPlanner, TellsTheRowsOfTwoHorizonsApart) {
+TEST_F(JoinPlanner, KeepsTheRowsOfTwoHorizonsApart) {
   EXPECT_EQ(db.rows("SELECT h, count(*) FROM predictive_join WHERE h IN (1, 3) GROUP BY h"),
             db.rows("SELECT 1, count(*) FROM predictive_join(1) UNION ALL SELECT 3, count(*) FROM whole"));
   EXPECT_EQ(db.rows("SELECT count(*) FROM (SELECT DISTINCT a, b FROM predictive_join WHERE h IN (1, 3))"),
@@ -167,7 +167,7 @@ TEST_F(JoinPlanner, IsCalledOncePerRowOfTheTableBefore) {
             "3");
 }
 
-TEST_F(JoinPlanner, ServesViewsThatNobodyVouchesFor) {
+TEST_F(JoinPlanner, ServesViewsOfAnUntrustedSchema) {
   db.exec("CREATE VIEW soon AS SELECT a, b, t FROM predictive_join(3, 'ships'); PRAGMA trusted_schema = OFF");
   EXPECT_EQ(db.rows("SELECT count(*) FROM soon"), db.rows("SELECT count(*) FROM whole"));
 }

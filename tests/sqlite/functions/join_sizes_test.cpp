@@ -1,4 +1,5 @@
-// In which order does SQLite join tables of moving objects and functions? By the numbers of objects.
+// Join order that SQLite's planner chooses for tables of moving objects and functions: it follows from the
+// numbers of objects.
 #include <initializer_list>
 
 #include "sqlite/database.h"
@@ -20,7 +21,7 @@ class PlannedOrder : public ::testing::Test {
     db.exec("WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < " + std::to_string(objects) +
             ") INSERT INTO " + table + " SELECT i, i * 7 % 100, i * 11 % 100, 1, 0, 0.5 FROM n");
   }
-  /// From now on the table says that it has so many.
+  /// Makes the table report this number of objects.
   void pretend(const std::string& table, std::int64_t objects) {
     db.exec("UPDATE " + table + "_meta SET value = " + std::to_string(objects) + " WHERE key = 'objects'; " +
             "UPDATE " + table + "_meta SET value = random() WHERE key = 'stamp'");
@@ -51,7 +52,7 @@ TEST_F(PlannedOrder, AJoinIsComputedOnceAndItsShipsAreLookedUp) {
   }
 }
 
-TEST_F(PlannedOrder, FewShipsAreAskedAboutOneByOne) {
+TEST_F(PlannedOrder, FewShipsAreQueriedOneByOne) {
   for (const std::int64_t objects : {10000, 1000000}) {
     pretend("ships", objects);
     for (const char* few : {"s.id < 20", "s.id BETWEEN 1001 AND 1020",
@@ -62,7 +63,7 @@ TEST_F(PlannedOrder, FewShipsAreAskedAboutOneByOne) {
   }
 }
 
-TEST_F(PlannedOrder, OfTwoTablesTheSizesOfBothCount) {
+TEST_F(PlannedOrder, TheSizesOfBothTablesCount) {
   const std::string by_boat = "boats b JOIN predictive_join(3, 'boats', 0, 'ships') j ON j.a = b.id",
                     by_ship = "ships s JOIN predictive_join(3, 'boats', 0, 'ships') j ON j.b = s.id";
   pretend("ships", 1000000);
@@ -101,7 +102,7 @@ TEST_F(PlannedOrder, ATableOfAnotherSchemaIsAnotherTable) {
   EXPECT_EQ(order(join + "?1"), "b p");
 }
 
-TEST_F(PlannedOrder, AWindowARowOfATableIsFollowedByLookUps) {
+TEST_F(PlannedOrder, AWindowPerRowOfATableIsFollowedByLookUps) {
   for (const std::int64_t objects : {0, 400, 1000000}) {
     pretend("ships", objects);
     EXPECT_EQ(order("zones z JOIN predictive_window(3, 'ships', z.x0, z.x1) w JOIN ships s ON s.id = w.id"),
@@ -111,7 +112,7 @@ TEST_F(PlannedOrder, AWindowARowOfATableIsFollowedByLookUps) {
   }
 }
 
-TEST_F(PlannedOrder, AnOrdinaryTableIsLookedUpByFewObjectsAndLooksUpMany) {
+TEST_F(PlannedOrder, AnOrdinaryTableIsTheInnerLoopForFewObjectsAndTheOuterLoopForMany) {
   pretend("ships", 1000);
   EXPECT_EQ(order("list l JOIN ships s ON s.id = l.id"), "s l");
   pretend("ships", 100000000);

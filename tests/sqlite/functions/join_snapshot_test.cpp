@@ -1,8 +1,9 @@
-// A cursor of predictive_join sees the tables as they were when it started; the next one as they are.
+// Snapshots of predictive_join: a cursor reads the tables as they were when it started, the next cursor as
+// they are now.
 #include <chrono>
 #include <thread>
 
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 #include "sqlite/scene_table.h"
 
 #if defined(__has_feature)
@@ -15,7 +16,7 @@
 namespace foresee::testing {
 namespace {
 
-/// What is allocated while this lives may leak.
+/// Disables the leak check for allocations during its lifetime.
 struct WithoutLeakCheck {
 #ifdef FORESEE_LEAK_CHECK
   __lsan::ScopedDisabler disabler;
@@ -49,7 +50,7 @@ class Stepped {
 
 struct JoinSnapshot : ::testing::Test {
   JoinSnapshot() {
-    // Twenty ships on one spot: 190 pairs.
+    // Twenty ships at one point: 190 pairs.
     db.exec(
         "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy, r);"
         "WITH RECURSIVE i(n) AS (VALUES (1) UNION ALL SELECT n + 1 FROM i WHERE n < 20)"
@@ -59,7 +60,7 @@ struct JoinSnapshot : ::testing::Test {
   Database db;
 };
 
-TEST_F(JoinSnapshot, StaysWhileItsTableIsUpdatedInALoop) {
+TEST_F(JoinSnapshot, IsUnchangedWhileItsTableIsUpdatedInALoop) {
   Stepped join(db, "SELECT a, b FROM predictive_join(9)");
   int rows = 0;
   while (join.step() == SQLITE_ROW) {
@@ -71,7 +72,7 @@ TEST_F(JoinSnapshot, StaysWhileItsTableIsUpdatedInALoop) {
   EXPECT_EQ(count(), "0");
 }
 
-TEST_F(JoinSnapshot, StaysWhileItsTableIsEmptied) {
+TEST_F(JoinSnapshot, IsUnchangedWhileItsTableIsEmptied) {
   Stepped join(db, "SELECT a, b FROM predictive_join(9)");
   ASSERT_EQ(join.step(), SQLITE_ROW);
   db.exec("DELETE FROM ships");
@@ -129,28 +130,28 @@ TEST_F(JoinSnapshot, OutlivesADropOrMakesItWait) {
   EXPECT_EQ(db.rows("SELECT name FROM sqlite_schema"), "");
 }
 
-// The connection is closed at the end of each round, which a statement of ours that is left would prevent.
-TEST(SchemaChanges, UnderAQuestionLetTheConnectionClose) {
-  for (const std::string question : {"predictive_join(9)", "predictive_join(9, 'ships', 0, NULL, 0, 'scan')",
-                                     "predictive_join(9, 'ships', 0, NULL, 0, 'tree')",
-                                     "predictive_window(9)", "predictive_position(0)"}) {
+// The connection is closed at the end of each round, which an open statement of foresee would prevent.
+TEST(SchemaChanges, DuringAQueryLetTheConnectionClose) {
+  for (const std::string call : {"predictive_join(9)", "predictive_join(9, 'ships', 0, NULL, 0, 'scan')",
+                                 "predictive_join(9, 'ships', 0, NULL, 0, 'tree')", "predictive_window(9)",
+                                 "predictive_position(0)"}) {
     Database db;
     db.exec(
         "CREATE TABLE plain(a); CREATE VIRTUAL TABLE ships USING moving_objects(id, x, r);"
         "WITH RECURSIVE i(n) AS (VALUES (1) UNION ALL SELECT n + 1 FROM i WHERE n < 300)"
         "INSERT INTO ships SELECT n, 0, 1 FROM i");
-    Stepped asked(db, "SELECT 1 FROM " + question);
+    Stepped queried(db, "SELECT 1 FROM " + call);
     int rows = 0;
-    while (asked.step() == SQLITE_ROW)
+    while (queried.step() == SQLITE_ROW)
       if (++rows % 100 == 1 && rows < 300) {
         db.exec("ALTER TABLE plain ADD COLUMN b" + std::to_string(rows));
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the next check asks SQLite
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));  // then the next check polls SQLite
       }
-    EXPECT_EQ(rows, question.starts_with("predictive_join") ? 300 * 299 / 2 : 300) << question;
+    EXPECT_EQ(rows, call.starts_with("predictive_join") ? 300 * 299 / 2 : 300) << call;
   }
 }
 
-TEST_F(JoinSnapshot, SeesWhatATransactionHasNotCommitted) {
+TEST_F(JoinSnapshot, SeesUncommittedChangesOfItsTransaction) {
   db.exec("BEGIN; INSERT INTO ships VALUES (21, 0, 0, 0, 0, 1)");
   EXPECT_EQ(count(), "210");
   db.exec("DELETE FROM ships WHERE id <= 11");
@@ -196,7 +197,7 @@ TEST_F(JoinSnapshot, FollowsAStatementThatFailsHalfway) {
   EXPECT_EQ(count(), "190");
 }
 
-TEST(JoinOfTwoConnections, SeesWhatTheOtherOneCommits) {
+TEST(JoinOfTwoConnections, SeesCommitsOfTheOtherOne) {
   for (const std::string mode : {"DELETE", "WAL"}) {
     TemporaryFile file;
     Database writer(file.path()), reader(file.path());

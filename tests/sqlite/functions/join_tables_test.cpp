@@ -1,5 +1,6 @@
-// Which table does a function ask? Names resolve as SQLite resolves them; a message lists what there is.
-#include "sqlite/harbour.h"
+// Table names in calls of functions: they resolve as SQLite resolves names, and an error lists the tables
+// that exist.
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {
@@ -13,17 +14,17 @@ struct JoinTables : ::testing::Test {
 
 TEST_F(JoinTables, MayBeLeftOutWhereThereIsOne) {
   EXPECT_EQ(pairs("predictive_join(20)"),
-            "error: predictive_join: there is no table to ask (there is no moving_objects table here; make "
+            "error: predictive_join: there is no table to query (there is no moving_objects table here; make "
             "one with "
             "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy))");
   build_ships(db);
   db.exec("CREATE TABLE notes(x); CREATE VIRTUAL TABLE boxes USING rtree(id, x0, x1)");
   EXPECT_EQ(pairs("predictive_join(20)"), "1|2");
   build_crates(db);
-  EXPECT_EQ(pairs("predictive_join(20)"),
-            "error: predictive_join: tbl is missing, and there is more than one table to ask (moving_objects "
-            "tables "
-            "here: 'ships', 'crates')");
+  EXPECT_EQ(
+      pairs("predictive_join(20)"),
+      "error: predictive_join: tbl is missing, and there is more than one table to query (moving_objects "
+      "tables here: 'ships', 'crates')");
 }
 
 TEST_F(JoinTables, AreFoundInTempAndAttachedSchemas) {
@@ -98,7 +99,7 @@ TEST_F(JoinTables, OfAnotherKindAreNamedAsSuch) {
   EXPECT_EQ(error("ships_node"), "predictive_join: 'ships_node' is not a moving_objects table" + listed);
 }
 
-TEST_F(JoinTables, ThatHideAnotherAreToldApart) {
+TEST_F(JoinTables, ThatHideAnotherAreDistinguished) {
   build_ships(db);
   db.exec("CREATE TEMP TABLE ships(x)");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_join(20, 'ships')"),
@@ -113,7 +114,7 @@ TEST_F(JoinTables, ThatHideAnotherAreToldApart) {
       "= 'main')");
 }
 
-TEST_F(JoinTables, AreFoundThoughAFunctionMatchAnswersForOthers) {
+TEST_F(JoinTables, AreFoundDespiteAUserFunctionNamedMatch) {
   db.exec("CREATE TABLE plain(x); INSERT INTO plain VALUES (1)");
   sqlite3_create_function(
       db.handle(), "match", 2, SQLITE_UTF8, nullptr,
@@ -124,7 +125,7 @@ TEST_F(JoinTables, AreFoundThoughAFunctionMatchAnswersForOthers) {
             "predictive_join: 'plain' is not a moving_objects table (moving_objects tables here: 'ships')");
 }
 
-TEST(JoinOfTwoTables, SurvivesThatLookingUpOneMakesSQLiteConnectTheOtherAnew) {
+TEST(JoinOfTwoTables, SurvivesThatLookingUpOneMakesSQLiteReconnectTheOther) {
   TemporaryFile file;
   Database db, another(file.path());
   another.exec(
@@ -151,8 +152,8 @@ TEST(JoinAboutTwoIds, TakesNullInputsAsLeftOut) {
     EXPECT_EQ(db.rows(join + "a = 1 OR b = 1"), "1|2") << inputs;
     EXPECT_EQ(db.rows(join + "a IN (2) OR b = 2"), "1|2") << inputs;
   }
-  // Of a value that is computed or bound SQLite does not say beforehand that it is NULL; it may compare it
-  // again, and then that is an error.
+  // SQLite does not report beforehand that a computed or bound value is NULL. It may compare the value again,
+  // and then the result is an error.
   const std::string computed =
       db.rows("SELECT a, b FROM predictive_join(300, 'ships', abs(0), (SELECT NULL)) WHERE a = 1 OR b = 1");
   EXPECT_TRUE(computed == "1|2" || computed.starts_with("error: predictive_join: other is NULL")) << computed;

@@ -1,5 +1,5 @@
-// predictive_join in SQL: its outputs, its inputs by place and by name, its defaults.
-#include "sqlite/harbour.h"
+// predictive_join in SQL: outputs, inputs by position and by name, defaults.
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {
@@ -57,23 +57,23 @@ TEST_F(JoinTest, TakesTheNewestTimeAsNow) {
   EXPECT_EQ(db.rows("SELECT a, b, t FROM predictive_join(1, 'buoys', 0, 'ships')"), "1|1|6.0");
 }
 
-TEST_F(JoinTest, LooksOnlyWhileBothExist) {
+TEST_F(JoinTest, FindsPairsOnlyWhileBothExist) {
   db.exec("CREATE VIRTUAL TABLE lives USING moving_objects(id, t, x, vx, r, until)");
   db.exec(
       "INSERT INTO lives VALUES (1, 0, 0, 1, 1, 4), (2, 0, 10, -1, 1, NULL), (3, 3, 2, 0, 1, 5), (4, 50, 0, "
       "0, 1, NULL)");
-  // 1 and 2 would meet at 4, the last moment of 1; 3 comes at 3, next to 1.
+  // 1 and 2 meet at 4, the end of 1; 3 starts at 3, next to 1.
   EXPECT_EQ(db.rows("SELECT a, b, t, t_end FROM predictive_join(10, 'lives', 0, NULL, 0) ORDER BY a, b"),
             "1|2|4.0|4.0\n1|3|3.0|4.0");
   EXPECT_EQ(db.rows("SELECT a, b, t FROM predictive_join(10, 'lives', 0, NULL, 4.5) ORDER BY a, b"), "");
 }
 
-TEST_F(JoinTest, AsksAboutAnInstantWithAHorizonOfZero) {
+TEST_F(JoinTest, QueriesAnInstantWithAHorizonOfZero) {
   EXPECT_EQ(db.rows("SELECT a, b, t, t_end FROM predictive_join(0, 'ships', 0, NULL, 3)"), "1|2|3.0|3.0");
   EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(0, 'ships', 0, NULL, 2.9)"), "");
 }
 
-TEST_F(JoinTest, BearsAHugeHorizon) {
+TEST_F(JoinTest, AcceptsAHugeHorizon) {
   EXPECT_EQ(db.rows("SELECT a, b, t, t_end FROM predictive_join(1e300)"), "1|2|3.0|7.0");
 }
 

@@ -1,20 +1,20 @@
-// predictive_nearest in SQL: inputs by place, by name and by lateral columns, errors, plans, snapshots.
-#include "sqlite/harbour.h"
+// predictive_nearest in SQL: inputs by position, by name and by lateral columns, errors, plans, snapshots.
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {
 
 struct NearestInSql : Harbour {
-  std::string ask(const std::string& call) { return db.rows("SELECT * FROM " + call + " ORDER BY rank"); }
+  std::string rows_of(const std::string& call) { return db.rows("SELECT * FROM " + call + " ORDER BY rank"); }
   std::string error(const std::string& call) { return db.error_of("SELECT * FROM " + call); }
 };
 
 TEST_F(NearestInSql, RanksByTheClosestApproachOfTheCentres) {
   // Seen from (7, 3): both pass below at distance 3, Bob at 3 and Ada at 7.
-  EXPECT_EQ(ask("predictive_nearest(100, 'ships', 2, 7, 3)"), "1|1|3.0|7.0|7.0\n2|2|3.0|3.0|3.0");
-  EXPECT_EQ(ask("predictive_nearest(100, 'ships', 1, 7, 3)"), "1|1|3.0|7.0|7.0");
-  EXPECT_EQ(ask("predictive_nearest(0, 'ships', 1, 7, 4)"), "2|1|5.0|0.0|0.0");
-  EXPECT_EQ(ask("predictive_nearest(0, 'ships', 1, 7, 4, NULL, 4)"), "2|1|4.123105625617661|4.0|0.0");
+  EXPECT_EQ(rows_of("predictive_nearest(100, 'ships', 2, 7, 3)"), "1|1|3.0|7.0|7.0\n2|2|3.0|3.0|3.0");
+  EXPECT_EQ(rows_of("predictive_nearest(100, 'ships', 1, 7, 3)"), "1|1|3.0|7.0|7.0");
+  EXPECT_EQ(rows_of("predictive_nearest(0, 'ships', 1, 7, 4)"), "2|1|5.0|0.0|0.0");
+  EXPECT_EQ(rows_of("predictive_nearest(0, 'ships', 1, 7, 4, NULL, 4)"), "2|1|4.123105625617661|4.0|0.0");
 }
 
 TEST_F(NearestInSql, GivesAllWhenKIsLarge) {
@@ -25,14 +25,14 @@ TEST_F(NearestInSql, GivesAllWhenKIsLarge) {
 }
 
 TEST_F(NearestInSql, FollowsAMovingPoint) {
-  EXPECT_EQ(ask("predictive_nearest(8, 'ships', 1, 0, 4, NULL, 0, 1, -0.5)"), "1|1|0.0|8.0|8.0");
+  EXPECT_EQ(rows_of("predictive_nearest(8, 'ships', 1, 0, 4, NULL, 0, 1, -0.5)"), "1|1|0.0|8.0|8.0");
   EXPECT_EQ(
       db.rows("SELECT id, distance FROM predictive_nearest WHERE h = 4 AND k = 1 AND x = 10 AND y = 1 AND "
               "qvx = -1"),
       "2|1.0");
 }
 
-TEST_F(NearestInSql, LeavesOutWhoIsNotThere) {
+TEST_F(NearestInSql, LeavesOutObjectsThatDoNotExist) {
   db.exec(
       "CREATE VIRTUAL TABLE shifts USING moving_objects(id, t, x, until);"
       "INSERT INTO shifts VALUES (1, 0, 1, 5), (2, 4, 2, 9), (3, 8, 3, NULL)");
@@ -56,7 +56,7 @@ TEST_F(NearestInSql, GoesOverTheRowsOfAnotherTable) {
   EXPECT_LT(steps.find("SCAN n"), steps.find("SCAN s")) << steps;
 }
 
-TEST_F(NearestInSql, StaysAsItWasUnderALoopThatWrites) {
+TEST_F(NearestInSql, IsUnchangedUnderALoopThatWrites) {
   db.exec(
       "CREATE TABLE seen(id, d); CREATE TRIGGER move AFTER INSERT ON seen BEGIN "
       "UPDATE ships SET x = 1000, y = 1000; END;"
@@ -94,7 +94,7 @@ TEST_F(NearestInSql, SaysWhatToWrite) {
 
 TEST_F(NearestInSql, AnEmptyTableGivesNoRows) {
   db.exec("DELETE FROM ships");
-  EXPECT_EQ(ask("predictive_nearest(9, 'ships', 5, 0, 0)"), "");
+  EXPECT_EQ(rows_of("predictive_nearest(9, 'ships', 5, 0, 0)"), "");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// predictive_position in SQL.
-#include "sqlite/harbour.h"
+// predictive_position in SQL: outputs, inputs, look-ups by id, errors.
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {
@@ -29,7 +29,7 @@ TEST_F(PositionTest, TakesInputsByName) {
   EXPECT_EQ(db.rows("SELECT x FROM predictive_position(4, NULL, NULL) WHERE id = 1"), "4.0");
 }
 
-TEST_F(PositionTest, LeavesOutWhatDoesNotExistThen) {
+TEST_F(PositionTest, LeavesOutObjectsThatDoNotExistThen) {
   db.exec(
       "CREATE VIRTUAL TABLE lives USING moving_objects(id, t, x, until);"
       "INSERT INTO lives VALUES (1, 0, 0, 5), (2, 3, 0, NULL)");
@@ -80,7 +80,7 @@ TEST_F(PositionTest, MovesAFleetForward) {
             "1|5.0|5.0|0.0\n2|5.0|5.0|0.0\n3|5.0|0.0|99.0");
 }
 
-TEST_F(PositionTest, DrawsATrackFromASeriesOfMoments) {
+TEST_F(PositionTest, GivesATrackForASeriesOfTimes) {
   EXPECT_EQ(
       db.rows("WITH moments(s) AS (VALUES (0), (1), (2)) SELECT s, x FROM moments, predictive_position(s, "
               "'ships') WHERE id = 2"),
@@ -105,7 +105,7 @@ TEST_F(PositionTest, SaysWhatIsWrong) {
             "predictive_position: no such table: 'nowhere' (moving_objects tables here: 'ships')");
   EXPECT_EQ(
       db.error_of("SELECT * FROM predictive_position(1, 'Main.ships')"),
-      "predictive_position: no such table: 'Main.ships'; give the schema by itself: 'ships' with schema = "
+      "predictive_position: no such table: 'Main.ships'; write the schema separately: 'ships' with schema = "
       "'main' (moving_objects tables here: 'ships')");
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_position(1, 'ships') WHERE schema = 'main'"), "3");
 }

@@ -1,6 +1,7 @@
-// predictive_sweep: its boxes hold their objects, and bounds on corners find what they find row by row.
+// predictive_sweep: each box contains its object, and bounds on box corners find the same rows as a check of
+// every row.
 #include "sqlite/functions/tiled_tables.h"
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {
@@ -8,7 +9,7 @@ namespace {
 TEST(Sweeps, AreFoundByTheirCorners) {
   for (const Layout& layout : tiled_layouts) {
     TiledTables tables(layout, SceneKind::one_fast, 1500);
-    if (layout.has_t)  // what has been on its way for long, so that much cancels at now
+    if (layout.has_t)  // reference times long before now, so that most digits cancel at now
       tables.db.exec("UPDATE objects SET t = t - 1e9, x = x - 1e9 * vx WHERE id % 5 = 0");
     Random random(9);
     for (int i = 0; i < 40; ++i) {
@@ -16,7 +17,7 @@ TEST(Sweeps, AreFoundByTheirCorners) {
       for (const char* corner : {"x0", "x1", "y0", "y1"})
         for (const char* op : {" < ", " >= ", " > ", " <= "}) {
           if (random.below(6) || (layout.axes == 1 && *corner == 'y')) continue;
-          // A corner of some object, or a place.
+          // A corner of some object, or a random number.
           const std::string id = std::to_string(1 + random.below(1500));
           const std::string place =
               "(SELECT " + std::string(corner) + " FROM " + tables.sweep() + "WHERE +id = " + id + ")";
@@ -31,15 +32,15 @@ TEST(Sweeps, AreFoundByTheirCorners) {
   }
 }
 
-TEST(Sweeps, HoldTheirObjectsAndNotMuchMore) {
+TEST(Sweeps, ContainTheirObjectsAndLittleMore) {
   Database db;
   build_table(db, "objects", random_scene({.layout = tiled_layouts[0], .count = 300, .seed = 4}));
   const std::string sweep = "predictive_sweep(3, 'objects', 2, 0) s";
-  for (const char* moment : {"0", "0.7", "1.5", "2.9", "3"})
+  for (const char* time : {"0", "0.7", "1.5", "2.9", "3"})
     EXPECT_EQ(db.rows("SELECT count(*), sum(p.x - r - 1 >= s.x0 AND p.x + r + 1 <= s.x1 AND p.y - r - 1 >= "
                       "s.y0 AND p.y + r + 1 <= s.y1)"
                       " - count(*) FROM predictive_position(" +
-                      std::string(moment) + ") p JOIN objects USING (id) JOIN " + sweep + " USING (id)")
+                      std::string(time) + ") p JOIN objects USING (id) JOIN " + sweep + " USING (id)")
                   .substr(3),
               "|0");
   EXPECT_EQ(

@@ -1,10 +1,10 @@
-// The frame of every table-valued function, tested with one that only counts.
+// The common implementation of all table-valued functions, tested with a function that only counts.
 #include "sqlite/functions/table_function.h"
 
 #include "sqlite/callback.h"
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using testing::Database;
@@ -49,7 +49,7 @@ const TableFunction countdown = {.name = "countdown",
                                    ++seen.calls;
                                    seen.reads_half = call.reads(1);
                                    seen.only_n = call.only(0);
-                                   seen.above_zero = call.bounds(1).least > 0;
+                                   seen.above_zero = call.bounds(1).min > 0;
                                    return std::make_unique<Countdown>(call.required_number(0),
                                                                       call.number(1).value_or(1),
                                                                       call.text(2).value_or("#"));
@@ -103,7 +103,7 @@ TEST_F(TableFunctionTest, TakesNumbersFromText) {
   EXPECT_EQ(db.rows("SELECT n FROM countdown('1')"), "1\n0");
 }
 
-TEST_F(TableFunctionTest, IsTellingTheFunctionWhatIsAsked) {
+TEST_F(TableFunctionTest, PassesConstraintsAndColumnsToTheFunction) {
   db.exec("SELECT n FROM countdown(3)");
   EXPECT_FALSE(seen.reads_half);
   EXPECT_FALSE(seen.only_n);
@@ -162,7 +162,7 @@ TEST_F(TableFunctionTest, KeepsTwoCursorsApart) {
   EXPECT_EQ(db.rows("SELECT c.n, d.n FROM countdown(1) c, countdown(2) d"), "1|2\n1|1\n1|0\n0|2\n0|1\n0|0");
 }
 
-TEST_F(TableFunctionTest, IsOfUseInViewsThatNobodyVouchesFor) {
+TEST_F(TableFunctionTest, WorksInViewsOfAnUntrustedSchema) {
   db.exec("PRAGMA trusted_schema = OFF; CREATE VIEW v AS SELECT n FROM countdown(1)");
   EXPECT_EQ(db.rows("SELECT * FROM v"), "1\n0");
 }
@@ -174,4 +174,4 @@ TEST_F(TableFunctionTest, IsReadOnlyAndNeedsNoCreate) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

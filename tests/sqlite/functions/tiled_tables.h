@@ -1,4 +1,4 @@
-// A join to be cut into tiles, as tables of SQL.
+// Tables of SQL for joins that are divided into tiles.
 #pragma once
 
 #include "sqlite/scene_table.h"
@@ -12,7 +12,7 @@ class TiledTables {
  public:
   TiledTables(const Layout& layout, SceneKind kind, std::size_t count = 500)
       : scene_(random_scene({.layout = layout, .kind = kind, .count = count, .seed = 31})) {
-    db.exec("PRAGMA page_size = 512");  // some levels
+    db.exec("PRAGMA page_size = 512");  // several levels
     build_table(db, "objects", scene_);
     build_table(db, "others", random_scene({.layout = layout, .kind = kind, .count = count / 2, .seed = 32}));
     db.exec("CREATE TABLE tiles AS WITH xs(x0, x1) AS (" + intervals("x") + "), ys(y0, y1) AS (" +

@@ -1,6 +1,7 @@
-// own_* in SQL: tiles together answer the whole join, by every method, from a tree of several levels.
+// Tiles of a join (own_* in SQL): together the tiles give the whole join, by every method, from a tree of
+// several levels.
 #include "sqlite/functions/tiled_tables.h"
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {
@@ -51,7 +52,7 @@ TEST(Tiles, AreExplainedByTheirOwnPairs) {
                              "WHERE stage = 'refinement'"),
               tables.db.rows("SELECT count(*) FROM " + whole));
   }
-  // All pairs of what the tile needs, however it was read.
+  // All pairs of the objects that the tile needs, by each access path.
   const std::string tile =
       "(3, 'objects', 0, NULL, 0, NULL, NULL, NULL, 10, 30, 10, 30) WHERE stage = 'candidates'";
   const std::string first = tables.db.rows("SELECT n_before FROM predictive_explain" + tile);
@@ -63,7 +64,7 @@ TEST(Tiles, AreExplainedByTheirOwnPairs) {
             first);
 }
 
-TEST(Tiles, AnswerFromWhatWasShippedToThem) {
+TEST(Tiles, AnswerFromTheRowsThatWereSentToThem) {
   TiledTables tables(tiled_layouts[1], SceneKind::one_giant);
   Database& db = tables.db;
   const std::string whole = db.rows(std::string("SELECT ") + all_columns + " FROM " +

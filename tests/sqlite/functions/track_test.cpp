@@ -1,12 +1,12 @@
-// predictive_track in SQL; inputs that were left out, of all functions.
-#include "sqlite/harbour.h"
+// predictive_track in SQL, and the hidden input columns of all functions where an input was left out.
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {
 
 struct TrackTest : Harbour {};
 
-TEST_F(TrackTest, GivesEachMomentTheRowsOfPosition) {
+TEST_F(TrackTest, GivesTheRowsOfPositionForEachTime) {
   EXPECT_EQ(db.rows("SELECT * FROM predictive_track(0, 5, 2) WHERE id < 3"),
             "1|0.0|0.0|0.0|NULL\n2|0.0|10.0|0.0|NULL\n1|2.0|2.0|0.0|NULL\n2|2.0|8.0|0.0|NULL\n"
             "1|4.0|4.0|0.0|NULL\n2|4.0|6.0|0.0|NULL\n1|5.0|5.0|0.0|NULL\n2|5.0|5.0|0.0|NULL");
@@ -15,7 +15,7 @@ TEST_F(TrackTest, GivesEachMomentTheRowsOfPosition) {
             db.rows("SELECT s, id, x, y FROM moments, predictive_position(s, 'ships') ORDER BY s, id"));
 }
 
-TEST_F(TrackTest, LooksUpIds) {
+TEST_F(TrackTest, FindsIds) {
   EXPECT_EQ(db.rows("SELECT t, x FROM predictive_track(0, 2, 1, 'ships') WHERE id = 2"),
             "0.0|10.0\n1.0|9.0\n2.0|8.0");
   EXPECT_EQ(db.rows("SELECT id, t FROM predictive_track(0, 1, 1) WHERE id IN (3, 1) ORDER BY t, id"),
@@ -38,7 +38,7 @@ TEST_F(TrackTest, SaysWhatIsWrong) {
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_track(2, 1, 1)"),
             "predictive_track: t0 must not be greater than t1: t0 is 2, t1 is 1");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_track(0, 1, 1e-300)"),
-            "predictive_track: step is too small: from t0 to t1 there may be fewer than 2^53 moments");
+            "predictive_track: step is too small: from t0 to t1 there may be fewer than 2^53 times");
 }
 
 TEST_F(TrackTest, FeedsItsOwnTableAndEnds) {
@@ -46,7 +46,7 @@ TEST_F(TrackTest, FeedsItsOwnTableAndEnds) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships WHERE id > 10"), "6");
 }
 
-TEST_F(TrackTest, IsStoppedByAnInterruptAlsoWhereNothingExists) {
+TEST_F(TrackTest, IsStoppedByAnInterruptEvenWithoutObjects) {
   int calls = 0;
   sqlite3_progress_handler(
       db.handle(), 1, [](void* count) { return ++*static_cast<int*>(count) > 500 ? 1 : 0; }, &calls);
@@ -77,7 +77,7 @@ TEST_F(UsedInputsTest, ReadBackAsGivenWhereTheyWere) {
             "2");
 }
 
-TEST_F(UsedInputsTest, LoseNoRowAndDoubleNone) {
+TEST_F(UsedInputsTest, LoseNoRowAndRepeatNone) {
   const std::string all = db.rows("SELECT a, b FROM predictive_join(20)");
   EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(20) WHERE a = 1 OR t < 100"), all);
   EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(20) WHERE b = 2 OR a = 1 OR t > -1"), all);

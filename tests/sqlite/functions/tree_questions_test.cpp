@@ -1,5 +1,5 @@
-// The tree answers what a look at every object answers: windows, nearest, joins and joins about one id, while
-// rows are inserted, moved and erased, within transactions and after going back to savepoints.
+// Queries by the tree give what a scan of all objects gives: windows, nearest, joins and joins of one id.
+// Meanwhile rows are inserted, moved and erased, within transactions and after rollbacks to savepoints.
 #include "sqlite/scene_table.h"
 
 namespace foresee::testing {
@@ -11,14 +11,14 @@ std::string literal(double number) {
   return text;
 }
 
-/// A table of a scene, asked by two methods.
-class Asked {
+/// A table of a random scene, queried by two methods.
+class RandomQueries {
  public:
-  Asked(const Layout& layout, SceneKind kind, std::size_t count, std::uint64_t seed)
+  RandomQueries(const Layout& layout, SceneKind kind, std::size_t count, std::uint64_t seed)
       : scene_(random_scene({.layout = layout, .kind = kind, .count = count, .seed = seed})),
         random_(seed),
         tail_(", " + literal(scene_.now)) {
-    db.exec("PRAGMA page_size = 512");  // some levels
+    db.exec("PRAGMA page_size = 512");  // several levels
     build_table(db, "objects", scene_);
     std::tie(lower_, upper_) = extent("x");
   }
@@ -35,7 +35,7 @@ class Asked {
                 "tree");
   }
 
-  /// Some rows move, some go, some come, some get another id.
+  /// Moves some rows, deletes some, inserts some and changes some ids.
   void change() {
     const std::string some = std::to_string(random_.below(7));
     db.exec("UPDATE objects SET x = x + " + literal(random_.in(-2, 2)) + " WHERE id % 7 = " + some);
@@ -97,20 +97,20 @@ class Asked {
 
   RandomScene scene_;
   Random random_;
-  std::string tail_;  ///< of a call: now
+  std::string tail_;  ///< of a call, from its input now on
   double lower_ = 0, upper_ = 0;
 };
 
 class TreeQuestionsOfEveryLayout : public ::testing::TestWithParam<Layout> {};
 
-TEST_P(TreeQuestionsOfEveryLayout, AgreeWithALookAtEveryObject) {
+TEST_P(TreeQuestionsOfEveryLayout, AgreeWithAScanOfAllObjects) {
   std::size_t answered = 0;
   for (const SceneKind kind : all_scene_kinds) {
-    Asked asked(GetParam(), kind, 60, 5);
-    asked.expect_same_answers(1);
-    asked.change();
-    asked.expect_same_answers(1);
-    answered += asked.answered;
+    RandomQueries queried(GetParam(), kind, 60, 5);
+    queried.expect_same_answers(1);
+    queried.change();
+    queried.expect_same_answers(1);
+    answered += queried.answered;
   }
   EXPECT_GT(answered, 0u);
 }
@@ -118,25 +118,25 @@ TEST_P(TreeQuestionsOfEveryLayout, AgreeWithALookAtEveryObject) {
 INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, TreeQuestionsOfEveryLayout, ::testing::ValuesIn(all_layouts()));
 
 TEST(TreeQuestions, AgreeThroughTransactionsAndSavepoints) {
-  Asked asked({.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true}, SceneKind::clustered,
-              800, 6);
+  RandomQueries queried({.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true},
+                        SceneKind::clustered, 800, 6);
   for (int round = 0; round < 6; ++round) {
-    asked.db.exec("BEGIN");
-    asked.change();
-    asked.expect_same_answers(2);
-    asked.db.exec("SAVEPOINT a");
-    asked.change();
-    asked.expect_same_answers(1);
-    asked.db.exec("SAVEPOINT b; DELETE FROM objects WHERE id % 2 = 0");
-    asked.expect_same_answers(1);
-    asked.db.exec("ROLLBACK TO b");
-    asked.expect_same_answers(1);
-    if (round % 3 == 0) asked.db.exec("ROLLBACK TO a");
-    asked.expect_same_answers(1);
-    asked.db.exec(round % 2 ? "COMMIT" : "ROLLBACK");
-    asked.expect_same_answers(1);
+    queried.db.exec("BEGIN");
+    queried.change();
+    queried.expect_same_answers(2);
+    queried.db.exec("SAVEPOINT a");
+    queried.change();
+    queried.expect_same_answers(1);
+    queried.db.exec("SAVEPOINT b; DELETE FROM objects WHERE id % 2 = 0");
+    queried.expect_same_answers(1);
+    queried.db.exec("ROLLBACK TO b");
+    queried.expect_same_answers(1);
+    if (round % 3 == 0) queried.db.exec("ROLLBACK TO a");
+    queried.expect_same_answers(1);
+    queried.db.exec(round % 2 ? "COMMIT" : "ROLLBACK");
+    queried.expect_same_answers(1);
   }
-  asked.db.exec("INSERT INTO objects(objects) VALUES('integrity-check')");
+  queried.db.exec("INSERT INTO objects(objects) VALUES('integrity-check')");
 }
 
 TEST(TreeQuestions, ALoopThatWritesSeesTheTreeAsItWas) {
@@ -178,10 +178,10 @@ TEST(TreeQuestions, HorizonsOfEverySize) {
       for (const char* method : {"grid", "tree", "gpcd"})
         EXPECT_TRUE(rows_by(method) == rows_by("scan")) << method << ", h = " << h << ", " << motion;
       for (const char* question : {"SELECT * FROM predictive_window(", "SELECT * FROM predictive_nearest("}) {
-        const std::string asked =
+        const std::string queried =
             question + std::string(h) + ", 'ships', " + (question[26] == 'w' ? "7, 9" : "4, 8");
-        EXPECT_EQ(db.rows(asked + ") WHERE method = 'tree' ORDER BY 1, 2"),
-                  db.rows(asked + ") WHERE method = 'scan' ORDER BY 1, 2"));
+        EXPECT_EQ(db.rows(queried + ") WHERE method = 'tree' ORDER BY 1, 2"),
+                  db.rows(queried + ") WHERE method = 'scan' ORDER BY 1, 2"));
       }
     }
 }

@@ -1,35 +1,36 @@
-// predictive_window in SQL: inputs by place, by name and by lateral columns, errors, plans, snapshots.
-#include "sqlite/harbour.h"
+// predictive_window in SQL: inputs by position, by name and by lateral columns, errors, plans, snapshots.
+#include "sqlite/harbour_scene.h"
 #include "sqlite/scene_table.h"
 
 namespace foresee::testing {
 namespace {
 
 struct WindowInSql : Harbour {
-  std::string ask(const std::string& call) { return db.rows("SELECT * FROM " + call + " ORDER BY id"); }
+  std::string rows_of(const std::string& call) { return db.rows("SELECT * FROM " + call + " ORDER BY id"); }
   std::string error(const std::string& call) { return db.error_of("SELECT * FROM " + call); }
   std::string plan(const std::string& sql) { return db.rows("EXPLAIN QUERY PLAN " + sql); }
 };
 
-TEST_F(WindowInSql, SaysWhoTouchesItAndWhen) {
+TEST_F(WindowInSql, GivesTheObjectsThatTouchItAndTheirTimes) {
   // Ada's side reaches x = 6 at 3, her stern leaves x = 8 at 11; Bob's bow comes at 1, he is gone at 5.
-  EXPECT_EQ(ask("predictive_window(100, 'ships', 6, 8, -1, 1)"), "1|3.0|11.0|3.0|11.0\n2|1.0|5.0|1.0|5.0");
-  EXPECT_EQ(ask("predictive_window(4, 'ships', 6, 8, -1, 1)"), "1|3.0|4.0|3.0|4.0\n2|1.0|4.0|1.0|4.0");
-  EXPECT_EQ(ask("predictive_window(0, 'ships', 6, 8, -1, 1, NULL, NULL, 3)"),
+  EXPECT_EQ(rows_of("predictive_window(100, 'ships', 6, 8, -1, 1)"),
+            "1|3.0|11.0|3.0|11.0\n2|1.0|5.0|1.0|5.0");
+  EXPECT_EQ(rows_of("predictive_window(4, 'ships', 6, 8, -1, 1)"), "1|3.0|4.0|3.0|4.0\n2|1.0|4.0|1.0|4.0");
+  EXPECT_EQ(rows_of("predictive_window(0, 'ships', 6, 8, -1, 1, NULL, NULL, 3)"),
             "1|3.0|3.0|0.0|0.0\n2|3.0|3.0|0.0|0.0");
-  EXPECT_EQ(ask("predictive_window(100, 'ships', 6, 8, 90, 95)"), "");
+  EXPECT_EQ(rows_of("predictive_window(100, 'ships', 6, 8, 90, 95)"), "");
 }
 
 TEST_F(WindowInSql, TakesBoundsLeftOutAsNone) {
-  EXPECT_EQ(ask("predictive_window(0)"), "1|0.0|0.0|0.0|0.0\n2|0.0|0.0|0.0|0.0\n3|0.0|0.0|0.0|0.0");
-  EXPECT_EQ(ask("predictive_window(9, 'ships', NULL, NULL, 50)"), "3|0.0|9.0|0.0|9.0");
-  EXPECT_EQ(ask("predictive_window(9, 'ships', -9e999, 9e999, 50, 9e999)"), "3|0.0|9.0|0.0|9.0");
-  EXPECT_EQ(ask("predictive_window(9) WHERE y0 = 50 AND tbl = 'ships'"), "3|0.0|9.0|0.0|9.0");
+  EXPECT_EQ(rows_of("predictive_window(0)"), "1|0.0|0.0|0.0|0.0\n2|0.0|0.0|0.0|0.0\n3|0.0|0.0|0.0|0.0");
+  EXPECT_EQ(rows_of("predictive_window(9, 'ships', NULL, NULL, 50)"), "3|0.0|9.0|0.0|9.0");
+  EXPECT_EQ(rows_of("predictive_window(9, 'ships', -9e999, 9e999, 50, 9e999)"), "3|0.0|9.0|0.0|9.0");
+  EXPECT_EQ(rows_of("predictive_window(9) WHERE y0 = 50 AND tbl = 'ships'"), "3|0.0|9.0|0.0|9.0");
 }
 
 TEST_F(WindowInSql, MovesWithItsVelocityFromNowOn) {
-  // The window runs with Ada, her side at its edge.
-  EXPECT_EQ(ask("predictive_window(50, 'ships', 3, 4, -1, 1, NULL, NULL, 0, 1)"),
+  // The window moves with Ada, her side at its edge.
+  EXPECT_EQ(rows_of("predictive_window(50, 'ships', 3, 4, -1, 1, NULL, NULL, 0, 1)"),
             "1|0.0|50.0|0.0|50.0\n2|2.5|4.0|2.5|4.0");
   EXPECT_EQ(
       db.rows("SELECT id, t, dt FROM predictive_window WHERE h = 50 AND x0 = 5 AND x1 = 6 AND y0 = -1 AND "
@@ -64,20 +65,20 @@ TEST_F(WindowInSql, PlansTheCheapSideFirst) {
   EXPECT_LT(lateral.find("SCAN w"), lateral.find("SCAN s")) << lateral;
 }
 
-TEST_F(WindowInSql, TellsTheRowsOfTwoCallsApart) {
+TEST_F(WindowInSql, KeepsTheRowsOfTwoCallsApart) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_window WHERE (h = 0 AND x0 = 6) OR (h = 9 AND x0 = 6)"),
             db.rows("SELECT (SELECT count(*) FROM predictive_window(0, 'ships', 6)) + "
                     "(SELECT count(*) FROM predictive_window(9, 'ships', 6))"));
   EXPECT_EQ(db.rows("SELECT id FROM predictive_window(9) WHERE id = 2 OR id = 3 ORDER BY id"), "2\n3");
 }
 
-TEST_F(WindowInSql, StaysAsItWasUnderALoopThatWrites) {
+TEST_F(WindowInSql, IsUnchangedUnderALoopThatWrites) {
   db.exec(
       "CREATE TABLE seen(id, t); CREATE TRIGGER move AFTER INSERT ON seen BEGIN "
       "UPDATE ships SET x = 1000, y = 1000 WHERE id >= new.id; END;"
       "INSERT INTO seen SELECT id, t_end FROM predictive_window(9, 'ships')");
   EXPECT_EQ(db.rows("SELECT count(*), min(t), max(t) FROM seen"), "3|9.0|9.0");
-  EXPECT_EQ(ask("predictive_window(9, 'ships', 0, 100)"), "");
+  EXPECT_EQ(rows_of("predictive_window(9, 'ships', 0, 100)"), "");
   db.exec("INSERT INTO ships SELECT id + 100, t, 0, 0, 0, 0, 0, 'echo' FROM predictive_window(9, 'ships')");
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "6");
 }
@@ -105,7 +106,7 @@ TEST_F(WindowInSql, SaysWhatToWrite) {
 
 TEST_F(WindowInSql, AnEmptyTableGivesNoRows) {
   db.exec("DELETE FROM ships");
-  EXPECT_EQ(ask("predictive_window(9, 'ships', 0, 1)"), "");
+  EXPECT_EQ(rows_of("predictive_window(9, 'ships', 0, 1)"), "");
 }
 
 TEST_F(WindowInSql, IsStoppedByAnInterrupt) {

@@ -1,12 +1,12 @@
-// Which table does a question find under a name that it has asked before, when the tables have changed since?
-// The same as one that asks for the first time.
+// Name resolution after schema changes: a query finds under a known name the table that a first query would
+// find.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {
 
 struct TableLookups : ::testing::Test {
-  /// A table with one object, whose id tells where it is.
+  /// Creates a table with one object, whose id identifies the table.
   void make(const std::string& table, int id) {
     db.exec("CREATE VIRTUAL TABLE " + table + " USING moving_objects(id, x); INSERT INTO " + table +
             " VALUES(" + std::to_string(id) + ", 0)");
@@ -22,7 +22,7 @@ struct TableLookups : ::testing::Test {
   Database db{file.path()};
 };
 
-TEST_F(TableLookups, ATableMadeAnew) {
+TEST_F(TableLookups, ATableCreatedAgain) {
   make("ships", 1);
   EXPECT_EQ(found(), "1");
   db.exec("DROP TABLE ships");
@@ -33,7 +33,7 @@ TEST_F(TableLookups, ATableMadeAnew) {
   EXPECT_TRUE(found().starts_with("error: predictive_window: 'ships' is not a moving_objects table"));
 }
 
-TEST_F(TableLookups, ANewName) {
+TEST_F(TableLookups, ARenamedTable) {
   make("ships", 1);
   EXPECT_EQ(found(), "1");
   db.exec("ALTER TABLE ships RENAME TO fleet");
@@ -87,7 +87,7 @@ TEST_F(TableLookups, AnotherFileUnderTheSameName) {
   EXPECT_EQ(in_other(), "1");
 }
 
-TEST_F(TableLookups, AnotherConnectionMakesTheTableAnew) {
+TEST_F(TableLookups, AnotherConnectionCreatesTheTableAgain) {
   make("ships", 1);
   EXPECT_EQ(found(), "1");
   Database other(file.path());
@@ -104,7 +104,7 @@ TEST_F(TableLookups, ManyTablesInTurn) {
     for (int id = 1; id <= 20; ++id) EXPECT_EQ(found(table(id)), std::to_string(id));
 }
 
-TEST_F(TableLookups, NothingStandsInTheWayOfVacuumAndDetach) {
+TEST_F(TableLookups, VacuumAndDetachAreNotBlocked) {
   db.exec("ATTACH ':memory:' AS other");
   make("ships", 1);
   make("other.boats", 2);
@@ -114,8 +114,8 @@ TEST_F(TableLookups, NothingStandsInTheWayOfVacuumAndDetach) {
   EXPECT_EQ(found(), "1");
 }
 
-// Its statements are what keeps a table in memory, scenes and nodes with it.
-TEST_F(TableLookups, ADetachedTableIsLetGo) {
+// Statements keep a table in memory, with its scenes and nodes.
+TEST_F(TableLookups, ADetachedTableIsReleased) {
   const auto statements_on = [&](const std::string& table) {
     int count = 0;
     for (sqlite3_stmt* s = nullptr; (s = sqlite3_next_stmt(db.handle(), s)) != nullptr;)
@@ -144,8 +144,8 @@ TEST_F(TableLookups, AnAuthorizerThatHidesTheSchemaHidesNoTable) {
   for (int turn = 0; turn < 3; ++turn) EXPECT_EQ(found(), "1");
 }
 
-// As `.load foresee` in a start-up file and in a script does: the first functions stay, and know their
-// tables.
+// As with `.load foresee` in both a start-up file and a script: the first functions remain registered, and
+// find their tables.
 TEST_F(TableLookups, LoadedASecondTime) {
   make("ships", 1);
   EXPECT_EQ(found(), "1");

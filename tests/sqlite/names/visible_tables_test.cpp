@@ -1,11 +1,12 @@
+// Recognition of moving_objects tables by their CREATE VIRTUAL TABLE statements.
 #include "sqlite/names/visible_tables.h"
 
 #include <gtest/gtest.h>
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
-TEST(UsesMovingObjects, ReadsTheModuleHoweverItIsWritten) {
+TEST(UsesMovingObjects, ReadsTheModuleInEverySpelling) {
   EXPECT_TRUE(uses_moving_objects("CREATE VIRTUAL TABLE ships USING moving_objects(id, x)"));
   EXPECT_TRUE(uses_moving_objects("CREATE VIRTUAL TABLE \"a \"\"USING\"\" b\"USING[Moving_Objects](id, x)"));
   EXPECT_TRUE(
@@ -14,7 +15,7 @@ TEST(UsesMovingObjects, ReadsTheModuleHoweverItIsWritten) {
   EXPECT_TRUE(uses_moving_objects("CREATE VIRTUAL TABLE sch\xc3\xb6n USING moving_objects(id, x)"));
 }
 
-TEST(UsesMovingObjects, IsNotFooledByNamesAndComments) {
+TEST(UsesMovingObjects, IgnoresNamesAndComments) {
   EXPECT_FALSE(uses_moving_objects("CREATE VIRTUAL TABLE ships USING rtree(id, x0, x1)"));
   EXPECT_FALSE(uses_moving_objects("CREATE VIRTUAL TABLE ships USING moving_objects2(id, x)"));
   EXPECT_FALSE(uses_moving_objects("CREATE VIRTUAL TABLE \"USING moving_objects(\" USING rtree(id, a, b)"));
@@ -27,4 +28,4 @@ TEST(UsesMovingObjects, IsNotFooledByNamesAndComments) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

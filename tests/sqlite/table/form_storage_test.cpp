@@ -1,5 +1,5 @@
-// Where forms rest, outlines and meshes alike: shared by content, in one transaction with the rows that name
-// them, checked when read.
+// Storage of outlines and meshes: shared by content, written in the same transaction as the rows that
+// reference them, checked when read.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -17,7 +17,7 @@ struct Outlines {
     return "POLYGON((0 0, " + s + " 0, " + s + " " + s + ", 0 " + s + ", 0 0))";
   }
   static std::string shape_one_in_other_words() { return " polygon((0 0,1 0,1 1,0 1.0,0 0))"; }
-  /// Damage of its own, and what is said of it.
+  /// Damage to this kind of form, and its error.
   static std::pair<std::string, std::string> damage() {
     return {"UPDATE ships_shape SET number = number + 10", "outline 1"};
   }
@@ -40,7 +40,7 @@ struct Meshes {
            face(x, y, z) + ")";
   }
   static std::string shape_one_in_other_words() { return " polyhedralsurface  z" + shape(1).substr(19); }
-  /// An outline, whose checksum is right.
+  /// The blob of an outline, with a valid checksum.
   static std::pair<std::string, std::string> damage() {
     return {
         "CREATE VIRTUAL TABLE s USING moving_objects(id, x, y, shape);"
@@ -63,7 +63,7 @@ struct FormStorage : ::testing::Test {
   static std::string stored(Database& db) { return db.rows("SELECT count(*) FROM ships_shape"); }
 };
 
-/// How many rows a query of everything gives if this is executed after its first row.
+/// The number of rows of a window without bounds, if `meanwhile` is executed after its first row.
 int rows_of_window(Database& db, const std::string& meanwhile) {
   sqlite3_stmt* window = nullptr;
   const char* query = "SELECT id FROM predictive_window(0, 'ships')";
@@ -97,7 +97,7 @@ TYPED_TEST(FormStorage, EqualContentIsStoredOnce) {
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
-TYPED_TEST(FormStorage, WhatIsTakenBackIsStoredAnewWhenItComesAgain) {
+TYPED_TEST(FormStorage, ARolledBackFormIsStoredWhenItIsInsertedAgain) {
   Database db;
   db.exec(this->create);
   db.exec("BEGIN;" + this->insert(1, 1) + "ROLLBACK;" + this->insert(1, 1));
@@ -120,7 +120,7 @@ TYPED_TEST(FormStorage, AStatementThatFailsLeavesNone) {
   const std::string all = " INTO ships(id, " + place + ", shape) SELECT id, " + origin + ", shape FROM feed";
   EXPECT_EQ(db.error_of("INSERT" + all), "UNIQUE constraint failed: ships.id");
   EXPECT_EQ(this->stored(db), "1");
-  // The texts were read before: they must not count as stored.
+  // The failed statement has parsed these texts: they must not count as stored.
   db.exec("INSERT OR IGNORE" + all);
   EXPECT_EQ(db.rows("SELECT id, shape FROM ships ORDER BY id"),
             "1|" + this->shape(1) + "\n5|" + this->shape(5) + "\n6|" + this->shape(6));
@@ -129,7 +129,7 @@ TYPED_TEST(FormStorage, AStatementThatFailsLeavesNone) {
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
-TYPED_TEST(FormStorage, OptimizeAndRebuildDropWhatNoRowHas) {
+TYPED_TEST(FormStorage, OptimizeAndRebuildDropFormsWithoutARow) {
   for (const char* command : {"optimize", "rebuild"}) {
     Database db;
     db.exec(this->create + this->insert(1, 1) + this->insert(2, 2) + this->insert(3, 3));
@@ -144,14 +144,14 @@ TYPED_TEST(FormStorage, OptimizeAndRebuildDropWhatNoRowHas) {
   }
 }
 
-TYPED_TEST(FormStorage, AQuestionUnderWayKeepsItsForms) {
+TYPED_TEST(FormStorage, ARunningQueryKeepsItsForms) {
   Database db;
   db.exec(this->create);
   for (int id = 1; id <= 300; ++id) db.exec(this->insert(id, id));
   EXPECT_EQ(rows_of_window(db, "DELETE FROM ships; INSERT INTO ships(ships) VALUES('optimize')"), 300);
 }
 
-TYPED_TEST(FormStorage, AQuestionUnderWayOutlivesARollback) {
+TYPED_TEST(FormStorage, ARunningQueryOutlivesARollback) {
   Database db;
   db.exec(this->create + "BEGIN; SAVEPOINT q");
   for (int id = 1; id <= 1200; ++id) db.exec(this->insert(id, id));
@@ -164,7 +164,7 @@ TYPED_TEST(FormStorage, TwoConnectionsGiveNumbersInTurn) {
   a.exec("PRAGMA journal_mode = WAL;" + this->create + this->insert(1, 1));
   EXPECT_EQ(b.rows("SELECT shape FROM ships"), this->shape(1));
   a.exec("BEGIN;" + this->insert(2, 2) + "ROLLBACK");
-  b.exec(this->insert(3, 3));  // under the number that a took back
+  b.exec(this->insert(3, 3));  // under the number of a's rolled-back form
   EXPECT_EQ(a.rows("SELECT shape FROM ships ORDER BY id"), this->shape(1) + "\n" + this->shape(3));
   a.exec(this->insert(2, 2));
   EXPECT_EQ(b.rows("SELECT shape FROM ships ORDER BY id"),
@@ -176,8 +176,8 @@ TYPED_TEST(FormStorage, TwoConnectionsGiveNumbersInTurn) {
   a.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
-// What a took back is b's: a must not use, read or turn what it remembers of it.
-TYPED_TEST(FormStorage, ANumberThatWasTakenBackMayBeAnothers) {
+// The number of a's rolled-back form now belongs to b: a must not use, read or rotate its cached form.
+TYPED_TEST(FormStorage, ARolledBackNumberMayBelongToAnotherForm) {
   const TemporaryFile file;
   Database a(file.path()), b(file.path());
   a.exec("PRAGMA journal_mode = WAL;" + this->create);
@@ -209,14 +209,14 @@ TYPED_TEST(FormStorage, GoesWhereTheTableGoes) {
   EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(0, 'fleet')"), "1|2");
 }
 
-TYPED_TEST(FormStorage, DamageIsSaidAndChangesNothing) {
+TYPED_TEST(FormStorage, DamageIsReportedAndChangesNothing) {
   const std::string kind = TypeParam::kind;
   const std::pair<std::string, std::string> damages[] = {
       {"DELETE FROM ships_shape WHERE number = 1", kind + " 1"},
       {"UPDATE ships_shape SET data = x'00' WHERE number = 1", kind + " 1 is damaged: it is too short"},
       {"UPDATE ships_shape SET data = zeroblob(length(data)) WHERE number = 1",
        kind + " 1 is damaged: its checksum is wrong"},
-      {"UPDATE ships_shape SET data = 7 WHERE number = 1", kind + " 1 is damaged: it is no blob"},
+      {"UPDATE ships_shape SET data = 7 WHERE number = 1", kind + " 1 is damaged: it is not a blob"},
       {"UPDATE ships_shape SET hash = 3 WHERE number = 1", kind + " 1 is damaged: its hash"},
       TypeParam::damage(),
   };
@@ -264,8 +264,8 @@ TYPED_TEST(FormStorage, IsTheSameInTheNextConnection) {
   db.exec("UPDATE fleet SET heading = 60 WHERE id = 2; INSERT INTO fleet(fleet) VALUES('integrity-check')");
 }
 
-// The blob of a larger form under the number: sound, but not what the bounds of the rows are of.
-TYPED_TEST(FormStorage, BoundsAreThoseOfTheTurnedForm) {
+// A valid blob of a larger form under the number: the stored bounds of the rows do not belong to it.
+TYPED_TEST(FormStorage, BoundsAreThoseOfTheRotatedForm) {
   const TemporaryFile file;
   {
     Database db(file.path());

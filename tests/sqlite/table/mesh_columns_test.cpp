@@ -1,4 +1,4 @@
-// The columns shape and heading of tables with meshes: what is accepted, what is said, and what comes back.
+// The columns shape and heading of tables with meshes: accepted values, errors, and values as read back.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -22,7 +22,7 @@ struct MeshColumns : ::testing::Test {
     db.exec("INSERT INTO drones(id, t, x, y, z, vx, shape, heading) VALUES(" + std::to_string(id) +
             ", 0, 0, 0, 0, 6, " + shape + ", " + heading + ")");
   }
-  /// What is said of a shape that row 7 is to have.
+  /// The error for this shape in row 7.
   std::string fault(const std::string& text, const std::string& heading = "0") {
     return db.error_of("INSERT INTO drones(id, t, x, y, z, shape, heading) VALUES(7, 0, 0, 0, 0, " + text +
                        ", " + heading + ")");
@@ -39,7 +39,7 @@ TEST_F(MeshColumns, StandWithThreeAxesAndWithoutHz) {
     EXPECT_EQ(db.rows("SELECT value FROM s_meta WHERE key = 'features'"), "blocks,shapes,meshes");
     db.exec("DROP TABLE s");
   }
-  // hz says that an outline is a prism.
+  // With hz an outline is a prism.
   db.exec("CREATE VIRTUAL TABLE sheds USING moving_objects(id, x, y, z, shape, hz)");
   EXPECT_EQ(db.rows("SELECT value FROM sheds_meta WHERE key = 'features'"), "blocks,shapes");
   EXPECT_EQ(
@@ -82,7 +82,7 @@ TEST_F(MeshColumns, SayWhatIsWrongAndWhere) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM drones_shape"), "0");
 }
 
-TEST_F(MeshColumns, OfAnUpdateThatDoesNotNameThemAreNotLookedAt) {
+TEST_F(MeshColumns, AreNotReadByAnUpdateThatDoesNotNameThem) {
   insert(1, "'" + roof + "'", "37.5");
   insert(2, "NULL");
   sqlite3_set_authorizer(
@@ -100,7 +100,7 @@ TEST_F(MeshColumns, OfAnUpdateThatDoesNotNameThemAreNotLookedAt) {
   db.exec("INSERT INTO drones(drones) VALUES('integrity-check')");
 }
 
-TEST_F(MeshColumns, HaveAtMostSoManyTriangles) {
+TEST_F(MeshColumns, HaveALimitOfTriangles) {
   const auto fan = [](int triangles) {
     return "WITH n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < " + std::to_string(triangles - 1) +
            ") SELECT 'TIN Z(' || group_concat('((0 0 5, ' || i || ' 1 0, ' || (i + 1) || ' 1 0, 0 0 5))', ', "
@@ -113,7 +113,7 @@ TEST_F(MeshColumns, HaveAtMostSoManyTriangles) {
   db.exec("INSERT INTO drones(drones) VALUES('integrity-check')");
 }
 
-TEST_F(MeshColumns, AreOfNoUseToZonesAndLimitsAlongZ) {
+TEST_F(MeshColumns, AreRefusedWithZonesAndLimitsAlongZ) {
   insert(1, "'" + roof + "'");
   EXPECT_EQ(db.error_of(
                 "SELECT * FROM predictive_window(9, 'drones') WHERE zone = 'POLYGON((0 0, 4 0, 0 3, 0 0))'"),
@@ -124,7 +124,7 @@ TEST_F(MeshColumns, AreOfNoUseToZonesAndLimitsAlongZ) {
             "predictive_join: within_z is not for meshes: leave it out; within covers every axis");
 }
 
-TEST_F(MeshColumns, HaveNoDistanceFromWhatIsUpright) {
+TEST_F(MeshColumns, HaveNoDistanceFromUprightShapes) {
   db.exec("CREATE VIRTUAL TABLE tanks USING moving_objects(id, x, y, z, r, hz)");
   db.exec("CREATE VIRTUAL TABLE sheds USING moving_objects(id, x, y, z, shape, hz)");
   for (const bool filled : {false, true}) {

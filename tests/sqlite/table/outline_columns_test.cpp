@@ -1,4 +1,5 @@
-// The columns shape and heading: which tables may have them, what is accepted, and what comes back.
+// The columns shape and heading of tables with outlines: which tables may have them, accepted values, and
+// values as read back.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -18,7 +19,7 @@ struct OutlineColumns : ::testing::Test {
     db.exec("INSERT INTO ships VALUES(" + std::to_string(id) + ", 0, 0, 0, 6, 0, " + shape + ", " + heading +
             ", NULL, 'Anna')");
   }
-  /// What is said of a shape that row 7 is to have.
+  /// The error for this shape in row 7.
   std::string fault(const std::string& text, const std::string& heading = "0") {
     return db.error_of("INSERT INTO ships(id, t, x, y, shape, heading) VALUES(7, 0, 0, 0, " + text + ", " +
                        heading + ")");
@@ -93,7 +94,8 @@ TEST_F(OutlineColumns, SayWhatIsWrongAndWhere) {
 }
 
 TEST_F(OutlineColumns, AreRefusedWhereATurnWouldJoinRings) {
-  // The hole touches an edge between its corners: turned, an ulp would part them or make them overlap.
+  // The hole touches an edge between its corners: after a rotation, an ulp would separate them or make them
+  // overlap.
   const std::string touching = "'POLYGON((0 0, 9 0, 9 9, 0 9, 0 0), (0 4, 3 3, 3 5, 0 4))'";
   EXPECT_EQ(fault(touching, "90"), "");
   db.exec("DELETE FROM ships");
@@ -102,7 +104,7 @@ TEST_F(OutlineColumns, AreRefusedWhereATurnWouldJoinRings) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "0");
 }
 
-TEST_F(OutlineColumns, OfAnUpdateThatDoesNotNameThemAreNotLookedAt) {
+TEST_F(OutlineColumns, AreNotReadByAnUpdateThatDoesNotNameThem) {
   insert(1, "'" + std::string(hull) + "'", "37.5");
   insert(2, "NULL");
   sqlite3_set_authorizer(
@@ -119,7 +121,7 @@ TEST_F(OutlineColumns, OfAnUpdateThatDoesNotNameThemAreNotLookedAt) {
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
-TEST_F(OutlineColumns, ChangeApart) {
+TEST_F(OutlineColumns, ChangeSeparately) {
   insert(1, "'POLYGON((0 0, 10 0, 0 10, 0 0))'");
   const std::string zone = "SELECT count(*) FROM predictive_window(0, 'ships', 1, 2, -2, -1)";
   EXPECT_EQ(db.rows(zone), "0");
@@ -134,7 +136,7 @@ TEST_F(OutlineColumns, ChangeApart) {
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
-TEST_F(OutlineColumns, AreReadOutOfAnotherTableRowByRow) {
+TEST_F(OutlineColumns, AreCopiedFromAnotherTableRowByRow) {
   db.exec("CREATE TABLE feed(id, shape, heading)");
   db.exec("INSERT INTO feed VALUES(1, 'POLYGON((0 0, 1 0, 0 1, 0 0))', 10), (2, NULL, 20)");
   db.exec("INSERT INTO ships(id, t, x, y, shape, heading) SELECT id, 0, id, 0, shape, heading FROM feed");
@@ -146,14 +148,14 @@ TEST_F(OutlineColumns, AreReadOutOfAnotherTableRowByRow) {
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
-TEST_F(OutlineColumns, HaveAtMostSoManyCorners) {
+TEST_F(OutlineColumns, HaveALimitOfCorners) {
   const auto long_quay = [](int corners) {
     const std::string last = std::to_string(corners - 3);
     return "WITH n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < " + last +
            ") SELECT 'POLYGON((-1 -1, ' || group_concat(i || ' 0', ', ') || ', " + last +
            " -1, -1 -1))' FROM n";
   };
-  // Corners on one straight line are corners too.
+  // Corners on one straight line count as corners.
   EXPECT_EQ(fault("(" + long_quay(65537) + ")").find("ships.shape of row 7: 65537 corners; at most 65536"),
             0u)
       << fault("(" + long_quay(65537) + ")");
@@ -161,7 +163,7 @@ TEST_F(OutlineColumns, HaveAtMostSoManyCorners) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "1");
 }
 
-TEST(OutlineStorage, IsRefusedByNameWhereItIsNotKnown) {
+TEST(OutlineStorage, IsListedInTheFeaturesOfItsTables) {
   Database db;
   db.exec("CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, shape, heading, r)");
   EXPECT_EQ(db.rows("SELECT value FROM ships_meta WHERE key = 'features'"), "blocks,shapes");

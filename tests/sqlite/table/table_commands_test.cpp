@@ -1,4 +1,4 @@
-// INSERT INTO ships(ships) VALUES('rebuild' | 'optimize' | 'integrity-check').
+// Commands of a table: INSERT INTO ships(ships) VALUES('rebuild' | 'optimize' | 'integrity-check').
 #include <memory>
 
 #include "sqlite/database.h"
@@ -38,7 +38,7 @@ TEST_F(TableCommands, ChangeNoContents) {
   EXPECT_EQ(command("'integrity-check'"), "");
 }
 
-TEST_F(TableCommands, UnknownOnesAreToldTheKnown) {
+TEST_F(TableCommands, UnknownCommandsGiveAnErrorThatListsTheKnownOnes) {
   const std::string rest = "; known are 'rebuild', 'optimize' and 'integrity-check'";
   EXPECT_EQ(command("'vacuum'"), "ships: no command 'vacuum'" + rest);
   EXPECT_EQ(command("''"), "ships: no command ''" + rest);
@@ -62,20 +62,19 @@ TEST_F(TableCommands, TheIntegrityCheckFindsALostRow) {
   EXPECT_EQ(db.rows("SELECT x FROM ships WHERE id = 77"), "3.0");
 }
 
-TEST_F(TableCommands, PragmaIntegrityCheckLooksIntoTheTable) {
+TEST_F(TableCommands, PragmaIntegrityCheckChecksTheTable) {
   EXPECT_EQ(db.rows("PRAGMA integrity_check"), "ok");
   db.exec("DELETE FROM ships_map WHERE rowid = 64");
   const std::string answer = db.rows("PRAGMA integrity_check");
-  // Before 3.44 SQLite does not ask virtual tables.
+  // SQLite calls the check of virtual tables since 3.44.
   EXPECT_EQ(answer.substr(0, answer.find(' ')), sqlite3_libversion_number() < 3044000 ? "ok" : "ships:")
       << answer;
 }
 
-// --- tables that cannot be read
-// ------------------------------------------------------------------------------
+// --- tables that cannot be read ----------------------------------------------------------------------------
 
 struct UnreadableTable : ::testing::Test {
-  /// A file with the table `ships`, damaged by `sql`, opened anew.
+  /// A file with the table `ships`, damaged by `sql` and reopened.
   void damage(const std::string& sql) {
     {
       Database before(file.path());

@@ -68,7 +68,7 @@ TEST_F(TableInsert, ReturningEchoesTheRow) {
       "3|2.5|Argo");
 }
 
-// What docs/sql_reference.md says of statements that SQLite refuses on every virtual table.
+// The statements that SQLite refuses on every virtual table, as in docs/sql_reference.md.
 TEST_F(TableInsert, SQLiteRefusesReturningOfOthersAndUpserts) {
   db.exec("INSERT INTO ships(id, t, x, y) VALUES(3, 0, 1, 2.5)");
   EXPECT_EQ(db.error_of("UPDATE ships SET x = 2 RETURNING x"),
@@ -108,7 +108,7 @@ struct TableConflict : TableInsert {
   const std::string message = "UNIQUE constraint failed: ships.id";
 };
 
-TEST_F(TableConflict, AbortTakesTheStatementBack) {
+TEST_F(TableConflict, AbortRollsTheStatementBack) {
   db.exec("BEGIN; INSERT INTO ships(id, t, x, y) VALUES(10, 0, 1, 1)");
   EXPECT_EQ(insert(""), message);
   EXPECT_EQ(insert("OR ABORT"), message);
@@ -134,7 +134,7 @@ TEST_F(TableConflict, ReplaceTakesTheNewRowWhole) {
   EXPECT_EQ(db.rows("SELECT x, vx, name FROM ships WHERE id = 1"), "8.0|0.0|NULL");
 }
 
-TEST_F(TableConflict, RollbackTakesTheTransactionBack) {
+TEST_F(TableConflict, RollbackRollsTheTransactionBack) {
   db.exec("BEGIN; INSERT INTO ships(id, t, x, y) VALUES(10, 0, 1, 1)");
   EXPECT_EQ(insert("OR ROLLBACK"), message);
   EXPECT_NE(sqlite3_get_autocommit(db.handle()), 0);

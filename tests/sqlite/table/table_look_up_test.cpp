@@ -1,4 +1,4 @@
-// Statements that look objects up by id, row after row, while things happen between their rows.
+// Statements that look up objects by id, row after row, while the table changes between their rows.
 #include <functional>
 #include <random>
 
@@ -7,7 +7,7 @@
 namespace foresee::testing {
 namespace {
 
-/// A statement that joins a list of ids to the table, a row at a time.
+/// A statement that joins a list of ids to the table, one row at a time.
 class SteppedJoin {
  public:
   explicit SteppedJoin(Database& db, const std::string& table = "ships") : db_(db) {
@@ -47,7 +47,7 @@ struct TableLookUp : ::testing::Test {
   Database db{file.path()};
 };
 
-TEST_F(TableLookUp, AStatementUnderWaySeesNoCommitOfAnotherConnectionAndTheNextOneDoes) {
+TEST_F(TableLookUp, ARunningStatementSeesNoCommitOfAnotherConnectionAndTheNextOneDoes) {
   Database other(file.path());
   for (int round = 0; round < 3; ++round) {
     SteppedJoin join(db);
@@ -61,7 +61,7 @@ TEST_F(TableLookUp, AStatementUnderWaySeesNoCommitOfAnotherConnectionAndTheNextO
   EXPECT_EQ(db.rows("SELECT x FROM ships WHERE id = 400"), "3400.0");
 }
 
-TEST_F(TableLookUp, ChangesBeneathTheJoinAreSeenAtOnce) {
+TEST_F(TableLookUp, ChangesDuringTheJoinAreSeenAtOnce) {
   SteppedJoin join(db);
   EXPECT_EQ(join.next(), "1|1.0");
   EXPECT_EQ(join.next(), "2|2.0");
@@ -86,7 +86,7 @@ TEST_F(TableLookUp, ChangesBeneathTheJoinAreSeenAtOnce) {
   EXPECT_EQ(join.next(), "13|-13.0");
 }
 
-TEST_F(TableLookUp, AfterACommitBeneathTheJoinOtherConnectionsCommitsStayUnseen) {
+TEST_F(TableLookUp, AfterACommitDuringTheJoinOtherConnectionsCommitsAreNotSeen) {
   Database other(file.path());
   SteppedJoin join(db);
   db.exec("BEGIN");
@@ -127,7 +127,7 @@ TEST_F(TableLookUp, ManyIdsAndCorrelatedSubqueriesFindThemAll) {
             "400");
 }
 
-TEST_F(TableLookUp, ARandomLifeAgreesWithAnOrdinaryTable) {
+TEST_F(TableLookUp, RandomStatementsAgreeWithAnOrdinaryTable) {
   db.exec("CREATE TABLE model(id INTEGER PRIMARY KEY, x); INSERT INTO model SELECT id, x FROM ships");
   std::mt19937 random(3);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };

@@ -1,6 +1,6 @@
-// Thousands of random statements against moving_objects and an ordinary table with the same columns: the
-// contents agree after every transaction, in the middle of many, after reopening and seen from a second
-// connection.
+// Random statements, thousands of them, against a moving_objects table and an ordinary table with the same
+// columns. The contents agree after every transaction, within many transactions, after reopening and on a
+// second connection.
 #include <memory>
 #include <random>
 #include <sstream>
@@ -13,7 +13,7 @@ namespace {
 
 struct Shape {
   const char* columns;  ///< of moving_objects, without the id; blanks around the commas
-  int motion;           ///< how many of them are numbers
+  int motion;           ///< the number of these columns that are numeric
   int auxiliaries;
 };
 
@@ -28,7 +28,7 @@ class Twins {
     db_->exec(plain + ")");
   }
 
-  /// One statement, or one step of a transaction. Both tables must answer alike.
+  /// One statement, or one step of a transaction. Both tables must give the same result.
   void step() {
     switch (upto(30)) {
       case 0:
@@ -122,7 +122,7 @@ class Twins {
     return list;
   }
 
-  /// A number that both tables store alike: always a real.
+  /// A number that both tables store as the same value, always a REAL.
   std::string number() {
     constexpr const char* special[] = {"0.0", "-0.0", "1e300", "5e-324", "-1e-300", "0.1"};
     if (upto(8) == 0) return special[upto(6)];
@@ -164,7 +164,7 @@ class Twins {
       EXPECT_EQ(run(sql, "ships"), run(sql, "model")) << history_;
       return;
     }
-    // OR ROLLBACK takes back the whole transaction, and with it what the other table did: end it first.
+    // OR ROLLBACK rolls back the whole transaction, also the changes to the other table: end it first.
     if (in_transaction) finish_transaction();
     EXPECT_EQ(run(sql, "ships"), run(sql, "model")) << history_;
     savepoints_.clear();

@@ -1,4 +1,4 @@
-// Reading a moving_objects table: look-ups, scans, writes beneath a scan, and the handle for functions.
+// Reads of a moving_objects table: look-ups, scans, writes during a scan, and the handle for functions.
 #include <functional>
 
 #include "sqlite/database.h"
@@ -34,7 +34,7 @@ TEST_F(TableScan, AnEmptyTableHasNoRows) {
   EXPECT_EQ(db.rows("SELECT * FROM none WHERE id = 1"), "");
 }
 
-TEST_F(TableScan, LooksUpByIdAndRowid) {
+TEST_F(TableScan, FindsByIdAndRowid) {
   for (const char* id : {"id", "rowid", "_rowid_"}) {
     const std::string sql = std::string("SELECT id, x, name FROM ships WHERE ") + id + " = ";
     EXPECT_EQ(db.rows(sql + "77"), "77|38.5|ship 77");
@@ -46,7 +46,7 @@ TEST_F(TableScan, LooksUpByIdAndRowid) {
   }
 }
 
-TEST_F(TableScan, LooksUpManyIds) {
+TEST_F(TableScan, FindsManyIds) {
   EXPECT_EQ(db.rows("SELECT id FROM ships WHERE id IN (3, 900, 1, 2, 3) ORDER BY id"), "1\n2\n3");
   EXPECT_EQ(db.rows("SELECT id FROM ships WHERE id = 7 AND id = 8"), "");
   EXPECT_EQ(db.rows("SELECT id FROM ships WHERE id > 498 ORDER BY id DESC"), "500\n499");
@@ -68,16 +68,15 @@ TEST_F(TableScan, TheCommandColumnIsHidden) {
 TEST_F(TableScan, FunctionsGetTheTablesNumber) {
   EXPECT_EQ(db.rows("SELECT typeof(ships), ships > 0 FROM main.ships WHERE ships MATCH 'foresee-handle'"),
             "integer|1");
-  EXPECT_EQ(
-      db.rows("SELECT ships FROM ships WHERE ships MATCH 'storm'"),
-      "error: ships MATCH: a table of moving objects has no text to search; ask predictive_join or another of"
-      " foresee's functions");
+  EXPECT_EQ(db.rows("SELECT ships FROM ships WHERE ships MATCH 'storm'"),
+            "error: ships MATCH: a table of moving objects has no text to search; query predictive_join or "
+            "another of foresee's functions");
 }
 
-// --- writes beneath a scan ---------------------------------------------------------------------------------
+// --- writes during a scan ----------------------------------------------------------------------------------
 
-/// Steps `select` (first column: an id) and runs `write` with that id for each row, then says how many there
-/// were.
+/// Steps `select` (first column: an id), runs `write` with that id for each row, and returns the number of
+/// rows.
 struct TableScanWrites : TableScan {
   int loop(const std::string& select, const std::function<std::string(std::int64_t)>& write) {
     sqlite3_stmt* statement = nullptr;
@@ -137,7 +136,7 @@ TEST_F(TableScanWrites, ObjectsThatChangeTheirIdAreNotVisitedTwice) {
   EXPECT_EQ(db.rows("SELECT min(id), max(id), count(*) FROM ships"), "1001|1500|500");
 }
 
-TEST_F(TableScanWrites, ATableThatIsConnectedAnewKnowsTheScansOfItsOlderSelf) {
+TEST_F(TableScanWrites, AReconnectedTableKnowsTheScansOfItsPredecessor) {
   db.exec("CREATE TABLE notes(text)");
   EXPECT_EQ(loop("SELECT id, x FROM ships",
                  [](auto id) {
@@ -158,7 +157,7 @@ TEST_F(TableScanWrites, RefusedWritesLeaveTheScanAlone) {
             500);
 }
 
-TEST_F(TableScanWrites, AWriteThatCannotReadTheRestLeavesTheScanAlone) {
+TEST_F(TableScanWrites, AWriteThatFailsToReadTheRestLeavesTheScanAlone) {
   db.exec("CREATE TABLE whole AS SELECT * FROM ships_node; BEGIN");
   sqlite3_stmt* statement = nullptr;
   sqlite3_prepare_v2(db.handle(), "SELECT id FROM ships", -1, &statement, nullptr);
@@ -174,7 +173,7 @@ TEST_F(TableScanWrites, AWriteThatCannotReadTheRestLeavesTheScanAlone) {
   db.exec("ROLLBACK");
 }
 
-TEST_F(TableScanWrites, ARollbackBeneathAScanEndsIt) {
+TEST_F(TableScanWrites, ARollbackDuringAScanEndsIt) {
   db.exec("BEGIN; UPDATE ships SET x = x + 1");
   sqlite3_stmt* statement = nullptr;
   sqlite3_prepare_v2(db.handle(), "SELECT id FROM ships", -1, &statement, nullptr);

@@ -1,5 +1,4 @@
-// Where a moving_objects table may live and what SQLite does to whole databases: ATTACH, temp, VACUUM, dump,
-// views.
+// Schemas of a moving_objects table and operations on whole databases: ATTACH, temp, VACUUM, dump, views.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -79,7 +78,7 @@ TEST(TableSchemas, DropLeavesNothing) {
   EXPECT_EQ(db.rows("SELECT name FROM sqlite_schema"), "");
 }
 
-TEST(TableSchemas, ADropBeneathAScanIsRefused) {
+TEST(TableSchemas, ADropDuringAScanIsRefused) {
   Database db;
   fill(db, "ships");
   sqlite3_stmt* scan = nullptr;

@@ -1,4 +1,4 @@
-// Transactions and savepoints, rollback in the middle of anything, two connections.
+// Transactions and savepoints: rollback at any point, two connections.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -29,7 +29,7 @@ TEST_F(TableTransactions, CommitKeeps) {
   EXPECT_EQ(sums(), "100|5150.0|100");
 }
 
-TEST_F(TableTransactions, RollbackTakesEverythingBack) {
+TEST_F(TableTransactions, RollbackRestoresEverything) {
   db.exec("BEGIN; UPDATE ships SET x = x + 1, name = NULL; DELETE FROM ships WHERE id > 100");
   db.exec("INSERT INTO ships(x) VALUES(7)");
   EXPECT_EQ(sums(), "101|5157.0|0");
@@ -90,7 +90,7 @@ TEST_F(TableTransactions, ReadsBetweenWritesSeeThem) {
   expect_untouched();
 }
 
-TEST_F(TableTransactions, CreateIsTakenBack) {
+TEST_F(TableTransactions, CreateIsRolledBack) {
   db.exec(
       "BEGIN; CREATE VIRTUAL TABLE boats USING moving_objects(id, x); INSERT INTO boats VALUES(1, 1); "
       "ROLLBACK");
@@ -106,7 +106,7 @@ TEST_F(TableTransactions, CreateAndFillInOneTransaction) {
   EXPECT_EQ(db.rows("SELECT * FROM boats"), "1|1.0");
 }
 
-TEST_F(TableTransactions, DropIsTakenBack) {
+TEST_F(TableTransactions, DropIsRolledBack) {
   db.exec("BEGIN; UPDATE ships SET x = 0; DROP TABLE ships; ROLLBACK");
   expect_untouched();
   db.exec("BEGIN; SAVEPOINT a; DROP TABLE ships; ROLLBACK TO a; COMMIT");

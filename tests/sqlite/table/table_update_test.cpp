@@ -1,4 +1,4 @@
-// UPDATE and DELETE on moving_objects: which columns change, which ids, which stay bit for bit.
+// UPDATE and DELETE on moving_objects: changed columns and ids, and columns that keep every bit.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -18,7 +18,7 @@ struct TableUpdate : ::testing::Test {
   Database db;
 };
 
-TEST_F(TableUpdate, WhatIsNotSetStaysBitForBit) {
+TEST_F(TableUpdate, ColumnsThatAreNotSetKeepEveryBit) {
   db.exec("UPDATE ships SET t = 5 WHERE id = 1");
   EXPECT_EQ(row(1), "1|5.0|-0.0|0.1|5e-324|3.0|NULL|Argo|x'00ff'");
   db.exec("UPDATE ships SET t = t + 1");
@@ -47,7 +47,7 @@ TEST_F(TableUpdate, AMotionUpdateDoesNotTouchTheAuxiliaryTable) {
   EXPECT_EQ(row(1), "1|0.0|9.0|8.0|5e-324|3.0|NULL|Argo|x'00ff'");
 }
 
-TEST_F(TableUpdate, AnIdChangesWithEverythingThatBelongsToIt) {
+TEST_F(TableUpdate, AnIdChangesWithAllItsColumns) {
   db.exec("UPDATE ships SET id = 100 WHERE id = 1");
   EXPECT_EQ(row(1), "");
   EXPECT_EQ(row(100), "100|0.0|-0.0|0.1|5e-324|3.0|NULL|Argo|x'00ff'");

@@ -1,4 +1,4 @@
-// Which values does a moving_objects table store, and what are the others told?
+// Values of a moving_objects table: which ones it stores, and the errors of all others.
 #include <cmath>
 
 #include "sqlite/database.h"
@@ -15,7 +15,7 @@ struct TableValues : ::testing::Test {
         "CREATE VIRTUAL TABLE guests USING moving_objects(id, x, until)");
   }
 
-  /// What column `column` of a ship reads as after being given as `value`, or the error.
+  /// The value of `column` of a ship as read back after an INSERT of `value`, or the error.
   std::string ship(const std::string& column, const std::string& value) {
     db.exec("DELETE FROM ships; INSERT INTO ships(id, t, x, y) VALUES(7, 0, 1, 2)");
     const std::string error = db.error_of("UPDATE ships SET " + column + " = " + value + " WHERE id = 7");
@@ -49,7 +49,7 @@ TEST_F(TableValues, EveryBitComesBack) {
   }
 }
 
-TEST_F(TableValues, NullAndEmptyTextAreZeroOrForEver) {
+TEST_F(TableValues, NullAndEmptyTextAreZeroOrUnbounded) {
   for (const char* null : {"NULL", "''"}) {
     EXPECT_EQ(ship("vx", null), "0.0");
     EXPECT_EQ(ship("r", null), "0.0");
@@ -82,14 +82,14 @@ TEST_F(TableValues, APositionAndAReferenceTimeAreNeeded) {
   EXPECT_EQ(ship("x", "NULL"), "ships.x of row 7 is NULL: a position is needed; write a finite number");
   EXPECT_EQ(ship("y", "''"), "ships.y of row 7 is '': a position is needed; write a finite number");
   EXPECT_EQ(ship("t", "NULL"),
-            "ships.t of row 7 is NULL: a declared reference time is needed; write the moment at which the "
+            "ships.t of row 7 is NULL: a declared reference time is needed; write the time at which the "
             "position holds");
   EXPECT_EQ(db.error_of("INSERT INTO ships(id, x, y) VALUES(1, 1, 2)"),
-            "ships.t of row 1 is NULL: a declared reference time is needed; write the moment at which the "
+            "ships.t of row 1 is NULL: a declared reference time is needed; write the time at which the "
             "position holds");
 }
 
-TEST_F(TableValues, WhatIsNoNumberIsRefused) {
+TEST_F(TableValues, AValueThatIsNoNumberIsRefused) {
   for (const char* column : {"t", "x", "vx", "r", "until"}) {
     const std::string what = std::string("ships.") + column + " of row 7 is ";
     EXPECT_EQ(ship(column, "'abc'"), what + "'abc': not a number; write a finite number");
@@ -103,7 +103,7 @@ TEST_F(TableValues, WhatIsNoNumberIsRefused) {
             "ships.x of row 7 is '" + std::string(39, 'a') + "...': not a number; write a finite number");
 }
 
-TEST_F(TableValues, ADateIsNoMoment) {
+TEST_F(TableValues, ADateIsNoTime) {
   EXPECT_EQ(ship("t", "'2026-11-21 12:00:00'"),
             "ships.t of row 7 is '2026-11-21 12:00:00': a date, where seconds are stored; write "
             "unixepoch('2026-11-21 12:00:00')");
@@ -123,7 +123,8 @@ TEST_F(TableValues, InfinitiesAreRefused) {
     EXPECT_EQ(ship(column, "1e999"),
               std::string("ships.") + column + " of row 7 is inf: not a finite number; write a finite one");
   EXPECT_EQ(ship("x", "-1e999"), "ships.x of row 7 is -inf: not a finite number; write a finite one");
-  EXPECT_EQ(ship("until", "9e999"), "ships.until of row 7 is inf: not a finite number; write NULL for ever");
+  EXPECT_EQ(ship("until", "9e999"),
+            "ships.until of row 7 is inf: not a finite number; write NULL for no end");
   EXPECT_EQ(ship("x", "'1e999'").substr(0, 18), "ships.x of row 7 i");
   EXPECT_NE(ship("x", "'1e999'").find("not a finite number"), std::string::npos);
 }
@@ -166,11 +167,13 @@ TEST_F(TableValues, AMotionDoesNotEndBeforeItsReferenceTime) {
   db.exec("INSERT INTO ships(id, t, x, y, until) VALUES(1, 10, 0, 0, 10)");
   EXPECT_EQ(
       db.error_of("INSERT INTO ships(id, t, x, y, until) VALUES(2, 10, 0, 0, 9.5)"),
-      "ships.until of row 2 is 9.5: before the reference time 10; write that or more, or NULL for ever");
-  EXPECT_EQ(db.error_of("UPDATE ships SET t = 11 WHERE id = 1"),
-            "ships.until of row 1 is 10: before the reference time 11; write that or more, or NULL for ever");
-  EXPECT_EQ(db.error_of("INSERT INTO guests VALUES(1, 0, -1)"),
-            "guests.until of row 1 is -1: before the reference time 0; write that or more, or NULL for ever");
+      "ships.until of row 2 is 9.5: before the reference time 10; write that or more, or NULL for no end");
+  EXPECT_EQ(
+      db.error_of("UPDATE ships SET t = 11 WHERE id = 1"),
+      "ships.until of row 1 is 10: before the reference time 11; write that or more, or NULL for no end");
+  EXPECT_EQ(
+      db.error_of("INSERT INTO guests VALUES(1, 0, -1)"),
+      "guests.until of row 1 is -1: before the reference time 0; write that or more, or NULL for no end");
 }
 
 TEST_F(TableValues, AWrongRowAmongManyChangesNothing) {

@@ -1,16 +1,16 @@
-// kill -9 in the middle of commits that a watch settles, again and again on one file: whoever opens it next
-// finds rows that are the join's, and a reader that had read before goes on folding from its position.
+// kill -9 during commits that update a watch, many times on one file. The next process that opens the file
+// finds the rows of the join. A reader from before continues to fold changes from its position.
 #include "sanitized.h"
-#include "sqlite/killed_writer.h"
+#include "sqlite/faults/killed_writer.h"
 #include "sqlite/watch/watch_lives.h"
 #include "sqlite/watch/watch_reader.h"
 
 namespace foresee::testing {
 namespace {
 
-/// The changes of a random life in one transaction each, beside a row that numbers them.
-[[noreturn]] void live_for_ever(const std::string& path, const char* journal_mode, const WatchLife& life,
-                                unsigned seed, Announce announce) {
+/// Random transactions, each of which also updates a row with its number.
+[[noreturn]] void commit_until_killed(const std::string& path, const char* journal_mode,
+                                      const WatchLife& life, unsigned seed, Announce announce) {
   sqlite3* db = nullptr;
   sqlite3_open(path.c_str(), &db);
   sqlite3_foresee_init(db, nullptr, nullptr);
@@ -20,9 +20,9 @@ namespace {
   run(std::string("PRAGMA journal_mode = ") + journal_mode + "; PRAGMA cache_size = 20");
   LifeScript script(life, seed);
   for (std::int64_t number = 1;; ++number) {
-    const std::string moment = std::to_string(seed * 10 + static_cast<unsigned>(number) % 10);
+    const std::string time = std::to_string(seed * 10 + static_cast<unsigned>(number) % 10);
     run("BEGIN;" + script.changes(number % 4 == 0 ? 60 : 6));
-    if (number % 3 == 0) run("INSERT INTO alerts(alerts, now) VALUES('advance', " + moment + ")");
+    if (number % 3 == 0) run("INSERT INTO alerts(alerts, now) VALUES('advance', " + time + ")");
     run("UPDATE progress SET k = " + std::to_string(number) + "; COMMIT");
     announce(number);
   }
@@ -42,8 +42,9 @@ TEST_P(WatchCrash, LeavesTheJoinAndItsChanges) {
     WatchReader reader;
     for (unsigned seed = 1; seed <= (sanitized ? 4U : 12U) && !HasFailure(); ++seed) {
       Database(file.path()).exec("UPDATE progress SET k = 0");
-      const std::int64_t announced = write_and_kill(
-          seed, [&](Announce announce) { live_for_ever(file.path(), GetParam(), life, seed, announce); });
+      const std::int64_t announced = write_and_kill(seed, [&](Announce announce) {
+        commit_until_killed(file.path(), GetParam(), life, seed, announce);
+      });
       Database db(file.path());
       const std::string after = std::string(" of ") + life.name + " after kill " + std::to_string(seed);
       EXPECT_GE(std::stoll(db.rows("SELECT k FROM progress")), announced);

@@ -1,5 +1,6 @@
-// Shadow tables that plain SQL has dropped or tampered with: the watched table stays writable, reading the
-// watch is an error or the join, predictive_watches names the fault, and DROP TABLE works.
+// Shadow tables of a watch that plain SQL has dropped or changed: the watched table stays writable. A
+// read of the watch gives an error or the rows of the join, predictive_watches names the fault, and DROP
+// TABLE works.
 #include "sqlite/watch/watch_reader.h"
 
 namespace foresee::testing {
@@ -45,7 +46,7 @@ constexpr WatchDamage watch_damages[] = {
 
 class DamagedWatch : public ::testing::TestWithParam<WatchDamage> {
  protected:
-  /// On a connection that has used the watch, and on a fresh one.
+  /// Checks on a connection that has used the watch, and on a new one.
   void look_at(Database& db) {
     EXPECT_EQ(db.error_of("UPDATE ships SET x = x + 1 WHERE id = 2"), "");
     EXPECT_EQ(db.error_of("DELETE FROM ships WHERE id = 3; INSERT INTO ships VALUES (3, 2, 0, 1, 1)"), "");
@@ -93,7 +94,7 @@ TEST_P(DamagedWatch, IsNoReasonToRefuseAWriteAndCanBeDropped) {
 INSTANTIATE_TEST_SUITE_P(Damages, DamagedWatch, ::testing::ValuesIn(watch_damages),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST(DamagedWatches, ARebuildMendsRowsAndTellsWhatDiffers) {
+TEST(DamagedWatches, ARebuildRepairsRowsAndLogsTheDifference) {
   Database db;
   db.exec(
       "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx, r);"
@@ -107,7 +108,7 @@ TEST(DamagedWatches, ARebuildMendsRowsAndTellsWhatDiffers) {
   EXPECT_EQ(db.rows("SELECT op, a, b FROM predictive_changes('alerts', 1)"), "~|1|2\n+|1|3\n+|2|3");
 }
 
-TEST(DamagedWatches, FormatsThatAreNotKnownAreToldAndOlderOnesFollowed) {
+TEST(DamagedWatches, UnknownFormatsAreReportedAndOlderOnesRead) {
   Database db;
   db.exec(
       "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx, r);"
@@ -118,7 +119,7 @@ TEST(DamagedWatches, FormatsThatAreNotKnownAreToldAndOlderOnesFollowed) {
       db.rows("SELECT a FROM alerts"),
       "error: alerts: stored in format 3; this version of foresee reads formats up to 2: open it with the "
       "version that wrote it");
-  // As 0.2.0 left it.
+  // The format of 0.2.0.
   db.exec(
       "UPDATE alerts_meta SET value = 1 WHERE key = 'format';"
       "UPDATE alerts_meta SET key = 'early', value = 7 WHERE key = 'early_reports'");
@@ -133,8 +134,8 @@ TEST(DamagedWatches, FormatsThatAreNotKnownAreToldAndOlderOnesFollowed) {
   }
 }
 
-// A commit that meets a page of the log that it cannot write has written pairs already.
-TEST(DamagedWatches, ALogThatTakesNoMoreIsToldByEveryReader) {
+// A commit that fails to write a page of the log has written pairs already.
+TEST(DamagedWatches, AFullLogIsReportedToEveryReader) {
   const TemporaryFile file;
   Database db(file.path());
   db.exec(
@@ -143,22 +144,22 @@ TEST(DamagedWatches, ALogThatTakesNoMoreIsToldByEveryReader) {
       "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100);"
       "CREATE TRIGGER full BEFORE INSERT ON alerts_log WHEN new.seq > (SELECT value + 1 FROM alerts_meta "
       "WHERE key = 'seq') BEGIN SELECT abs(-9223372036854775807 - 1); END");
-  db.exec("DELETE FROM ships WHERE id = 4");  // one change: the log takes it
+  db.exec("DELETE FROM ships WHERE id = 4");  // one change, which the log accepts
   expect_up_to_date(db);
   db.exec("UPDATE ships SET x = 60 WHERE id = 3");  // two, and the second is refused
   db.exec("DROP TRIGGER full");
   const std::string fault =
       "alerts: a commit could not write all of its changes: DROP TABLE alerts and CREATE it again";
-  const auto is_told = [&](Database& reader) {
+  const auto expect_fault = [&](Database& reader) {
     EXPECT_EQ(reader.rows("SELECT fault FROM predictive_watches"), fault);
     for (const std::string sql : {"SELECT * FROM alerts", "SELECT * FROM predictive_changes('alerts', 1)",
                                   "INSERT INTO alerts(alerts) VALUES('rebuild')"})
       EXPECT_TRUE(reader.error_of(sql).ends_with(fault)) << sql << reader.error_of(sql);
   };
-  is_told(db);
+  expect_fault(db);
   EXPECT_EQ(db.error_of("UPDATE ships SET x = 70 WHERE id = 3"), "");
   Database fresh(file.path());
-  is_told(fresh);
+  expect_fault(fresh);
   fresh.exec("DROP TABLE alerts; CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100)");
   expect_joined(fresh, "h = 100");
   expect_up_to_date(fresh);

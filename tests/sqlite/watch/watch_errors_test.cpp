@@ -1,8 +1,8 @@
-// What a watch says of statements and declarations that cannot be meant: each error is about the watch's own
-// arguments, and says what to write.
+// Errors of watches for meaningless statements and declarations: each message names the watch's own arguments
+// and says what to write.
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 struct WatchErrors : ::testing::Test {
@@ -16,7 +16,7 @@ struct WatchErrors : ::testing::Test {
   testing::Database db;
 };
 
-TEST_F(WatchErrors, StatementsThatCannotBeMeantSayWhatToWrite) {
+TEST_F(WatchErrors, MeaninglessStatementsGiveErrorsThatSayWhatToWrite) {
   const auto starts = [&](const std::string& sql, const std::string& text) {
     EXPECT_EQ(db.error_of(sql).substr(0, text.size()), text) << sql;
   };
@@ -28,7 +28,7 @@ TEST_F(WatchErrors, StatementsThatCannotBeMeantSayWhatToWrite) {
   for (const char* clock : {"UPDATE alerts SET now = 9", "INSERT INTO alerts(now) VALUES(9)"})
     starts(clock,
            "alerts: the clock moves by a command; write INSERT INTO alerts(alerts, now) VALUES('advance', 9");
-  starts("INSERT INTO alerts(alerts) VALUES('advance')", "alerts: 'advance' needs a moment");
+  starts("INSERT INTO alerts(alerts) VALUES('advance')", "alerts: 'advance' needs a time");
   starts("INSERT INTO alerts(alerts) VALUES('retreat')", "alerts: no command 'retreat'; known are 'advance'");
   const std::string create = "CREATE VIRTUAL TABLE w USING predictive_watch";
   starts(create, "w: no table is named");
@@ -74,4 +74,4 @@ TEST_F(WatchErrors, StatementsThatCannotBeMeantSayWhatToWrite) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// Every read, write and sync of every step in a watch's life fails in turn; a trigger on a shadow table fails
-// the commit; it is interrupted. The step fails whole or does its work: table, pairs and changes always
-// belong together.
+// Faults in every step of a watch's life: each read, write and sync fails in turn, a trigger on a shadow
+// table fails the commit, an interrupt ends it. The step fails as a whole or does its work: table, pairs and
+// changes always agree.
 #include <filesystem>
 
-#include "sqlite/fault_steps.h"
-#include "sqlite/faulty_files.h"
+#include "sqlite/faults/fault_steps.h"
+#include "sqlite/faults/faulty_files.h"
 #include "sqlite/watch/watch_steps.h"
 
 namespace foresee::testing {
@@ -15,7 +15,7 @@ struct FaultySteps {
   const char* journal_mode;
 };
 
-/// With one journal or the other in turn.
+/// Alternates between the two journal modes.
 std::vector<FaultySteps> all_faulty_steps() {
   std::vector<FaultySteps> all;
   bool wal = false;
@@ -50,7 +50,7 @@ class WatchFileFaults : public ::testing::TestWithParam<FaultySteps> {
     return all_of_watch(db);
   }
 
-  /// False once the fault is not met any more.
+  /// False if no operation failed.
   bool disturbed(const std::string& after, FileFault fault, long n, bool for_good) {
     copy_original();
     bool fired, failed;

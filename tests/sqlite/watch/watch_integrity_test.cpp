@@ -1,13 +1,13 @@
 // 'integrity-check' of a watch reads each index of its pairs.
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using testing::Database;
 using testing::TemporaryFile;
 
-/// Two pairs; beside them a watch without any, whose empty index takes the place of one that has them.
+/// A watch with two pairs, and one without pairs, whose empty index replaces an index of the first.
 void exchange_index(const TemporaryFile& file, int number) {
   const std::string index = "'sqlite_autoindex_%_pair_" + std::to_string(number) + "'";
   Database db(file.path());
@@ -35,4 +35,4 @@ TEST_P(WatchIndex, ThatLacksRowsIsFound) {
 INSTANTIATE_TEST_SUITE_P(OfPairs, WatchIndex, ::testing::Values(2, 3));
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,11 +1,11 @@
-// Random lives of watches: after every commit the rows are those of predictive_join, bit for bit in all nine
-// columns, and folding the changes gives the rows, for a reader of each commit, for one that comes seldom,
-// and for those that start in the middle of a life. FORESEE_LONG=1 lives eight lives of each kind: some
-// 24,000 commits.
+// Random sequences of changes to watched tables: after every commit the rows are those of predictive_join,
+// bit for bit in all nine columns. Folding the changes gives the same rows, for a reader after each commit, a
+// reader after few commits, and readers that start late. FORESEE_LONG=1 runs eight sequences of each kind:
+// some 24,000 commits.
 #include <cstdlib>
 
 #include "sanitized.h"
-#include "sqlite/faulty_files.h"
+#include "sqlite/faults/faulty_files.h"
 #include "sqlite/watch/watch_lives.h"
 #include "sqlite/watch/watch_reader.h"
 
@@ -31,7 +31,7 @@ class WatchLives : public ::testing::TestWithParam<WatchLife> {
     if (!HasFatalFailure()) expect_up_to_date(db, after);
   }
 
-  /// The clock is never before a report that moves it, and goes back by 'advance' alone.
+  /// The clock is never before a report that moves it, and only 'advance' moves it back.
   void expect_clock(Database& db, const std::string& sql) {
     const double now = std::stod(db.rows("SELECT now FROM predictive_watches"));
     if (sql.find("'advance'") == std::string::npos) {
@@ -81,7 +81,7 @@ TEST_P(WatchLives, EqualTheJoinAndTheFoldedChanges) {
   }
 }
 
-/// Every other commit meets a fault of its files, or is interrupted.
+/// About every other commit has a file fault or an interrupt.
 TEST_P(WatchLives, GoOnAfterCommitsThatFail) {
   constexpr int fewer = sanitized ? 10 : 50;
   int failures = 0;

@@ -76,7 +76,7 @@ std::string LifeScript::values(const char* pattern) {
     else if (is_word && *c == 'S')
       text += std::to_string(below(3));
     else if (is_word && *c == 'T')
-      text += std::to_string(moment_ - (below(4) == 0 ? 3 : 0) + (below(9) == 0 ? 4 : 0));
+      text += std::to_string(time_ - (below(4) == 0 ? 3 : 0) + (below(9) == 0 ? 4 : 0));
     else
       text += *c;
   }
@@ -104,19 +104,19 @@ std::string LifeScript::change() {
   }
 }
 
-std::string LifeScript::changes(int most) {
+std::string LifeScript::changes(int max_count) {
   std::string sql;
-  for (int i = 1 + below(most); i > 0; --i) sql += change() + ";";
+  for (int i = 1 + below(max_count); i > 0; --i) sql += change() + ";";
   return sql;
 }
 
 std::string LifeScript::advance() {
-  const int moment = below(6) == 0 ? moment_ - 9 : below(9) == 0 ? moment_ + 500 : moment_ + 1;
-  return "INSERT INTO alerts(alerts, now) VALUES('advance', " + std::to_string(moment) + ");";
+  const int time = below(6) == 0 ? time_ - 9 : below(9) == 0 ? time_ + 500 : time_ + 1;
+  return "INSERT INTO alerts(alerts, now) VALUES('advance', " + std::to_string(time) + ");";
 }
 
 std::string LifeScript::next() {
-  moment_ += below(20) == 0 ? 40 : below(3);
+  time_ += below(20) == 0 ? 40 : below(3);
   switch (below(12)) {
     case 0:
       return advance();

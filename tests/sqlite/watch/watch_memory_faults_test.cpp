@@ -1,7 +1,8 @@
-// Memory runs out at every allocation of every step in a watch's life, once or for good: SQLite's and ours.
-// The step fails with SQLITE_NOMEM and leaves all as it was, or does its work; taken again, it does.
-#include "sqlite/fault_steps.h"
-#include "sqlite/memory_faults.h"
+// Out-of-memory tests of watches: every allocation of SQLite and foresee in every step of a watch's life
+// fails in turn, once or for good. The step fails with SQLITE_NOMEM and changes nothing, or does its work;
+// repeated, it does its work.
+#include "sqlite/faults/fault_steps.h"
+#include "sqlite/faults/memory_faults.h"
 #include "sqlite/watch/watch_steps.h"
 
 namespace foresee::testing {
@@ -10,7 +11,7 @@ namespace {
 struct WatchMemoryFaults : MemoryFaults, ::testing::WithParamInterface<WatchStep> {
   static constexpr int objects = 16;
 
-  /// False once no allocation fails any more.
+  /// False if no allocation failed.
   bool take_step(const std::string& after, long n, bool for_good) {
     Database db;
     db.exec(objects_to_watch(objects) + GetParam().before);

@@ -1,6 +1,6 @@
-// Every value of a watch's _meta: of another type, beyond its range, missing. A watch never answers by a
-// default in its place: reading it, its changes and its commands is an error that names the value,
-// predictive_watches has it as the fault; the watched table stays writable, and DROP TABLE works.
+// Damaged values in a watch's _meta: each value with another type, out of range, or missing. A watch never
+// uses a default in its place: reads, changes and commands give an error that names the value.
+// predictive_watches reports it as the fault, the watched table stays writable, and DROP TABLE works.
 #include "sqlite/watch/watch_reader.h"
 
 namespace foresee::testing {
@@ -8,7 +8,7 @@ namespace {
 
 struct MetaKey {
   const char* key;
-  std::vector<const char*> wrong;  ///< beside a text and a blob
+  std::vector<const char*> wrong;  ///< in addition to a text and a blob
   bool is_text = false;
   bool may_be_missing = false;  ///< then its default does no harm
 };
@@ -68,7 +68,7 @@ class WatchMeta : public ::testing::TestWithParam<MetaKey> {
     EXPECT_EQ(db.rows("SELECT fault FROM predictive_watches"), fault);
   }
 
-  /// `shown`: the value as the message has it.
+  /// `shown`: the value as the message shows it.
   void damage(const std::string& sql, const std::string& shown) {
     const TemporaryFile file;
     Database db(file.path());
@@ -108,7 +108,7 @@ TEST_P(WatchMeta, BeyondItsRangeIsAnError) {
   }
 }
 
-/// Never a wrong row.
+/// In no case does the watch give a wrong row.
 TEST_P(WatchMeta, ThatIsMissingIsAnErrorOrDoesNoHarm) {
   const std::string sql = std::string("DELETE FROM alerts_meta WHERE key = '") + GetParam().key + "'";
   if (!GetParam().may_be_missing) return damage(sql, "missing");
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Keys, WatchMeta, ::testing::ValuesIn(meta_keys()),
                          [](const auto& info) { return std::string(info.param.key); });
 
 /// The keys of the watched table that a watch depends on.
-TEST(WatchMetas, ATableThatDoesNotListItOrHasNoStampIsItsFault) {
+TEST(WatchMetas, ATableThatDoesNotListItOrHasNoStampIsAFault) {
   for (const auto& [sql, fault] :
        {std::pair{"DELETE FROM ships_meta WHERE key LIKE 'watch:%'",
                   "alerts: ships_meta does not list it, so commits pass it over; DROP TABLE alerts and "

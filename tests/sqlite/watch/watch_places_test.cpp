@@ -1,11 +1,11 @@
-// Where watches are: in attached files and under other names, read-only, vacuumed, copied, made and dropped
-// by another connection.
+// Schemas and files of watches: in attached files and under other names, read-only, vacuumed, copied, created
+// and dropped by another connection.
 #include "sqlite/watch/watch_reader.h"
 
 namespace foresee::testing {
 namespace {
 
-/// Two ships of the schema that meet at 50, watched.
+/// A watched table in the schema, with two ships that meet at 50.
 std::string ships_in(const std::string& schema) {
   return "CREATE VIRTUAL TABLE " + schema + ".ships USING moving_objects(id, t, x, vx, r);" + "INSERT INTO " +
          schema + ".ships VALUES (1, 0, 0, 1, 10), (2, 0, 120, -1, 10);" + "CREATE VIRTUAL TABLE " + schema +
@@ -76,7 +76,7 @@ TEST(WatchPlaces, AReadOnlyConnectionReadsAll) {
   }
 }
 
-TEST(WatchPlaces, AReadOnlyConnectionIsAnsweredByTheJoinWhereTheWatchIsNotUpToDate) {
+TEST(WatchPlaces, AReadOnlyConnectionGetsTheRowsOfTheJoinIfTheWatchIsNotUpToDate) {
   const TemporaryFile file;
   {
     Database db(file.path());
@@ -95,7 +95,7 @@ TEST(WatchPlaces, AReadOnlyConnectionIsAnsweredByTheJoinWhereTheWatchIsNotUpToDa
   EXPECT_EQ(db.rows("SELECT t FROM alerts_pair"), "50.0");
 }
 
-TEST(WatchPlaces, AVacuumedFileGoesOn) {
+TEST(WatchPlaces, AVacuumedFileKeepsItsWatches) {
   const TemporaryFile file;
   Database db(file.path());
   db.exec(ships_in("main") + "UPDATE ships SET x = 130 WHERE id = 2; VACUUM");
@@ -108,7 +108,7 @@ TEST(WatchPlaces, AVacuumedFileGoesOn) {
   expect_up_to_date(copy);
 }
 
-TEST(WatchPlaces, WhatAnotherConnectionMakesRenamesAndDropsIsKnown) {
+TEST(WatchPlaces, CreateRenameAndDropByAnotherConnectionAreSeen) {
   const TemporaryFile file;
   Database db(file.path()), other(file.path());
   db.exec(ships_in("main"));
@@ -126,7 +126,7 @@ TEST(WatchPlaces, WhatAnotherConnectionMakesRenamesAndDropsIsKnown) {
   db.exec("DELETE FROM boats; DROP TABLE boats");
 }
 
-TEST(WatchPlaces, RenamesAreTakenBackByARollback) {
+TEST(WatchPlaces, RenamesAreRolledBack) {
   Database db;
   db.exec(ships_in("main"));
   db.exec(
@@ -150,7 +150,7 @@ TEST(WatchPlaces, RenamesAndChangesMayShareATransaction) {
   EXPECT_EQ(db.error_of("INSERT INTO near(near) VALUES('integrity-check')"), "");
 }
 
-TEST(WatchPlaces, AWatchIsMadeAndDroppedAmongChanges) {
+TEST(WatchPlaces, AWatchIsCreatedAndDroppedAmongChanges) {
   Database db;
   db.exec(
       "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, vx, r); BEGIN;"

@@ -1,5 +1,5 @@
-// A reader of the watch "alerts" that remembers its position and folds what it is told: and whether the watch
-// is what it must be.
+// A reader of the watch "alerts" that remembers its position and folds the changes, and checks that compare
+// the watch with the join.
 //
 //   WatchReader reader(tolerance);
 //   reader.read(db);                        // also after its position has been trimmed
@@ -26,7 +26,7 @@ inline void expect_joined(Database& db, const std::string& join, const std::stri
       << after;
 }
 
-/// As between transactions: nothing is wrong, and the kept rows are those of the join.
+/// Between transactions: no fault, and the stored rows are those of the join.
 inline void expect_up_to_date(Database& db, const std::string& after = "") {
   ASSERT_EQ(db.rows("SELECT fault FROM predictive_watches WHERE name = 'alerts'"), "NULL") << after;
   ASSERT_EQ(db.error_of("INSERT INTO alerts(alerts) VALUES('integrity-check')"), "") << after;
@@ -42,7 +42,7 @@ class WatchReader {
       position_ = 0;
       told = changes(db);
     }
-    if (position_ == 0) folded_.clear();  // the whole watch comes
+    if (position_ == 0) folded_.clear();  // the reader gets the whole watch
     std::istringstream lines(told);
     for (std::string line; std::getline(lines, line);) {
       std::istringstream words(with_spaces(line));

@@ -1,7 +1,7 @@
-// Reports of real ships as they came, a second of them a transaction, watched: at every minute all nine
-// columns are the join's. The file is no part of the repository: ../shared/data, or the folder that
-// FORESEE_SHARED_DATA names; skipped without. FORESEE_LONG=1: all ships instead of one in three, 25 minutes
-// instead of three, and every report a transaction.
+// Watched reports of real ships, in the order of their times, one second of reports per transaction: at every
+// minute all nine columns are those of the join. The file is not in the repository: the test reads
+// ../shared/data, or the folder in FORESEE_SHARED_DATA. Without it the test is skipped. FORESEE_LONG=1 runs
+// all ships instead of one in three, with one transaction per report, in 25 minutes instead of three.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

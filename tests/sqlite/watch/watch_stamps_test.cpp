@@ -1,8 +1,8 @@
-// A watch follows its tables' stamps: whatever a transaction was made of, it is up to date after COMMIT, and
-// no reader misses a change without being told.
+// Stamps of watched tables: after every COMMIT a watch is up to date, and a reader that misses changes gets
+// an error.
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using testing::Database;
@@ -41,7 +41,7 @@ TEST_F(WatchStamps, TwoWatchesAreSettledWhereASavepointIsOpenAtCommit) {
   EXPECT_EQ(db.rows("SELECT x FROM ships WHERE id = 1"), "7.0");
 }
 
-TEST_F(WatchStamps, ARenamedWatchStaysUpToDate) {
+TEST_F(WatchStamps, ARenamedWatchIsUpToDate) {
   db.exec("ALTER TABLE alerts RENAME TO warnings");
   EXPECT_EQ(faults(), "");
   db.exec("UPDATE ships SET x = 2 WHERE id = 1");
@@ -49,14 +49,14 @@ TEST_F(WatchStamps, ARenamedWatchStaysUpToDate) {
   EXPECT_EQ(db.rows("SELECT op, a, b, t FROM predictive_changes('warnings', 1)"), "~|1|2|49.0");
 }
 
-TEST_F(WatchStamps, WhatATransactionChangesIsNoFault) {
+TEST_F(WatchStamps, ChangesOfAnOpenTransactionAreNoFault) {
   db.exec("BEGIN; UPDATE ships SET x = 2 WHERE id = 1");
   EXPECT_EQ(faults(), "");
   db.exec("COMMIT");
   EXPECT_EQ(faults(), "");
 }
 
-TEST_F(WatchStamps, AReaderFromWhomChangesAreTrimmedIsTold) {
+TEST_F(WatchStamps, AReaderWhoseChangesAreTrimmedGetsAnError) {
   db.exec(
       "CREATE VIRTUAL TABLE brief USING predictive_watch(ships, horizon = 100, keep = 1500);"
       "WITH n(i) AS (SELECT 3 UNION ALL SELECT i + 1 FROM n WHERE i < 1500) "
@@ -79,4 +79,4 @@ TEST_F(WatchStamps, AReaderFromWhomChangesAreTrimmedIsTold) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// The life of a watch step by step, for tests in which a step fails: CREATE, changes, clock, commands, names,
+// The steps of a watch's life, for tests in which a step fails: CREATE, changes, clock, commands, names,
 // DROP.
 //
 //   for (const WatchStep& step : watch_steps) {
@@ -15,7 +15,7 @@ namespace foresee::testing {
 
 struct WatchStep {
   const char* name;
-  std::string before;  ///< what stands when it is taken, beside the objects
+  std::string before;  ///< SQL that prepares the step, in addition to the objects
   std::string sql;
 };
 
@@ -66,7 +66,7 @@ inline const WatchStep watch_steps[] = {
     {"Drop", create_alerts + create_passing, "DROP TABLE alerts"},
 };
 
-/// All that tables and watches hold, whichever name they have; stamps are drawn at random.
+/// All contents of tables and watches under any name, except the random stamps.
 inline std::string all_of_watch(Database& db) {
   std::string all;
   for (const std::string table : {"ships", "boats", "buoys"})
@@ -81,7 +81,7 @@ inline std::string all_of_watch(Database& db) {
          db.rows("SELECT name, tbl, now, seq, fault FROM predictive_watches ORDER BY name");
 }
 
-/// Every watch that there is says that its rows are those of the join.
+/// The integrity check of every watch finds that its rows are those of the join.
 inline void expect_watches_are_sound(Database& db) {
   for (const std::string watch : {"alerts", "near", "passing"}) {
     const std::string error =

@@ -1,7 +1,7 @@
 // Watches in SQL: rows, changes, clock, transactions, names, errors.
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using testing::Database;
@@ -9,7 +9,7 @@ using testing::TemporaryFile;
 
 constexpr const char* joined = "SELECT * FROM predictive_join(100, 'ships') WHERE now = ";
 
-/// Two ships that meet at 50 and part at 70, and one far away.
+/// Two ships in contact from 50 to 70, and one far away.
 struct Watch : ::testing::Test {
   Watch() {
     db.exec(
@@ -41,7 +41,7 @@ TEST_F(Watch, ItsFirstReadersGetTheWholeWatch) {
   EXPECT_EQ(changes(1), "");
 }
 
-TEST_F(Watch, ACommitTellsTheDifference) {
+TEST_F(Watch, ACommitLogsTheDifference) {
   db.exec("UPDATE ships SET y = 0, x = 40 WHERE id = 3");
   EXPECT_EQ(changes(1), "2|+|1|3|20.0|0.0\n3|+|2|3|60.0|0.0");
   db.exec("UPDATE ships SET x = 41 WHERE id = 3");
@@ -77,7 +77,7 @@ TEST_F(Watch, AReportMovesTheClock) {
   EXPECT_EQ(alerts(), "1|2|60.0");
 }
 
-TEST_F(Watch, AnOpenTransactionIsSeenInTheRowsAndNotTold) {
+TEST_F(Watch, AnOpenTransactionIsSeenInTheRowsAndNotLogged) {
   db.exec("BEGIN; UPDATE ships SET y = 0, x = 40 WHERE id = 3");
   EXPECT_EQ(alerts(), "1|2|50.0\n1|3|20.0\n2|3|60.0");
   EXPECT_EQ(changes(1), "");
@@ -87,7 +87,7 @@ TEST_F(Watch, AnOpenTransactionIsSeenInTheRowsAndNotTold) {
   EXPECT_EQ(db.rows("SELECT seq FROM predictive_watches"), "1");
 }
 
-TEST_F(Watch, SavepointsTakeBackChangesAndAdvances) {
+TEST_F(Watch, SavepointsRollBackChangesAndAdvances) {
   db.exec(
       "BEGIN; SAVEPOINT s; DELETE FROM ships WHERE id = 1;"
       "INSERT INTO alerts(alerts, now) VALUES('advance', 500.0)");
@@ -99,7 +99,7 @@ TEST_F(Watch, SavepointsTakeBackChangesAndAdvances) {
   EXPECT_EQ(db.rows("SELECT now, fault FROM predictive_watches"), "0.0|NULL");
 }
 
-TEST_F(Watch, WhatIsDeletedAndPutBackInOneTransactionIsNoChange) {
+TEST_F(Watch, ARowDeletedAndRestoredInOneTransactionIsNoChange) {
   db.exec("BEGIN; DELETE FROM ships WHERE id = 1; INSERT INTO ships VALUES (1, 0, 0, 0, 1, 0, 10); COMMIT");
   EXPECT_EQ(changes(1), "");
 }
@@ -128,7 +128,7 @@ TEST_F(Watch, ConstraintsOnIdsAreUsed) {
   EXPECT_EQ(db.rows("SELECT a, b FROM alerts WHERE a = 1.5"), "");
 }
 
-TEST_F(Watch, OnlySoManyChangesAreKept) {
+TEST_F(Watch, TheNumberOfStoredChangesIsLimited) {
   db.exec(
       "DROP TABLE alerts; CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100, keep = 2);"
       "DELETE FROM ships WHERE id = 1; INSERT INTO ships VALUES (1, 0, 0, 0, 1, 0, 10);"
@@ -162,7 +162,7 @@ TEST_F(Watch, TwoWatchesOfATableAreTwoLevels) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM act"), "0");
 }
 
-TEST_F(Watch, AWatchThatIsGoneIsNoReasonToRefuseAWrite) {
+TEST_F(Watch, AMissingWatchDoesNotPreventWrites) {
   db.exec("DROP TABLE alerts_pair; DELETE FROM ships WHERE id = 1");
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "2");
   EXPECT_EQ(db.rows("SELECT name, fault IS NOT NULL FROM predictive_watches"), "alerts|1");
@@ -172,12 +172,12 @@ TEST_F(Watch, AWatchThatIsGoneIsNoReasonToRefuseAWrite) {
 }
 
 TEST_F(Watch, AWatchedTableCannotBeDropped) {
-  EXPECT_EQ(db.error_of("DROP TABLE ships"), "database table is locked");  // SQLite has no more to say
+  EXPECT_EQ(db.error_of("DROP TABLE ships"), "database table is locked");  // SQLite's own message
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "3");
   db.exec("DROP TABLE alerts; DROP TABLE ships");
 }
 
-TEST_F(Watch, AWatchThatWasMadeOrDroppedIsTakenBackByARollback) {
+TEST_F(Watch, CreateAndDropOfAWatchAreRolledBack) {
   db.exec("BEGIN; CREATE VIRTUAL TABLE act USING predictive_watch(ships, horizon = 10); ROLLBACK");
   db.exec("BEGIN; DROP TABLE alerts; UPDATE ships SET x = 1 WHERE id = 1; ROLLBACK");
   db.exec("DELETE FROM ships WHERE id = 1");
@@ -257,4 +257,4 @@ TEST(WatchFile, TwoTablesOfOneWatchAreSettledTogether) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,5 +1,5 @@
-// What the clock alone does to a watch: ends of horizons and of contacts that are met exactly, meeting again,
-// steps back and far ahead, and tables without a clock of their own.
+// Changes of a watch by its clock alone: ends of horizons and of contacts, at the exact time, and a second
+// contact. Steps back and far ahead, and tables without a clock of their own.
 #include "sqlite/watch/watch_reader.h"
 
 namespace foresee::testing {
@@ -13,8 +13,8 @@ struct WatchTime : ::testing::Test {
   void advance(const std::string& now) {
     db.exec("INSERT INTO alerts(alerts, now) VALUES('advance', " + now + ")");
   }
-  /// What was told after the position of the last call.
-  std::string told() {
+  /// The changes after the position of the last call.
+  std::string changes() {
     const std::string rows = db.rows("SELECT op, a, b, t, now FROM predictive_changes('alerts', " +
                                      std::to_string(position_) + ")");
     position_ = std::stoi(db.rows("SELECT seq FROM predictive_watches"));
@@ -27,17 +27,17 @@ struct WatchTime : ::testing::Test {
   int position_ = 0;
 };
 
-TEST_F(WatchTime, APairIsShownFromTheTickWhoseHorizonEndsWhereItBegins) {
+TEST_F(WatchTime, APairIsShownFromTheTickWhoseHorizonEndsAtItsStart) {
   create("x, vx", "horizon = 10, within = 1");
   db.exec("INSERT INTO ships VALUES (1, 0, 1), (2, 31, 0)");  // they touch from 30 to 32
   advance("19.999999999999996");
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(changes(), "");
   advance("20");
-  EXPECT_EQ(told(), "+|1|2|30.0|20.0");
+  EXPECT_EQ(changes(), "+|1|2|30.0|20.0");
   advance("32");
   EXPECT_EQ(db.rows("SELECT t, t_end FROM alerts"), "32.0|32.0");
   advance("32.00000000000001");
-  EXPECT_EQ(told(), "-|1|2|NULL|32.00000000000001");
+  EXPECT_EQ(changes(), "-|1|2|NULL|32.00000000000001");
 }
 
 TEST_F(WatchTime, EveryTickOfAWholeNumberSceneIsTheJoin) {
@@ -58,65 +58,65 @@ TEST_F(WatchTime, EveryTickOfAWholeNumberSceneIsTheJoin) {
   expect_up_to_date(db);
 }
 
-// x of the second: 7 - 6t + t²: they touch from 3 - sqrt(3) to 2, and from 4 to 3 + sqrt(3).
-TEST_F(WatchTime, WhoPartsAndMeetsAgainIsToldItsNextTime) {
+// With x = 7 - 6t + t² for the second, they touch from 3 - sqrt(3) to 2, and from 4 to 3 + sqrt(3).
+TEST_F(WatchTime, APairThatMeetsAgainIsLoggedWithItsNextTime) {
   create("x, vx, ax", "horizon = 20, within = 1");
   db.exec("INSERT INTO ships VALUES (1, 0, 0, 0), (2, 7, -6, 2)");
   EXPECT_EQ(db.rows("SELECT round(t, 2), t_end FROM alerts"), "1.27|2.0");
-  told();
+  changes();
   advance("2");
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(changes(), "");
   advance("3");
-  EXPECT_EQ(told(), "~|1|2|4.0|3.0");
+  EXPECT_EQ(changes(), "~|1|2|4.0|3.0");
   expect_joined(db, "h = 20 AND within = 1");
   advance("6");
-  EXPECT_EQ(told(), "-|1|2|NULL|6.0");
+  EXPECT_EQ(changes(), "-|1|2|NULL|6.0");
 }
 
-TEST_F(WatchTime, WhoPartsAndMeetsAgainBeyondTheHorizonIsNewThen) {
+TEST_F(WatchTime, APairThatMeetsAgainBeyondTheHorizonIsANewPair) {
   create("x, vx, ax", "horizon = 0.5, within = 1");
   db.exec("INSERT INTO ships VALUES (1, 0, 0, 0), (2, 7, -6, 2)");
   std::string ops;
   for (const char* now : {"0.7", "0.8", "2", "2.5", "3.4", "3.5", "5"}) {
     advance(now);
-    const std::string change = told();
+    const std::string change = changes();
     ops += change.empty() ? '.' : change[0];
     expect_joined(db, "h = 0.5 AND within = 1", now);
   }
   EXPECT_EQ(ops, ".+.-.+-");
 }
 
-TEST_F(WatchTime, AnObjectThatEndsPartsByTheClockAlone) {
+TEST_F(WatchTime, AnObjectThatEndsLeavesItsPairsByTheClockAlone) {
   create("t, x, r, until", "horizon = 10");
   db.exec("INSERT INTO ships VALUES (1, 0, 0, 5, NULL), (2, 0, 3, 5, 50), (3, 0, 4, 5, 12)");
-  told();
+  changes();
   advance("12");
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(changes(), "");
   advance("12.5");
-  EXPECT_EQ(told(), "-|1|3|NULL|12.5\n-|2|3|NULL|12.5");
+  EXPECT_EQ(changes(), "-|1|3|NULL|12.5\n-|2|3|NULL|12.5");
   advance("60");
-  EXPECT_EQ(told(), "-|1|2|NULL|60.0");
+  EXPECT_EQ(changes(), "-|1|2|NULL|60.0");
 }
 
-TEST_F(WatchTime, WhatIsJumpedOverIsInNoState) {
+TEST_F(WatchTime, AContactThatTheClockSkipsIsNotStored) {
   create("x, vx", "horizon = 10, within = 1");
   db.exec("INSERT INTO ships VALUES (1, 0, 1), (2, 31, 0), (3, 500, 0)");
   advance("100");
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(changes(), "");
   advance("495");
-  EXPECT_EQ(told(), "+|1|3|499.0|495.0");
+  EXPECT_EQ(changes(), "+|1|3|499.0|495.0");
   advance("20");
-  EXPECT_EQ(told(), "+|1|2|30.0|20.0\n-|1|3|NULL|20.0");
+  EXPECT_EQ(changes(), "+|1|2|30.0|20.0\n-|1|3|NULL|20.0");
   advance("1e300");
-  EXPECT_EQ(told(), "-|1|2|NULL|1e+300");
+  EXPECT_EQ(changes(), "-|1|2|NULL|1e+300");
   advance("-1e300");
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(changes(), "");
   advance("29");
-  EXPECT_EQ(told(), "+|1|2|30.0|29.0");
+  EXPECT_EQ(changes(), "+|1|2|30.0|29.0");
   expect_up_to_date(db);
 }
 
-// Touching since 0: a reader that starts at 100 must not take 100 for the time at which they met.
+// In contact since 0: a reader that starts at 100 must not take 100 for the start of the contact.
 TEST_F(WatchTime, AReaderThatStartsLateFollowsAClockThatGoesBack) {
   create("x, r", "horizon = 10, clock = manual");
   db.exec("INSERT INTO ships VALUES (1, 0, 5), (2, 8, 5)");
@@ -140,21 +140,21 @@ TEST_F(WatchTime, WithoutAHorizonItSaysEnterAndLeave) {
   std::string ops;
   for (const char* now : {"8.5", "9", "10", "11", "11.5"}) {
     advance(now);
-    const std::string change = told();
+    const std::string change = changes();
     ops += change.empty() ? '.' : change[0];
     expect_joined(db, "h = 0 AND within = 1", now);
   }
   EXPECT_EQ(ops, ".+..-");
 }
 
-TEST_F(WatchTime, SmallMovesAddUpUntilTheyAreTold) {
+TEST_F(WatchTime, SmallMovesAddUpUntilTheyAreLogged) {
   create("t, x, vx, r", "horizon = 100, tolerance = 3");
   db.exec("INSERT INTO ships VALUES (1, 0, 0, 1, 0), (2, 0, 50, 0, 0)");
-  told();
+  changes();
   std::string ops;
   for (const char* x : {"52", "53", "54", "52", "51", "50.5"}) {
     db.exec(std::string("UPDATE ships SET x = ") + x + " WHERE id = 2");
-    const std::string change = told();
+    const std::string change = changes();
     ops += change.empty() ? '.' : change[0];
     expect_joined(db, "h = 100", x);
   }
@@ -166,24 +166,24 @@ TEST_F(WatchTime, AnEmptyTableHasAClockFromItsFirstRowOn) {
   EXPECT_EQ(db.rows("SELECT * FROM alerts"), "");
   EXPECT_EQ(db.rows("SELECT seq, pairs, fault FROM predictive_watches"), "0|0|NULL");
   db.exec("INSERT INTO ships VALUES (1, 70, 0, 5), (2, 80, 0, 5)");
-  EXPECT_EQ(told(), "+|1|2|80.0|80.0");
+  EXPECT_EQ(changes(), "+|1|2|80.0|80.0");
   db.exec("DELETE FROM ships");
-  EXPECT_EQ(told(), "-|1|2|NULL|80.0");
+  EXPECT_EQ(changes(), "-|1|2|NULL|80.0");
   EXPECT_EQ(db.rows("SELECT now FROM predictive_watches"), "80.0");
   db.exec("INSERT INTO ships VALUES (1, 7, 0, 5), (2, 8, 0, 5)");
-  EXPECT_EQ(told(), "+|1|2|80.0|80.0");
+  EXPECT_EQ(changes(), "+|1|2|80.0|80.0");
   expect_up_to_date(db);
 }
 
-TEST_F(WatchTime, ClocksOfNegativeMomentsRunOnAsWell) {
+TEST_F(WatchTime, ClocksOfNegativeTimesAdvanceAsWell) {
   create("t, x, r", "horizon = 10");
   db.exec("INSERT INTO ships VALUES (1, -70, 0, 5), (2, -80, 0, 5)");
-  EXPECT_EQ(told(), "+|1|2|-70.0|-70.0");
+  EXPECT_EQ(changes(), "+|1|2|-70.0|-70.0");
   db.exec("UPDATE ships SET t = -60 WHERE id = 1");
   EXPECT_EQ(db.rows("SELECT now FROM predictive_watches"), "-60.0");
 }
 
-TEST_F(WatchTime, TheNewestRowTakesItsClockAlongOnlyForward) {
+TEST_F(WatchTime, TheNewestRowMovesTheClockOnlyForward) {
   create("t, x, r", "horizon = 10");
   db.exec("INSERT INTO ships VALUES (1, 0, 0, 5), (2, 30, 0, 5)");
   db.exec("DELETE FROM ships WHERE id = 2");
@@ -193,17 +193,17 @@ TEST_F(WatchTime, TheNewestRowTakesItsClockAlongOnlyForward) {
   expect_up_to_date(db);
 }
 
-TEST_F(WatchTime, AGiantThatTouchesAllTellsNothingWhereItStaysInTouch) {
+TEST_F(WatchTime, AGiantThatTouchesAllLogsNothingWhileItsContactsLast) {
   create("t, x, y, r", "horizon = 10");
   db.exec(
       "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 2000)"
       "INSERT INTO ships SELECT i, 0, i % 45 * 10, i / 45 * 10, 1 FROM n; INSERT INTO ships VALUES (0, 0, 0, "
       "0, 1e4)");
   EXPECT_EQ(db.rows("SELECT count(*) FROM alerts WHERE a = 0"), "2000");
-  told();
+  changes();
   for (int tick = 1; tick <= 5; ++tick) {
     db.exec("UPDATE ships SET t = t + 1, x = x + 7 WHERE id = 0");
-    EXPECT_EQ(told(), "");
+    EXPECT_EQ(changes(), "");
   }
   expect_joined(db, "h = 10");
   db.exec("UPDATE ships SET r = 55 WHERE id = 0");
@@ -212,7 +212,7 @@ TEST_F(WatchTime, AGiantThatTouchesAllTellsNothingWhereItStaysInTouch) {
   expect_up_to_date(db);
 }
 
-TEST_F(WatchTime, ReportsOfShipsThatLieTogetherWriteNoPair) {
+TEST_F(WatchTime, ReportsOfShipsInLastingContactWriteNoPair) {
   create("t, x, vx", "horizon = 100, within = 10");
   db.exec("INSERT INTO ships VALUES (1, 0, 0, 0), (2, 0, 5, 0), (3, 0, 3, 0.0001)");
   const std::string pairs = "SELECT a, b, t, due, state FROM alerts_pair";
@@ -222,8 +222,8 @@ TEST_F(WatchTime, ReportsOfShipsThatLieTogetherWriteNoPair) {
   expect_up_to_date(db);
 }
 
-// Two side by side, the second slower: they part at 1024. Its end is asked for by the look that reaches so
-// far.
+// Two side by side, the second slower: they separate at 1024. The watch computes this end in the update whose
+// interval reaches so far.
 TEST_F(WatchTime, ALongContactIsDueOnceItsEndIsKnown) {
   create("x, vx", "horizon = 10, within = 1");
   db.exec("INSERT INTO ships VALUES (1, 0, 1), (2, 0, 0.9990234375)");
@@ -238,14 +238,14 @@ TEST_F(WatchTime, ALongContactIsDueOnceItsEndIsKnown) {
     was_due = is_due;
   }
   expect_up_to_date(db);
-  told();
+  changes();
   advance("1024");
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(changes(), "");
   advance("1024.5");
-  EXPECT_EQ(told(), "-|1|2|NULL|1024.5");
+  EXPECT_EQ(changes(), "-|1|2|NULL|1024.5");
 }
 
-// Files of before have some moment at or before the end, beside a contact of any length.
+// Files of older versions have a due time at or before the end, for contacts of any length.
 TEST_F(WatchTime, AContactMayBeDueEarlierThanItEnds) {
   create("x, vx", "horizon = 10, within = 1");
   db.exec("INSERT INTO ships VALUES (1, 0, 1), (2, 0, 0.9990234375)");

@@ -1,10 +1,9 @@
-// A watch read within a transaction, and the ways in which it is kept: whichever is taken, the rows are those
-// of the join.
+// Watches read within a transaction: for each update method of a watch, the rows are those of the join.
 #include <random>
 
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using testing::Database;
@@ -13,10 +12,10 @@ std::string all_columns(Database& db, const std::string& from) {
   return db.rows("SELECT a, b, t, t_end, dt, dt_end, t_cpa, dt_cpa, d_cpa FROM " + from + " ORDER BY a, b");
 }
 
-/// 400 objects: few changes are probes, 40 are joined with all, 130 are computed anew with all.
-class WatchWays : public ::testing::TestWithParam<const char*> {
+/// 400 objects: few changes are probes, 40 are joined with all objects, from 130 on all pairs are recomputed.
+class WatchVariants : public ::testing::TestWithParam<const char*> {
  protected:
-  WatchWays() {
+  WatchVariants() {
     db.exec(
         "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r);"
         "CREATE VIRTUAL TABLE ferries USING moving_objects(id, t, x, y, vx, vy, r)");
@@ -31,7 +30,7 @@ class WatchWays : public ::testing::TestWithParam<const char*> {
       return std::to_string(static_cast<int>(random_() % unsigned(2 * n + 1)) - n);
     };
     db.exec("INSERT OR REPLACE INTO " + table + " VALUES (" + std::to_string(id) + ", " +
-            std::to_string(moment_) + ", " + draw(150) + ", " + draw(150) + ", " + draw(4) + ", " + draw(4) +
+            std::to_string(time_) + ", " + draw(150) + ", " + draw(150) + ", " + draw(4) + ", " + draw(4) +
             ", 1)");
   }
   void change(int count) {
@@ -57,12 +56,12 @@ class WatchWays : public ::testing::TestWithParam<const char*> {
 
   Database db;
   std::mt19937 random_{3};
-  int moment_ = 0;
+  int time_ = 0;
 };
 
-TEST_P(WatchWays, FewManyAndMostChangesGiveTheRowsOfTheJoin) {
+TEST_P(WatchVariants, AnyNumberOfChangesGivesTheRowsOfTheJoin) {
   for (const int count : {1, 60, 5, 300, 20, 90, 2, 600, 30}) {
-    ++moment_;
+    ++time_;
     db.exec("BEGIN");
     change(count);
     expect_joined();
@@ -78,12 +77,14 @@ TEST_P(WatchWays, FewManyAndMostChangesGiveTheRowsOfTheJoin) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Tables, WatchWays, ::testing::Values("", ", other = ferries", ", other = ships"), [](const auto& info) {
-      return std::string(info.index == 0 ? "One" : info.index == 1 ? "Two" : "WithItself");
-    });
+INSTANTIATE_TEST_SUITE_P(Tables, WatchVariants, ::testing::Values("", ", other = ferries", ", other = ships"),
+                         [](const auto& info) {
+                           return std::string(info.index == 0   ? "One"
+                                              : info.index == 1 ? "Two"
+                                                                : "WithItself");
+                         });
 
-TEST(WatchTransaction, ReadsWhatAnAdvanceWillShow) {
+TEST(WatchTransaction, ReadsTheRowsOfAPendingAdvance) {
   Database db;
   db.exec(
       "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r);"
@@ -96,4 +97,4 @@ TEST(WatchTransaction, ReadsWhatAnAdvanceWillShow) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -1,4 +1,4 @@
--- How version_0_1.db was made, with the library of version 0.1 (the format's number 2, no key `features`):
+-- Creates version_0_1.db with the library of version 0.1 (format 2, no key `features`):
 --
 --   sqlite3 :memory: ".load ./foresee" ".read version_0_1.sql"
 PRAGMA page_size = 4096;

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST(Crc32c, GivesThePublishedValues) {  // RFC 3720, B.4
@@ -33,4 +33,4 @@ TEST(Crc32c, GoesOnWhereItStopped) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

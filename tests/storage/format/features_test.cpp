@@ -1,4 +1,4 @@
-// What a stored table uses beyond version 0.1: known by name, or refused by name.
+// Features of a stored table beyond version 0.1: known by name, or refused by name.
 #include "storage/format/features.h"
 
 #include <array>
@@ -7,14 +7,14 @@
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::array<Feature, 2> two{
     {{"long", [](const Declaration& declaration) { return declaration.horizon > 100; }},
      {"named", [](const Declaration& declaration) { return !declaration.auxiliaries.empty(); }}}};
 
-TEST(Features, OfATableAreWrittenWithCommas) {
+TEST(Features, OfATableAreSeparatedByCommas) {
   Declaration declaration = ships();
   EXPECT_EQ(features_of(declaration, two), "");
   declaration.horizon = 200;
@@ -34,7 +34,7 @@ TEST(Features, TheFirstUnknownOneIsFound) {
   EXPECT_EQ(unknown_feature(",long", two), ",");
 }
 
-// To a library of before, bounds of what is at rest would not move.
+// Without this feature an older library would take the bounds of objects at rest for constant.
 TEST(Features, GrowthIsOne) {
   Declaration declaration{.layout = {.axes = 2, .shape = Shape::box}};
   EXPECT_EQ(features_of(declaration), "blocks");
@@ -45,8 +45,8 @@ TEST(Features, GrowthIsOne) {
   }
 }
 
-// To a library of before, bounds of three axes would be those of two.
-TEST(Features, MeshesAreRefusedByWhoKnowsFlatOutlinesOnly) {
+// Without this feature an older library would read bounds of three axes as bounds of two.
+TEST(Features, MeshesAreRefusedByALibraryThatKnowsOutlinesOnly) {
   Declaration declaration{.layout = {.axes = 3, .shape = Shape::mesh}};
   EXPECT_EQ(features_of(declaration), "blocks,shapes,meshes");
   EXPECT_EQ(unknown_feature(features_of(declaration)), "");
@@ -132,4 +132,4 @@ TEST_F(UnknownFeature, IsTheReasonAlsoWhereTheColumnsCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// A block of 64 ids: what was put in comes out of its bytes, and bytes that are no block are told.
+// Block of 64 ids: round trip through its bytes, and faults of other bytes.
 #include "storage/format/id_block.h"
 
 #include <gtest/gtest.h>
@@ -7,11 +7,11 @@
 #include <map>
 #include <random>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min(),
-                       most = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t min_id = std::numeric_limits<std::int64_t>::min(),
+                       max_id = std::numeric_limits<std::int64_t>::max();
 
 std::map<std::int64_t, std::int64_t> contents(const IdBlock& block) {
   std::map<std::int64_t, std::int64_t> all;
@@ -29,7 +29,7 @@ std::string fault_of(std::initializer_list<int> bytes) {
 
 TEST(IdBlock, EveryIdHasOne) {
   for (const std::int64_t id : {std::int64_t{0}, std::int64_t{63}, std::int64_t{64}, std::int64_t{-1},
-                                std::int64_t{-64}, std::int64_t{-65}, least, most}) {
+                                std::int64_t{-64}, std::int64_t{-65}, min_id, max_id}) {
     IdBlock block(IdBlock::base_of(id));
     EXPECT_LE(block.base(), id);
     EXPECT_GE(block.last(), id);
@@ -39,10 +39,10 @@ TEST(IdBlock, EveryIdHasOne) {
   }
 }
 
-TEST(IdBlock, ComesBackFromItsBytes) {
+TEST(IdBlock, RoundTripsThroughItsBytes) {
   std::mt19937_64 random(1);
   for (const std::int64_t largest :
-       {std::int64_t{1}, std::int64_t{255}, std::int64_t{256}, std::int64_t{1} << 24, most})
+       {std::int64_t{1}, std::int64_t{255}, std::int64_t{256}, std::int64_t{1} << 24, max_id})
     for (int round = 0; round < 200; ++round) {
       IdBlock block(-128), read(-128);
       std::uniform_int_distribution<std::int64_t> leaf(1, largest), id(block.base(), block.last());
@@ -64,7 +64,7 @@ TEST(IdBlock, TakesFourBytesForOneIdAndThreeForEachOfManyInAMiddlingTable) {
   EXPECT_EQ(block.encode().size(), 1u + 3 * IdBlock::ids);
 }
 
-TEST(IdBlock, BytesThatAreNoBlockAreTold) {
+TEST(IdBlock, OtherBytesAreFaults) {
   EXPECT_EQ(fault_of({1, 5, 7}), "");
   EXPECT_EQ(fault_of({}), "a leaf's number takes 1 to 8 bytes");
   EXPECT_EQ(fault_of({0, 5, 7}), "a leaf's number takes 1 to 8 bytes");
@@ -82,4 +82,4 @@ TEST(IdBlock, BytesThatAreNoBlockAreTold) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -7,19 +7,19 @@
 
 #include "storage/format/node_cases.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using namespace node_cases;
 
-/// The numbers of an entry that stand for one bound, as index/pages.h orders them.
+/// The doubles of an entry that are bounds, in the order of index/pages.h.
 std::size_t place(const NodeFormat& format, std::size_t entry, std::size_t bound, std::size_t axis) {
   const auto axes = static_cast<std::size_t>(format.layout.axes);
   return entry * static_cast<std::size_t>(entry_size(format.layout.axes)) + 3 + bound * axes + axis;
 }
 enum Bound : std::size_t { lower, upper, v_lower, v_upper, a_lower, a_upper };
 
-// Bounds only where the layout stores them, so that what comes back is what went in.
+// Sets only the bounds that the layout stores, so that a round trip is exact.
 Node full_node(const NodeFormat& format) {
   Node node{.level = 2, .parent = 17, .epoch = 1.6e9, .keys = {}, .values = {}};
   const auto stride = static_cast<std::size_t>(entry_size(format.layout.axes));
@@ -39,7 +39,7 @@ Node full_node(const NodeFormat& format) {
   return node;
 }
 
-TEST(InnerNode, ComesBackAsItWasForEveryLayout) {
+TEST(InnerNode, RoundTripsForEveryLayout) {
   for (int axes = 1; axes <= 3; ++axes)
     for (Law law : {Law::rest, Law::uniform, Law::accelerated, Law::forced}) {
       const NodeFormat format = format_of({.axes = axes, .law = law});
@@ -77,16 +77,16 @@ TEST(InnerNode, HostileContentsWithAGoodChecksumAreFaults) {
   };
   const auto times = static_cast<std::size_t>(entry_size(2));  // of the second entry
   EXPECT_EQ(fault_after([](Node&) {}), "");
-  EXPECT_EQ(fault_after([](Node& n) { n.level = 0; }), "it is no inner node");
+  EXPECT_EQ(fault_after([](Node& n) { n.level = 0; }), "it is not an inner node");
   EXPECT_EQ(fault_after([](Node& n) { n.keys.clear(); }), "its count is wrong");
-  EXPECT_EQ(fault_after([](Node& n) { n.parent = -1; }), "its parent is no node");
+  EXPECT_EQ(fault_after([](Node& n) { n.parent = -1; }), "its parent is not a node");
   EXPECT_EQ(fault_after([](Node& n) { n.epoch = std::nan(""); }), "its epoch is not finite");
-  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = 0; }), "a child is no other node");
-  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = number; }), "a child is no other node");
+  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = 0; }), "a child is not another node");
+  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = number; }), "a child is not another node");
   EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = n.keys[6]; }), "a child is named twice");
   EXPECT_EQ(fault_after([&](Node& n) { n.values[times] = 5; }), "reference times are out of order");
   EXPECT_EQ(fault_after([&](Node& n) { n.values[times + 1] = inf; }), "reference times are out of order");
-  EXPECT_EQ(fault_after([&](Node& n) { n.values[times + 2] = -2; }), "a child ends before it begins");
+  EXPECT_EQ(fault_after([&](Node& n) { n.values[times + 2] = -2; }), "a child ends before it starts");
   const std::string unordered = "bounds are out of order";
   EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, lower, 1)] = 1e9; }), unordered);
   EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, v_upper, 0)] = std::nan(""); }), unordered);
@@ -118,4 +118,4 @@ TEST(InnerNode, ACountBeyondTheCapacityIsAFault) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

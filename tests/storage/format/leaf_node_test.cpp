@@ -9,7 +9,7 @@
 
 #include "storage/format/node_cases.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using namespace node_cases;
@@ -30,7 +30,7 @@ std::string fault_of(const NodeFormat& format, std::vector<std::byte> blob) {
   return fault ? fault : "";
 }
 
-/// The fault of a leaf with a good checksum after `change` was made to its bytes.
+/// The fault of a leaf whose bytes were changed by `change` and whose checksum is correct.
 template <class Change>
 std::string fault_after(Change change) {
   const NodeFormat format = format_of(everything);
@@ -49,8 +49,8 @@ TEST(NodeFormat, FitsThePage) {
         const NodeFormat format(layout, size);
         EXPECT_EQ(size % 8, 0u);
         EXPECT_EQ(format.records_at % 8, 0u);
-        EXPECT_GE(format.leaf_capacity, NodeFormat::least_capacity);
-        EXPECT_GE(format.inner_capacity, NodeFormat::least_capacity);
+        EXPECT_GE(format.leaf_capacity, NodeFormat::min_capacity);
+        EXPECT_GE(format.inner_capacity, NodeFormat::min_capacity);
         EXPECT_LE(format.records_at + format.leaf_capacity * format.record_size,
                   size - NodeFormat::checksum_size);
         EXPECT_LE(NodeFormat::entries_at + format.inner_capacity * format.inner_entry_size,
@@ -114,7 +114,7 @@ TEST(LeafNode, AnotherSizeIsAFault) {
   std::vector<std::byte> blob = leaf_with(format, fine);
   for (std::size_t size : {0, 1, 3, 4, 15, 100, 4031}) {
     blob.resize(size);
-    EXPECT_EQ(fault_of(format, blob), "it has not the size of a node") << size;
+    EXPECT_EQ(fault_of(format, blob), "it does not have the size of a node") << size;
   }
 }
 
@@ -123,11 +123,11 @@ TEST(LeafNode, HostileHeadersWithAGoodChecksumAreFaults) {
   const auto header = [](std::size_t at, auto value) {
     return fault_after([=](const NodeFormat&, Blob& blob) { store_number(blob.data() + at, value); });
   };
-  EXPECT_EQ(header(NodeFormat::level_at, std::uint8_t{1}), "it is no leaf");
+  EXPECT_EQ(header(NodeFormat::level_at, std::uint8_t{1}), "it is not a leaf");
   EXPECT_EQ(header(NodeFormat::format_at, std::uint8_t{1}), "its format is unknown");
   EXPECT_EQ(header(NodeFormat::count_at, std::uint16_t{0}), "its count is wrong");
   EXPECT_EQ(header(NodeFormat::count_at, std::uint16_t{65535}), "its count is wrong");
-  EXPECT_EQ(header(NodeFormat::parent_at, std::int64_t{-1}), "its parent is no node");
+  EXPECT_EQ(header(NodeFormat::parent_at, std::int64_t{-1}), "its parent is not a node");
   EXPECT_EQ(header(NodeFormat::ids_at, std::int64_t{0}), "its ids do not ascend");
   EXPECT_EQ(header(NodeFormat::ids_at, std::int64_t{5}), "its ids do not ascend");
 }
@@ -150,9 +150,9 @@ TEST(LeafNode, HostileRecordsWithAGoodChecksumAreFaults) {
   EXPECT_EQ(with(at.mass, -1), "a mass is not positive");
   EXPECT_EQ(with(at.mass, 1e-307), "");
   EXPECT_EQ(with(at.mass, 1e-308), "an acceleration F/m overflows");
-  EXPECT_EQ(with(at.until, 4.9), "an object ends before it begins");
-  EXPECT_EQ(with(at.until, -inf), "an object ends before it begins");
-  EXPECT_EQ(with(at.until, std::nan("")), "an object ends before it begins");
+  EXPECT_EQ(with(at.until, 4.9), "an object ends before it starts");
+  EXPECT_EQ(with(at.until, -inf), "an object ends before it starts");
+  EXPECT_EQ(with(at.until, std::nan("")), "an object ends before it starts");
   EXPECT_EQ(with(at.until, 5), "");
   EXPECT_EQ(with(at.half, -0.0), "");
 }
@@ -166,4 +166,4 @@ TEST(LeafNode, CylindersHaveNeitherNegativeRadiusNorHeight) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,15 +1,15 @@
-// The bytes of a stored mesh: what was put in comes out, and bytes that are no mesh are told.
+// Stored mesh: round trip through its bytes, and faults of other bytes.
 #include "storage/format/mesh_blob.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "shape/mesh/mesh_reader.h"
+#include "shape/mesh/mesh_text.h"
 #include "storage/format/crc32c.h"
 #include "storage/format/form_blob.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// Four corners, four triangles.
@@ -21,7 +21,7 @@ std::vector<std::byte> mesh_bytes(const std::string& text = tetrahedron) {
   return encode_mesh(read_mesh(text));
 }
 
-/// The fault of a blob whose checksum is right.
+/// The fault of a blob with a correct checksum.
 std::string mesh_fault(std::vector<std::byte> bytes) {
   const std::uint32_t checksum = crc32c(bytes.data(), bytes.size() - 4);
   std::memcpy(bytes.data() + bytes.size() - 4, &checksum, 4);
@@ -36,7 +36,7 @@ std::vector<std::byte> changed(std::vector<std::byte> bytes, std::size_t at, T v
   return bytes;
 }
 
-TEST(MeshBlob, ComesBackAsItWas) {
+TEST(MeshBlob, RoundTrips) {
   for (const char* word : {"TIN Z", "POLYHEDRALSURFACE Z", "MULTIPOLYGON Z"}) {
     const std::string text = word + std::string(tetrahedron).substr(19);
     Mesh mesh;
@@ -46,7 +46,7 @@ TEST(MeshBlob, ComesBackAsItWas) {
   EXPECT_EQ(mesh_bytes().size(), 16 + 12 * 4 + 24 * 4 + 4u);
 }
 
-TEST(MeshBlob, EveryChangedByteIsNoticed) {
+TEST(MeshBlob, EveryChangedByteIsDetected) {
   for (std::size_t i = 0; i < mesh_bytes().size(); ++i) {
     std::vector<std::byte> bytes = mesh_bytes();
     bytes[i] ^= std::byte{0x10};
@@ -55,8 +55,8 @@ TEST(MeshBlob, EveryChangedByteIsNoticed) {
   }
 }
 
-// As somebody would write them who knows the checksum.
-TEST(MeshBlob, HostileBytesAreTold) {
+// Bytes of an attacker, with correct checksums.
+TEST(MeshBlob, HostileBytesAreFaults) {
   constexpr std::size_t triangles = 16, corners = triangles + 12 * 4;
   const auto bytes = mesh_bytes();
   Mesh mesh;
@@ -70,16 +70,17 @@ TEST(MeshBlob, HostileBytesAreTold) {
     EXPECT_EQ(mesh_fault(changed(bytes, at, std::uint8_t{1})), "its corners are not those of its triangles");
   for (const std::uint32_t count : {0u, 3u, 5u, 0x40000001u, 0xffffffffu})
     for (const std::size_t at : {4, 8}) EXPECT_NE(mesh_fault(changed(bytes, at, count)), "") << count;
-  EXPECT_EQ(mesh_fault(changed(bytes, triangles, 4u)), "a triangle has a corner that is none");
-  EXPECT_EQ(mesh_fault(changed(bytes, triangles, 0xffffffffu)), "a triangle has a corner that is none");
+  EXPECT_EQ(mesh_fault(changed(bytes, triangles, 4u)), "a triangle has a corner that does not exist");
+  EXPECT_EQ(mesh_fault(changed(bytes, triangles, 0xffffffffu)),
+            "a triangle has a corner that does not exist");
   EXPECT_EQ(mesh_fault(changed(bytes, corners, std::numeric_limits<double>::quiet_NaN())),
             "a corner is not finite");
   EXPECT_EQ(mesh_fault(changed(bytes, corners, -0.0)), "its corners are not those of its triangles");
-  // Corner 1 where corner 0 is, and numbers in another order than triangles name them.
+  // Corner 1 at the place of corner 0, and numbers in another order than triangles name them.
   EXPECT_EQ(mesh_fault(changed(bytes, corners + 24 + 8, 0.0)), "its corners are not those of its triangles");
   EXPECT_EQ(mesh_fault(changed(changed(bytes, triangles, 1u), triangles + 4, 0u)),
             "its corners are not those of its triangles");
-  // A solid that is open, and a triangle on a line.
+  // A solid that is not closed, and a triangle without area.
   EXPECT_EQ(mesh_fault(changed(bytes, triangles + 36, 0u)),
             "a triangle has no area, or its surface is not closed");
   EXPECT_EQ(
@@ -102,4 +103,4 @@ TEST(FormBlob, IsOfTheShapeThatTheTableHas) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,17 +1,17 @@
-// What the tests of both kinds of node share.
+// Helpers of the tests of leaves and inner nodes.
 #pragma once
 
 #include <limits>
 
 #include "storage/format/node_format.h"
 
-namespace foresee::storage::node_cases {
+namespace foresee::node_cases {
 
 inline constexpr double inf = std::numeric_limits<double>::infinity();
-inline constexpr std::int64_t number = 3;  ///< of the node in question
+inline constexpr std::int64_t number = 3;  ///< of the node that is tested
 
 inline NodeFormat format_of(const Layout& layout) {
   return NodeFormat(layout, NodeFormat::node_size_for(layout, 4096));
 }
 
-}  // namespace foresee::storage::node_cases
+}  // namespace foresee::node_cases

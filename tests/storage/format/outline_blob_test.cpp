@@ -1,14 +1,14 @@
-// The bytes of a stored outline: what was put in comes out, and bytes that are no outline are told.
+// Stored outline: round trip through its bytes, and faults of other bytes.
 #include "storage/format/outline_blob.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt.h"
 #include "storage/format/crc32c.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr const char* harbour =
@@ -19,7 +19,7 @@ std::vector<std::byte> blob() {
   return encode_outline(read_outline(harbour));
 }
 
-/// The fault of a blob whose checksum is right.
+/// The fault of a blob with a correct checksum.
 std::string fault_of(std::vector<std::byte> bytes) {
   const std::uint32_t checksum = crc32c(bytes.data(), bytes.size() - 4);
   std::memcpy(bytes.data() + bytes.size() - 4, &checksum, 4);
@@ -34,7 +34,7 @@ std::vector<std::byte> with(std::vector<std::byte> bytes, std::size_t at, T valu
   return bytes;
 }
 
-TEST(OutlineBlob, ComesBackAsItWas) {
+TEST(OutlineBlob, RoundTrips) {
   Outline outline;
   EXPECT_EQ(decode_outline(blob(), outline), nullptr);
   EXPECT_EQ(outline, read_outline(harbour));
@@ -42,7 +42,7 @@ TEST(OutlineBlob, ComesBackAsItWas) {
   EXPECT_EQ(fault_of(blob()), "");
 }
 
-TEST(OutlineBlob, EveryChangedByteIsNoticed) {
+TEST(OutlineBlob, EveryChangedByteIsDetected) {
   for (std::size_t i = 0; i < blob().size(); ++i) {
     std::vector<std::byte> bytes = blob();
     bytes[i] ^= std::byte{0x10};
@@ -51,9 +51,9 @@ TEST(OutlineBlob, EveryChangedByteIsNoticed) {
   }
 }
 
-// As somebody would write them who knows the checksum.
-TEST(OutlineBlob, HostileBytesAreTold) {
-  constexpr std::size_t ends = 16, part_begins = ends + 12, corners = part_begins + 8;
+// Bytes of an attacker, with correct checksums.
+TEST(OutlineBlob, HostileBytesAreFaults) {
+  constexpr std::size_t ends = 16, part_starts = ends + 12, corners = part_starts + 8;
   Outline outline;
   EXPECT_STREQ(decode_outline({}, outline), "it is too short");
   EXPECT_EQ(fault_of(with(blob(), 0, std::uint8_t{9})), "its format or kind is not known");
@@ -65,15 +65,15 @@ TEST(OutlineBlob, HostileBytesAreTold) {
     }
   EXPECT_EQ(fault_of(with(blob(), ends, 0u)), "its rings do not follow one another");
   EXPECT_EQ(fault_of(with(blob(), ends + 8, 99u)), "its rings do not follow one another");
-  EXPECT_EQ(fault_of(with(blob(), part_begins, 1u)), "its first ring begins no part");
-  EXPECT_EQ(fault_of(with(blob(), part_begins + 4, 7u)), "its rings are not all of it");
+  EXPECT_EQ(fault_of(with(blob(), part_starts, 1u)), "its first ring does not start a part");
+  EXPECT_EQ(fault_of(with(blob(), part_starts + 4, 7u)), "it has parts or corners without a ring");
   EXPECT_EQ(fault_of(with(blob(), corners, std::numeric_limits<double>::quiet_NaN())),
             "a corner is not finite");
-  EXPECT_EQ(fault_of(with(with(blob(), corners + 16, 0.0), corners + 24, 0.0)), "a corner comes twice");
+  EXPECT_EQ(fault_of(with(with(blob(), corners + 16, 0.0), corners + 24, 0.0)), "a corner is repeated");
   EXPECT_EQ(fault_of(with(with(blob(), corners + 48, 0.0), corners + 56, 0.0)),
-            "a ring ends where it begins");
-  EXPECT_EQ(fault_of(with(blob(), corners + 16, -5.0)), "its rings cross, touch or lie wrongly");
+            "a ring ends where it starts");
+  EXPECT_EQ(fault_of(with(blob(), corners + 16, -5.0)), "its rings cross, touch or are nested wrongly");
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// docs/storage_format.md and the code draw the same bytes.
+// docs/storage_format.md has the constants, sizes and tables of the code.
 #include <fstream>
 #include <map>
 #include <regex>
@@ -7,7 +7,7 @@
 #include "storage/database.h"
 #include "storage/format/node_format.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 std::string page() {
@@ -27,7 +27,7 @@ TEST(StorageFormatDoc, NamesTheConstantsWithTheirValues) {
                                                      {"entries_at", NodeFormat::entries_at},
                                                      {"checksum_size", NodeFormat::checksum_size},
                                                      {"page_reserve", NodeFormat::page_reserve},
-                                                     {"least_capacity", NodeFormat::least_capacity}};
+                                                     {"min_capacity", NodeFormat::min_capacity}};
   std::map<std::string, std::size_t> found;
   const std::string text = page();
   const std::regex constant(R"(`(\w+)` (?:\||=) ?(\d+))");
@@ -40,9 +40,9 @@ TEST(StorageFormatDoc, GivesTheSizesOfItsExample) {
   const std::string text = page();
   const NodeFormat format(ships().layout, NodeFormat::node_size_for(ships().layout, 4096));
   EXPECT_NE(text.find(std::to_string(format.node_size) + " with the usual pages of 4096"), std::string::npos);
-  EXPECT_NE(text.find("six numbers, " + std::to_string(8 + format.record_size) + " bytes an object"),
+  EXPECT_NE(text.find("six numbers, " + std::to_string(8 + format.record_size) + " bytes per object"),
             std::string::npos);
-  EXPECT_NE(text.find(std::to_string(format.leaf_capacity) + " objects a node"), std::string::npos);
+  EXPECT_NE(text.find(std::to_string(format.leaf_capacity) + " objects per node"), std::string::npos);
   EXPECT_EQ(format.leaf_capacity, (format.node_size - 16 - 4) / (8 + 8 * 6));
 }
 
@@ -76,4 +76,4 @@ TEST(StorageFormatDoc, ListsTheRowsOfMeta) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST(IdFilter, HasAllThatWereAddedAndFewOthers) {
@@ -22,7 +22,7 @@ TEST(IdFilter, HasAllThatWereAddedAndFewOthers) {
   }
 }
 
-TEST(IdFilter, TakesAnyIdAndMoreThanWereForeseen) {
+TEST(IdFilter, AcceptsAnyIdAndMoreThanAnnounced) {
   IdFilter filter(0);
   EXPECT_FALSE(filter.may_have(0));
   for (const std::int64_t id : {std::numeric_limits<std::int64_t>::min(), std::int64_t{-1}, std::int64_t{0},
@@ -35,4 +35,4 @@ TEST(IdFilter, TakesAnyIdAndMoreThanWereForeseen) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

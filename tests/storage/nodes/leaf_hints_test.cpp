@@ -1,11 +1,11 @@
-// Hints: what was learnt is found, what is not true is noticed by who looks into the leaf.
+// Leaf hints: what was learned is found, and a wrong hint is detected in the leaf.
 #include "storage/nodes/leaf_hints.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 std::vector<std::int64_t> count_from(std::int64_t first, std::size_t many) {
@@ -14,7 +14,7 @@ std::vector<std::int64_t> count_from(std::int64_t first, std::size_t many) {
   return ids;
 }
 
-TEST(LeafHints, TellLeafAndSlotOfEveryIdThatCountsUp) {
+TEST(LeafHints, GiveLeafAndSlotOfConsecutiveIds) {
   LeafHints hints;
   EXPECT_TRUE(hints.empty());
   EXPECT_EQ(hints.find(7).leaf, 0);
@@ -43,19 +43,19 @@ TEST(LeafHints, AnObjectIsFoundWhereverItIsInItsLeaf) {
   EXPECT_EQ(elsewhere.slot_in({}, 999), 0u);
 }
 
-TEST(LeafHints, NobodyWaitsUntilALargeTableHasGrown) {
+TEST(LeafHints, ALargeTableGrowsInSmallSteps) {
   constexpr std::size_t wanted = 1 << 22;
   LeafHints hints;
   hints.reserve(1);
-  std::size_t most_added = 0;
+  std::size_t max_added = 0;
   for (std::int64_t leaf = 1; leaf <= 10000; ++leaf) {
     const std::size_t before = hints.places();
     hints.reserve(wanted);
-    most_added = std::max(most_added, hints.places() - before);
+    max_added = std::max(max_added, hints.places() - before);
     hints.learn(count_from(leaf * 64, 64), leaf);
   }
   EXPECT_EQ(hints.places(), wanted);
-  EXPECT_LE(most_added, wanted / 128);
+  EXPECT_LE(max_added, wanted / 128);
   for (std::int64_t id = 64; id < 64 * 10001; ++id) ASSERT_EQ(hints.find(id).leaf, id / 64);
 }
 
@@ -71,4 +71,4 @@ TEST(LeafHints, LeavesWithLargeNumbersHaveNone) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

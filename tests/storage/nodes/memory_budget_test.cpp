@@ -1,4 +1,4 @@
-// What the tables of one connection hold in memory has one limit for all of them.
+// Memory budget: one limit for all tables of a connection.
 #include "storage/nodes/memory_budget.h"
 
 #include "index/tpr_tree/tpr_tree.h"
@@ -7,7 +7,7 @@
 #include "storage/table/open_stores.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class TwoTables : public ::testing::Test {
@@ -40,7 +40,7 @@ class TwoTables : public ::testing::Test {
 };
 
 TEST_F(TwoTables, LoadedTogetherAreWrittenEarlyByTheCommonLimit) {
-  constexpr int objects = 5000;  // of some 80 bytes, so that those of one table alone would wait
+  constexpr int objects = 5000;  // of about 80 bytes: one table alone is within the limit
   make_both({.pending = objects * 120});
   insert_into_both(objects);
   EXPECT_GT(db.number("SELECT count(*) FROM a_map"), 0);
@@ -56,7 +56,7 @@ TEST_F(TwoTables, LoadedTogetherAreWrittenEarlyByTheCommonLimit) {
   EXPECT_EQ(faults(*b), std::vector<std::string>{});
 }
 
-TEST_F(TwoTables, WhatWasWrittenEarlyForAnotherTableGoesBackToASavepoint) {
+TEST_F(TwoTables, NodesWrittenEarlyForAnotherTableRollBackToASavepoint) {
   constexpr int objects = 5000;
   make_both({.pending = objects * 120});
   begin(db, *a);
@@ -78,7 +78,7 @@ TEST_F(TwoTables, WhatWasWrittenEarlyForAnotherTableGoesBackToASavepoint) {
   EXPECT_EQ(faults(*b), std::vector<std::string>{});
 }
 
-TEST_F(TwoTables, ReportsThatAreWrittenWhileTheyAreMergedCanBeTakenBack) {
+TEST_F(TwoTables, ReportsThatAreWrittenWhileTheyAreMergedCanBeRolledBack) {
   constexpr int objects = 20000, reports = 2000;  // less than an eighth: they are merged
   make_both({.waiting = 20 * 4032});
   insert_into_both(objects);
@@ -107,7 +107,7 @@ TEST_F(TwoTables, ReportsThatAreWrittenWhileTheyAreMergedCanBeTakenBack) {
   for (int i = 1; i <= reports; ++i) ASSERT_EQ(a->read(i * 7)->at(1), -i);
 }
 
-TEST_F(TwoTables, AMergeThatFailsWhileItWritesGoesBackToASavepoint) {
+TEST_F(TwoTables, AMergeThatFailsWhileItWritesRollsBackToASavepoint) {
   constexpr int objects = 20000;
   make_both({.waiting = 150 * 4032});
   insert_into_both(objects);
@@ -115,7 +115,7 @@ TEST_F(TwoTables, AMergeThatFailsWhileItWritesGoesBackToASavepoint) {
   begin(db, *a);
   b->begin();
   for (int i = 1; i <= 60; ++i) a->update(i * 300, i * 300, ship(-i), {});
-  const auto before = contents(*a);  // some nodes have changed and wait
+  const auto before = contents(*a);  // some changed nodes are unwritten
   open_savepoint(db, *a, 0);
   db.run(
       "CREATE TEMP TRIGGER full BEFORE INSERT ON main.a_node WHEN NEW.nodeno = "
@@ -129,7 +129,7 @@ TEST_F(TwoTables, AMergeThatFailsWhileItWritesGoesBackToASavepoint) {
   EXPECT_EQ(faults(*a), std::vector<std::string>{});
 }
 
-TEST_F(TwoTables, NodesOfOneMakeRoomForThoseOfTheOther) {
+TEST_F(TwoTables, NodesOfOneAreEvictedForThoseOfTheOther) {
   constexpr int objects = 1000, nodes = 20;
   make_both({.memory = nodes * 4032});
   insert_into_both(objects);
@@ -143,7 +143,7 @@ TEST_F(TwoTables, NodesOfOneMakeRoomForThoseOfTheOther) {
   };
   for (int twice = 0; twice < 2; ++twice) EXPECT_EQ(read_all(*a), std::size_t{objects});
   for (int twice = 0; twice < 2; ++twice) EXPECT_EQ(read_all(*b), std::size_t{objects});
-  db.run("DELETE FROM a_node");  // under the same stamp, so that only a look at the rows notices
+  db.run("DELETE FROM a_node");  // the stamp is the same, so only a read of the rows detects it
   expect_store_error(SQLITE_CORRUPT_VTAB, "a: node", [&] { read_all(*a); });
 }
 
@@ -156,4 +156,4 @@ TEST_F(TwoTables, OfOneConnectionShareABudgetAndOfTwoDoNot) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,10 +1,10 @@
-// The cache by itself, with so little memory that it writes and forgets all the time.
+// Node cache alone, with so little memory that it writes and evicts all the time.
 #include "storage/nodes/node_cache.h"
 
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class NodeCacheTest : public ::testing::Test, MemoryHolder {
@@ -38,7 +38,7 @@ class NodeCacheTest : public ::testing::Test, MemoryHolder {
   NeverInterrupt never;
 };
 
-TEST_F(NodeCacheTest, ACancelledCallThatHadWrittenLosesNothingThatASavepointSaw) {
+TEST_F(NodeCacheTest, ACancelledChangeThatHadWrittenKeepsTheStateOfASavepoint) {
   cache.begin_change();
   const NodeNumber number = add(1);
   cache.end_change();
@@ -70,11 +70,11 @@ TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
       cache.begin_change();
       cache.modify_record(number, 0)[1] = 77;
       EXPECT_EQ(cache.read(number)->values[1], 77);
-      EXPECT_TRUE(cache.waiting(number));
+      EXPECT_TRUE(cache.dirty_node(number));
       if (leaf_changes) cache.modify(number).values[2] = 88;
       cache.cancel_change();
       EXPECT_EQ(cache.read(number)->values, before);
-      EXPECT_EQ(cache.waiting(number).has_value(), !is_stored);
+      EXPECT_EQ(cache.dirty_node(number).has_value(), !is_stored);
     }
   cache.begin_change();
   const NodeNumber number = add(1);
@@ -89,24 +89,24 @@ TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
   db.run("ROLLBACK");
 }
 
-TEST_F(NodeCacheTest, NamesWhatWaitsInOrder) {
+TEST_F(NodeCacheTest, ListsDirtyNodesInOrder) {
   cache.begin_change();
   const NodeNumber first = add(1), second = add(2), third = add(3), none = third + 1;
-  EXPECT_EQ(cache.next_waiting(0, none), first);
-  EXPECT_EQ(cache.next_waiting(first, none), second);
-  EXPECT_EQ(cache.next_waiting(first, second), 0);
-  EXPECT_EQ(cache.next_waiting(second, third), 0);
-  EXPECT_EQ(cache.next_waiting(third, 1'000'000'000'000), 0);
+  EXPECT_EQ(cache.next_dirty(0, none), first);
+  EXPECT_EQ(cache.next_dirty(first, none), second);
+  EXPECT_EQ(cache.next_dirty(first, second), 0);
+  EXPECT_EQ(cache.next_dirty(second, third), 0);
+  EXPECT_EQ(cache.next_dirty(third, 1'000'000'000'000), 0);
   cache.end_change();
   cache.write(never);
-  EXPECT_EQ(cache.next_waiting(0, none), 0);
+  EXPECT_EQ(cache.next_dirty(0, none), 0);
   cache.begin_change();
   cache.free(second);
-  EXPECT_EQ(cache.next_waiting(0, none), second);
+  EXPECT_EQ(cache.next_dirty(0, none), second);
   cache.cancel_change();
-  EXPECT_EQ(cache.next_waiting(0, none), 0);
+  EXPECT_EQ(cache.next_dirty(0, none), 0);
   db.run("ROLLBACK");
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

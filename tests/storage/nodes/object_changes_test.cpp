@@ -1,4 +1,4 @@
-// What a transaction has changed: always the difference between its beginning and now.
+// Log of changed objects: always the difference between the start of the transaction and now.
 #include "storage/nodes/object_changes.h"
 
 #include <map>
@@ -9,14 +9,14 @@
 #include "storage/table/open_stores.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using Record = std::vector<double>;
 using Objects = std::map<std::int64_t, Record>;
 using Difference = std::map<std::int64_t, std::pair<Record, Record>>;
 
-TEST(ObjectChanges, KeepWhatWasBeforeTheFirstChange) {
+TEST(ObjectChanges, KeepTheRecordFromBeforeTheFirstChange) {
   ObjectChanges changes;
   const Record before{1, 2};
   changes.add(7, before);
@@ -61,14 +61,14 @@ class StoreChanges : public ::testing::Test {
     EXPECT_EQ(sqlite3_finalize(select), SQLITE_OK);
     return all;
   }
-  Difference told() {
+  Difference reported() {
     Difference all;
     store().for_each_change([&](std::int64_t id, std::span<const double> before,
                                 std::span<const double> after) {
       EXPECT_TRUE(
           all.emplace(id, std::pair{Record(before.begin(), before.end()), Record(after.begin(), after.end())})
               .second)
-          << id << " is told twice";
+          << id << " is reported twice";
     });
     return all;
   }
@@ -87,41 +87,41 @@ TEST_F(StoreChanges, AreTheDifferenceOfATransaction) {
   run("INSERT INTO ships VALUES(1, 10, 1, 'one'), (2, 20, 2, 'two'), (3, 30, 3, 'three'), (4, 40, 4, "
       "'four')");
   store().keep_changes(true);
-  EXPECT_EQ(told(), Difference{});
+  EXPECT_EQ(reported(), Difference{});
   run("BEGIN; UPDATE ships SET x = 11 WHERE id = 1; UPDATE ships SET x = 12 WHERE id = 1");
   run("UPDATE ships SET id = 5 WHERE id = 2; DELETE FROM ships WHERE id = 3; INSERT INTO ships VALUES(6, 60, "
       "6, '')");
   run("UPDATE ships SET name = 'other' WHERE id = 4");
-  EXPECT_EQ(told(), (Difference{{1, {{10, 1}, {12, 1}}},
-                                {2, {{20, 2}, {}}},
-                                {3, {{30, 3}, {}}},
-                                {5, {{}, {20, 2}}},
-                                {6, {{}, {60, 6}}}}));
+  EXPECT_EQ(reported(), (Difference{{1, {{10, 1}, {12, 1}}},
+                                    {2, {{20, 2}, {}}},
+                                    {3, {{30, 3}, {}}},
+                                    {5, {{}, {20, 2}}},
+                                    {6, {{}, {60, 6}}}}));
   run("UPDATE ships SET x = 10 WHERE id = 1; DELETE FROM ships WHERE id = 6; INSERT INTO ships VALUES(3, 30, "
       "3, '')");
-  EXPECT_EQ(told(), (Difference{{2, {{20, 2}, {}}}, {5, {{}, {20, 2}}}}));
+  EXPECT_EQ(reported(), (Difference{{2, {{20, 2}, {}}}, {5, {{}, {20, 2}}}}));
   run("INSERT OR REPLACE INTO ships VALUES(4, -40, 4, ''); UPDATE OR REPLACE ships SET id = 1 WHERE id = 5");
-  EXPECT_EQ(told(), (Difference{{1, {{10, 1}, {20, 2}}}, {2, {{20, 2}, {}}}, {4, {{40, 4}, {-40, 4}}}}));
+  EXPECT_EQ(reported(), (Difference{{1, {{10, 1}, {20, 2}}}, {2, {{20, 2}, {}}}, {4, {{40, 4}, {-40, 4}}}}));
   run("COMMIT");
-  EXPECT_EQ(told(), Difference{});
+  EXPECT_EQ(reported(), Difference{});
 }
 
 TEST_F(StoreChanges, AZeroThatChangesItsSignIsOne) {
   run("INSERT INTO ships VALUES(1, 0.0, 1, '')");
   store().keep_changes(true);
   run("BEGIN; UPDATE ships SET x = -0.0");
-  EXPECT_EQ(told().size(), 1u);
+  EXPECT_EQ(reported().size(), 1u);
   run("ROLLBACK");
 }
 
-TEST_F(StoreChanges, AreToldTheSameWhateverIsTakenBackWrittenOrRefused) {
+TEST_F(StoreChanges, AreTheSameAfterRollbacksWritesAndErrors) {
   std::mt19937 random(20261122);
   const auto below = [&](unsigned n) { return random() % n; };
   const auto id = [&] { return std::to_string(1 + below(30)); };
   unsigned refused = 0, differences = 0;
   for (int transaction = 0; transaction < 60; ++transaction) {
     const Objects before = objects();
-    store().keep_changes(true);  // a rollback may have taken a schema change back, and SQLite connected anew
+    store().keep_changes(true);  // a rollback may have undone a schema change, and SQLite connected again
     ASSERT_TRUE(run("BEGIN"));
     unsigned depth = 0;
     for (unsigned step = 0; step < 40 && !sqlite3_get_autocommit(db); ++step) {
@@ -157,27 +157,28 @@ TEST_F(StoreChanges, AreToldTheSameWhateverIsTakenBackWrittenOrRefused) {
       const Difference expected = difference(before, objects());
       if (sqlite3_get_autocommit(db)) break;
       store().keep_changes(true);
-      ASSERT_EQ(told(), expected) << "transaction " << transaction << ", step " << step << ": " << sql;
+      ASSERT_EQ(reported(), expected) << "transaction " << transaction << ", step " << step << ": " << sql;
       differences += !expected.empty();
     }
     if (!sqlite3_get_autocommit(db)) {
       ASSERT_TRUE(run(below(3) ? "COMMIT" : "ROLLBACK"));
     }
-    ASSERT_TRUE(objects().size() < 40 && told().empty());
+    ASSERT_TRUE(objects().size() < 40 && reported().empty());
   }
   EXPECT_GT(refused, 100u);
   EXPECT_GT(differences, 1000u);
 }
 
-TEST_F(StoreChanges, AreNotKeptWhereNobodyWantsThem) {
+TEST_F(StoreChanges, AreNotKeptUnlessWanted) {
   run("INSERT INTO ships VALUES(1, 10, 1, '')");
   run("BEGIN; UPDATE ships SET x = 11; INSERT INTO ships VALUES(2, 0, 0, '')");
   EXPECT_EQ(store().changes_memory(), 0u);
   store().keep_changes(true);
   run("DELETE FROM ships WHERE id = 1; UPDATE ships SET x = 1 WHERE id = 2");
-  EXPECT_EQ(told(), (Difference{{1, {{11, 1}, {}}}, {2, {{0, 0}, {1, 0}}}})) << "since somebody wanted them";
+  EXPECT_EQ(reported(), (Difference{{1, {{11, 1}, {}}}, {2, {{0, 0}, {1, 0}}}}))
+      << "since keep_changes(true)";
   store().keep_changes(false);
-  EXPECT_EQ(told().size(), 2u) << "to the end of the transaction";
+  EXPECT_EQ(reported().size(), 2u) << "to the end of the transaction";
   run("COMMIT; BEGIN; UPDATE ships SET x = 12");
   EXPECT_EQ(store().changes_memory(), 0u);
   run("ROLLBACK");
@@ -188,9 +189,9 @@ TEST_F(StoreChanges, OfATableDroppedAndBackAreNotLost) {
   run("BEGIN; INSERT INTO ships VALUES(1, 10, 1, ''); INSERT INTO ships(ships) VALUES('integrity-check')");
   EXPECT_FALSE(run("SAVEPOINT s; DROP TABLE ships")) << "a new store would not know what is written already";
   run("ROLLBACK TO s");
-  EXPECT_EQ(told(), (Difference{{1, {{}, {10, 1}}}}));
+  EXPECT_EQ(reported(), (Difference{{1, {{}, {10, 1}}}}));
   run("COMMIT; DROP TABLE ships");
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

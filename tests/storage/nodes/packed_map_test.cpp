@@ -1,4 +1,4 @@
-// Where is each object, however ids are spread, and what if others come than were announced?
+// Packed id map: finds each object for any distribution of ids, and reports ids that were not announced.
 #include "storage/nodes/packed_map.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// Each id in a leaf of its own, placed in any order.
@@ -24,25 +24,25 @@ void expect_placed(std::vector<std::int64_t> ids) {
   }
   EXPECT_TRUE(map.is_complete());
   std::map<std::int64_t, std::int64_t> found;
-  map.for_each_part([&](std::span<const IdHashMap::Entry> part) {
-    for (const IdHashMap::Entry& entry : part) found[entry.id] = entry.value;
+  map.for_each_chunk([&](std::span<const IdHashMap::Entry> chunk) {
+    for (const IdHashMap::Entry& entry : chunk) found[entry.id] = entry.value;
   });
   EXPECT_EQ(found, wanted);
 }
 
-TEST(PackedMap, FindsIdsHoweverTheyAreSpread) {
-  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+TEST(PackedMap, FindsIdsOfAnyDistribution) {
+  constexpr std::int64_t max_id = std::numeric_limits<std::int64_t>::max();
   expect_placed({5});
-  expect_placed({-most - 1, most});
+  expect_placed({-max_id - 1, max_id});
   std::vector<std::int64_t> even, squares, clusters, far;
   for (std::int64_t i = 0; i < 3000; ++i) {
     even.push_back(3 * i - 1000), squares.push_back(i * i * i);
-    clusters.push_back((i % 3) * (most / 4) + i), far.push_back(i == 0 ? -most : i == 1 ? most : i);
+    clusters.push_back((i % 3) * (max_id / 4) + i), far.push_back(i == 0 ? -max_id : i == 1 ? max_id : i);
   }
   for (const auto& ids : {even, squares, clusters, far}) expect_placed(ids);
 }
 
-TEST(PackedMap, AnObjectThatNobodyAnnouncedIsPlacedNowhere) {
+TEST(PackedMap, AnObjectThatWasNotAnnouncedIsRefused) {
   using Ids = std::vector<std::int64_t>;
   PackedMap map({1, 5});
   for (const std::int64_t other : {9, 3, -7}) EXPECT_FALSE(map.place(Ids{other}, 7)) << other;
@@ -52,4 +52,4 @@ TEST(PackedMap, AnObjectThatNobodyAnnouncedIsPlacedNowhere) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 const std::vector<double> record{1, 2, 3};
@@ -35,4 +35,4 @@ TEST(PendingObjects, ObjectsThatComeAndGoTakeNoMemory) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

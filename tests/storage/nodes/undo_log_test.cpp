@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// States are told apart by their nodes' addresses.
@@ -14,13 +14,13 @@ NodeState any_state() {
   return {.node = std::make_shared<Node>(), .dirty = true};
 }
 
-/// A mark, and every node as it was then.
+/// A mark, and the state of every node at that time.
 struct Remembered {
   UndoLog::Handle mark;
   std::map<NodeNumber, NodeState> nodes;
 };
 
-TEST(UndoLog, TellsWhatEveryNodeWasLikeWhicheverMarksAreGivenUp) {
+TEST(UndoLog, HasTheStateOfEveryNodeWhicheverMarksAreGivenUp) {
   std::mt19937 random(1);
   for (int round = 0; round < 200; ++round) {
     UndoLog undo;
@@ -51,4 +51,4 @@ TEST(UndoLog, TellsWhatEveryNodeWasLikeWhicheverMarksAreGivenUp) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

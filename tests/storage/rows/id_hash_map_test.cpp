@@ -1,9 +1,9 @@
-// Numbers by id: what was set is found, and what was cleared is gone.
+// Hash map of ids: what was set is found, and what was cleared is gone.
 #include "storage/rows/id_hash_map.h"
 
 #include <gtest/gtest.h>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST(IdHashMap, FindsWhatWasSetUntilItIsCleared) {
@@ -21,7 +21,7 @@ TEST(IdHashMap, FindsWhatWasSetUntilItIsCleared) {
   EXPECT_EQ(map.size(), 1000u);
 }
 
-// A large load's table would else be given back much later, by a commit of one row that waits for it.
+// Otherwise the memory of a large load would be released much later, in a commit of one row.
 TEST(IdHashMap, HoldsNoMemoryOnceItIsCleared) {
   IdHashMap map;
   for (std::int64_t id = 0; id < 1000; ++id) map.prepare(id);
@@ -31,4 +31,4 @@ TEST(IdHashMap, HoldsNoMemoryOnceItIsCleared) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,4 +1,5 @@
-// The stored map: blocks and the rows of version 0.1 answer alike, side by side, and damage is told.
+// Stored id map: blocks and the rows of version 0.1 give the same answers, also mixed, and damage is
+// reported.
 #include "storage/rows/map_rows.h"
 
 #include <map>
@@ -6,7 +7,7 @@
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using Leaves = std::map<std::int64_t, std::int64_t>;
@@ -51,7 +52,7 @@ TEST_F(StoredMap, SixtyFourIdsAreOneRow) {
   EXPECT_EQ(rows.find_leaf(127), 1127);
   EXPECT_EQ(rows.find_leaf(128), std::nullopt);
   EXPECT_EQ(rows.find_leaf(-65), std::nullopt);
-  EXPECT_EQ(rows.find(70).leaf_of(64), 1064) << "all of the block at once";
+  EXPECT_EQ(rows.find(70).leaf_of(64), 1064) << "the whole block at once";
 }
 
 TEST_F(StoredMap, ABlockWithoutIdsIsNoRow) {
@@ -62,7 +63,7 @@ TEST_F(StoredMap, ABlockWithoutIdsIsNoRow) {
   expect_all({});
 }
 
-TEST_F(StoredMap, RowsOfVersionZeroOneMoveOverWhereTheyAreTouched) {
+TEST_F(StoredMap, RowsOfVersionZeroOneAreConvertedWhereTheyChange) {
   db.run("INSERT INTO ships_map VALUES(3, 10), (5, 11), (64, 12), (70, 13), (200, 14)");
   expect_all({{3, 10}, {5, 11}, {64, 12}, {70, 13}, {200, 14}});
   for (const auto& [id, leaf] : all()) EXPECT_EQ(rows.find_leaf(id), leaf);
@@ -73,7 +74,7 @@ TEST_F(StoredMap, RowsOfVersionZeroOneMoveOverWhereTheyAreTouched) {
   expect_all({{3, 10}, {6, 15}, {64, 16}, {70, 13}, {200, 14}});
 }
 
-TEST_F(StoredMap, SaysWhatWasWrittenLast) {
+TEST_F(StoredMap, HasWhatWasWrittenLast) {
   std::mt19937_64 random(7);
   Leaves leaves;
   for (int round = 0; round < 60; ++round) {
@@ -90,9 +91,9 @@ TEST_F(StoredMap, SaysWhatWasWrittenLast) {
   expect_all({});
 }
 
-TEST_F(StoredMap, DamageIsTold) {
+TEST_F(StoredMap, DamageIsReported) {
   for (const auto& [row, words] : std::initializer_list<std::pair<std::string, std::string>>{
-           {"5, x'010507'", "row 5: a block begins at a multiple of 64"},
+           {"5, x'010507'", "row 5: a block starts at a multiple of 64"},
            {"0, x'0105'", "row 0: its size fits no number of ids"},
            {"0, 'x'", "row 0: a leaf's number is a positive integer"},
            {"0, NULL", "row 0: a leaf's number is a positive integer"},
@@ -111,4 +112,4 @@ TEST_F(StoredMap, DamageIsTold) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

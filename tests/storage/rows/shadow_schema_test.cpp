@@ -1,4 +1,4 @@
-// The shadow tables: names, _meta, and what happens when they are not what they should be.
+// Schema of the shadow tables: names, _meta, and errors where they are not as expected.
 #include "storage/rows/shadow_schema.h"
 
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST(ShadowSchema, DescribesTheColumnsOfEveryLayout) {
@@ -110,7 +110,7 @@ TEST(ShadowSchema, DropGoesOnWithoutAMissingTable) {
   EXPECT_EQ(db.text("SELECT group_concat(name) FROM sqlite_schema"), "other");
 }
 
-TEST(ShadowSchema, DropLeavesATableAloneThatOnlyLooksLikeOurs) {
+TEST(ShadowSchema, DropKeepsATableWithASimilarName) {
   Database db;
   auto store = make_store(db);
   db.run("CREATE TABLE ships_aux(mine)");
@@ -118,7 +118,7 @@ TEST(ShadowSchema, DropLeavesATableAloneThatOnlyLooksLikeOurs) {
   EXPECT_EQ(db.text("SELECT group_concat(name) FROM sqlite_schema"), "ships_aux");
 }
 
-TEST(ShadowSchema, NoStatementStaysOpenAfterAnyCall) {
+TEST(ShadowSchema, NoStatementIsOpenAfterAnyCall) {
   Database db;
   auto store = make_store(db, named_ships());
   SqlValues values(db, {"name", "cargo"});
@@ -139,4 +139,4 @@ TEST(ShadowSchema, NoStatementStaysOpenAfterAnyCall) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

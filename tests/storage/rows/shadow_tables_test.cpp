@@ -1,4 +1,4 @@
-// The kit of shadow tables, for another kind of virtual table than moving_objects.
+// Shadow tables of another kind of virtual table than moving_objects.
 #include "storage/rows/shadow_tables.h"
 
 #include <array>
@@ -8,7 +8,7 @@
 #include "storage/rows/ascending_rows.h"
 #include "storage/rows/meta_rows.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 ShadowTables alerts(Database& db, const std::string& table = "alerts", const std::string& schema = "main") {
@@ -70,7 +70,7 @@ TEST(ShadowTables, AViewInPlaceOfOneIsRefused) {
   expect_store_error(SQLITE_CORRUPT_VTAB, "alerts: Alerts_Pair is a view, where foresee keeps a table",
                      [&] { tables.require_tables(); });
   db.run("DROP VIEW alerts_pair");
-  tables.require_tables();  // who reads it says that it is missing
+  tables.require_tables();  // a missing table is reported where it is read
 }
 
 TEST(ShadowTables, MetaKeepsValuesByKey) {
@@ -122,7 +122,7 @@ TEST(ShadowTables, RowsThatDoNotAscendAreRefused) {
   EXPECT_EQ(read("SELECT 1, 2 WHERE 0"), "");
   expect_store_error(SQLITE_CORRUPT_VTAB, "alerts: alerts_log is damaged: row 4 comes after row 4",
                      [&] { read("VALUES(4, 'a'), (4, 'b')"); });
-  expect_store_error(SQLITE_CORRUPT_VTAB, "the number of a row is no integer",
+  expect_store_error(SQLITE_CORRUPT_VTAB, "the number of a row is not an integer",
                      [&] { read("VALUES('x', 1)"); });
 }
 
@@ -133,4 +133,4 @@ TEST(ShadowTables, ASuffixIsKnownInUpperAndLowerCase) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

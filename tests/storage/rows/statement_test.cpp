@@ -5,7 +5,7 @@
 #include "storage/database.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST(Statement, FindsATableByItsQuotedNameWhateverIsInIt) {
@@ -17,7 +17,7 @@ TEST(Statement, FindsATableByItsQuotedNameWhateverIsInIt) {
   EXPECT_EQ(db.number("SELECT x FROM " + quoted_name(name)), 7);
 }
 
-TEST(Statement, ReadsVirtualTablesOnlyWhereItSaysSo) {
+TEST(Statement, ReadsVirtualTablesOnlyIfAllowed) {
   Database db;
   const std::string sql = "SELECT seq FROM pragma_database_list";
   Statement only_tables(db, sql);
@@ -26,16 +26,16 @@ TEST(Statement, ReadsVirtualTablesOnlyWhereItSaysSo) {
   EXPECT_TRUE(Statement::Run(all).step());
 }
 
-TEST(Statement, KnowsWhetherItWasCompiledAnew) {
+TEST(Statement, KnowsWhetherItWasRecompiled) {
   Database db;
   Statement select(db, "SELECT 1 FROM main.sqlite_master WHERE 0");
   select.prepare();
   EXPECT_FALSE(Statement::Run(select).step());
-  EXPECT_FALSE(select.was_compiled_anew());
+  EXPECT_FALSE(select.was_recompiled());
   db.run("CREATE TABLE t(x)");
   Statement::Run(select).step();
-  EXPECT_TRUE(select.was_compiled_anew());
+  EXPECT_TRUE(select.was_recompiled());
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

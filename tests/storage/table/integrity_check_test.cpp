@@ -1,9 +1,9 @@
-// Damage is found: by every read of what it touches, and by integrity_check() wherever it is.
+// Damage is reported: by every read of the damaged part, and by integrity_check() anywhere.
 
 #include "storage/database.h"
 #include "storage/format/leaf_node.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class Damage : public ::testing::Test {
@@ -14,7 +14,7 @@ class Damage : public ::testing::Test {
     for (int id = 1; id <= 100; ++id) store->insert(id, ship(id), values);  // nodes 1 and 2, and 3 above
     commit(db, *store);
     store = nullptr;
-    store = Store::open(db, "main", "ships", named_ships());  // one that has read nothing
+    store = Store::open(db, "main", "ships", named_ships());  // a store that has read nothing
   }
 
   void expect_faults(const std::vector<std::string>& expected) { EXPECT_EQ(faults(*store), expected); }
@@ -75,12 +75,12 @@ TEST_F(Damage, WritersRefuseADamagedLeafAndChangeNothing) {
 TEST_F(Damage, BlobsOfAnotherTypeOrSizeAreDamaged) {
   for (const char* data : {"NULL", "5", "'text'", "x''", "x'00'", "zeroblob(4031)", "zeroblob(100000)"}) {
     db.run(std::string("UPDATE ships_node SET data = ") + data + " WHERE nodeno = 2");
-    expect_store_error(SQLITE_CORRUPT_VTAB, "node 2 is damaged: it has not the size of a node",
+    expect_store_error(SQLITE_CORRUPT_VTAB, "node 2 is damaged: it does not have the size of a node",
                        [&] { store->read(100); });
   }
 }
 
-TEST_F(Damage, NodesOnEachOthersPlaceAreDamaged) {
+TEST_F(Damage, SwappedNodesAreDamaged) {
   db.run("UPDATE ships_node SET nodeno = -nodeno; UPDATE ships_node SET nodeno = 4 + nodeno");
   EXPECT_EQ(faults(*store).at(0), "ships: node 1 is damaged: its checksum does not match");
 }
@@ -166,7 +166,7 @@ TEST_F(Damage, NoNodeNumberIsLeftAfterTheLargest) {
   }
   SqlValues values(db, {"n", "c"});
   const auto fill = [&] {
-    for (int id = 500; id < 700; ++id) {  // one by one, or they are loaded and the numbers begin again
+    for (int id = 500; id < 700; ++id) {  // one at a time: a bulk load would number nodes from 1 again
       begin(db, *store);
       store->insert(id, ship(1), values);
       commit(db, *store);
@@ -177,4 +177,4 @@ TEST_F(Damage, NoNodeNumberIsLeftAfterTheLargest) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// Looking objects up by id as a statement does: what is in memory is believed only where it is true.
+// Look-up of objects by id, as a statement does it: memory is used only while it is valid.
 #include <filesystem>
 #include <map>
 #include <random>
@@ -6,19 +6,19 @@
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// The first coordinate of an object, or nothing.
-std::optional<double> look(Store& store, std::int64_t id, StatementBelief& belief) {
-  const std::span<const double> record = store.find(id, belief);
+std::optional<double> look(Store& store, std::int64_t id, StatementReadState& statement_state) {
+  const std::span<const double> record = store.find(id, statement_state);
   return record.empty() ? std::nullopt : std::optional(record[1]);
 }
 
-/// … by a statement of its own.
+/// The same by a statement of its own.
 std::optional<double> look(Store& store, std::int64_t id) {
-  StatementBelief belief;
-  return look(store, id, belief);
+  StatementReadState statement_state;
+  return look(store, id, statement_state);
 }
 
 class LookUp : public ::testing::Test {
@@ -32,7 +32,7 @@ class LookUp : public ::testing::Test {
     reopen();
   }
 
-  /// From now on the store knows as little as a new connection's.
+  /// Replaces the store by a new one, as of a new connection.
   void reopen() {
     store.reset();
     store = Store::open(db, "main", "ships", ships());
@@ -43,28 +43,28 @@ class LookUp : public ::testing::Test {
 };
 
 TEST_F(LookUp, FindsWhatReadFinds) {
-  StatementBelief belief;
+  StatementReadState statement_state;
   for (int twice = 0; twice < 2; ++twice)
     for (std::int64_t id = -1; id <= objects + 2; ++id) {
       const auto record = store->read(id);
-      const auto found = store->find(id, belief);
+      const auto found = store->find(id, statement_state);
       EXPECT_EQ(std::vector<double>(found.begin(), found.end()), record.value_or(std::vector<double>()));
     }
 }
 
-TEST_F(LookUp, ALeafInMemoryIsBelievedUnderTheSameStampOnly) {
-  StatementBelief belief;
-  for (std::int64_t id = 1; id <= objects; ++id) look(*store, id, belief);
-  db.run("DELETE FROM ships_node; DELETE FROM ships_map");  // so that only a look at the rows notices
-  EXPECT_EQ(look(*store, 7, belief), 7);
+TEST_F(LookUp, ALeafInMemoryIsValidUnderTheSameStampOnly) {
+  StatementReadState statement_state;
+  for (std::int64_t id = 1; id <= objects; ++id) look(*store, id, statement_state);
+  db.run("DELETE FROM ships_node; DELETE FROM ships_map");  // so only a read of the rows detects it
+  EXPECT_EQ(look(*store, 7, statement_state), 7);
   EXPECT_EQ(look(*store, 8), 8);
   db.run("UPDATE ships_meta SET value = value + 1 WHERE key = 'stamp'");
-  EXPECT_EQ(look(*store, 7, belief), 7) << "the statement is the same";
+  EXPECT_EQ(look(*store, 7, statement_state), 7) << "the statement is the same";
   EXPECT_EQ(look(*store, 7), std::nullopt);
 }
 
-// PRAGMA integrity_check asks without beginning anything; what was read of the map before may be of old.
-TEST_F(LookUp, TheCheckAsksTheMapAnewWhereAnotherConnectionHasWritten) {
+// PRAGMA integrity_check reads without xBegin; what was read of the map before may be out of date.
+TEST_F(LookUp, TheCheckReadsTheMapAgainAfterAnotherConnectionHasWritten) {
   const std::string path = (std::filesystem::path(FORESEE_BINARY_DIR) / "look_up_check.db").string();
   std::filesystem::remove(path);
   {
@@ -84,36 +84,36 @@ TEST_F(LookUp, TheCheckAsksTheMapAnewWhereAnotherConnectionHasWritten) {
   std::filesystem::remove(path);
 }
 
-TEST_F(LookUp, AMissingStampIsToldByTheSecondLookUpOfATable) {
+TEST_F(LookUp, AMissingStampIsReportedByTheSecondLookUpOfATable) {
   db.run("DELETE FROM ships_meta WHERE key = 'stamp'");
-  EXPECT_EQ(look(*store, 7), 7) << "past memory";
+  EXPECT_EQ(look(*store, 7), 7) << "without the cache";
   expect_store_error(SQLITE_CORRUPT_VTAB, "ships: the stamp is missing", [&] { look(*store, 7); });
 }
 
 TEST_F(LookUp, AStatementSeesTheChangesOfItsOwnConnectionAtOnce) {
-  StatementBelief belief;
-  for (std::int64_t id = 1; id <= objects; ++id) look(*store, id, belief);
+  StatementReadState statement_state;
+  for (std::int64_t id = 1; id <= objects; ++id) look(*store, id, statement_state);
   begin(db, *store);
   store->update(5, 5, ship(50), {});
   store->update(6, 1006, ship(60), {});
   store->erase(7);
   store->insert(2000, ship(70), {});
   const auto expect_new = [&] {
-    EXPECT_EQ(look(*store, 5, belief), 50);
-    EXPECT_EQ(look(*store, 6, belief), std::nullopt);
-    EXPECT_EQ(look(*store, 1006, belief), 60);
-    EXPECT_EQ(look(*store, 7, belief), std::nullopt);
-    EXPECT_EQ(look(*store, 2000, belief), 70);
-    EXPECT_EQ(look(*store, 8, belief), 8);
+    EXPECT_EQ(look(*store, 5, statement_state), 50);
+    EXPECT_EQ(look(*store, 6, statement_state), std::nullopt);
+    EXPECT_EQ(look(*store, 1006, statement_state), 60);
+    EXPECT_EQ(look(*store, 7, statement_state), std::nullopt);
+    EXPECT_EQ(look(*store, 2000, statement_state), 70);
+    EXPECT_EQ(look(*store, 8, statement_state), 8);
   };
   expect_new();
-  store->take_snapshot();  // what is pending goes into the tree
+  store->take_snapshot();  // pending objects go into the tree
   expect_new();
   open_savepoint(db, *store, 0);
   store->update(5, 5, ship(51), {});
   NeverInterrupt never;
   store->rebuild(never);
-  EXPECT_EQ(look(*store, 5, belief), 51);
+  EXPECT_EQ(look(*store, 5, statement_state), 51);
   roll_back_to(db, *store, 0);
   expect_new();
   commit(db, *store);
@@ -121,13 +121,13 @@ TEST_F(LookUp, AStatementSeesTheChangesOfItsOwnConnectionAtOnce) {
   begin(db, *store);
   store->update(5, 5, ship(52), {});
   store->erase(8);
-  EXPECT_EQ(look(*store, 5, belief), 52);
-  EXPECT_EQ(look(*store, 8, belief), std::nullopt);
+  EXPECT_EQ(look(*store, 5, statement_state), 52);
+  EXPECT_EQ(look(*store, 8, statement_state), std::nullopt);
   roll_back(db, *store);
   expect_new();
 }
 
-TEST_F(LookUp, DamageIsToldTheSameWayPastMemoryAndThroughIt) {
+TEST_F(LookUp, DamageIsReportedAlikeWithAndWithoutTheCache) {
   write_map_as_version_0_1(db);
   const std::string node_of_9 = "nodeno = (SELECT leaf FROM ships_map WHERE id = 9)";
   const std::pair<std::string, const char*> damages[] = {
@@ -160,21 +160,21 @@ TEST_F(LookUp, MoreObjectsThanMemoryHoldsAreFoundAllTheSame) {
                                             std::make_shared<MemoryBudget>(MemoryLimits{.memory = 4 * 4032}));
   for (int id = 1; id <= 2000; ++id) many->insert(id, ship(id), {});
   commit(db, *many);
-  StatementBelief belief;
+  StatementReadState statement_state;
   for (std::int64_t id = 1; id <= 2000; ++id) {
-    ASSERT_EQ(look(*many, id, belief), id);
-    ASSERT_EQ(look(*many, id * 7919 % 2000 + 1, belief), id * 7919 % 2000 + 1);
+    ASSERT_EQ(look(*many, id, statement_state), id);
+    ASSERT_EQ(look(*many, id * 7919 % 2000 + 1, statement_state), id * 7919 % 2000 + 1);
   }
 }
 
-/// A store and a model of it live through random changes; statements that began at any time look things up.
-TEST_F(LookUp, RandomLivesAgreeWithAMapAtEveryMoment) {
+/// A store and a model undergo the same random changes; statements that started at any time look objects up.
+TEST_F(LookUp, RandomChangesAgreeWithAMapAtAnyTime) {
   std::mt19937 random(8);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-  std::map<std::int64_t, double> model, at_begin, at_savepoint;
+  std::map<std::int64_t, double> model, at_start, at_savepoint;
   for (int id = 1; id <= objects; ++id) model[id] = id;
   bool in_transaction = false, in_savepoint = false;
-  std::vector<StatementBelief> statements(3);
+  std::vector<StatementReadState> statements(3);
   double mark = 1000;
   const auto change = [&](std::int64_t id) {
     const bool exists = model.contains(id);
@@ -193,7 +193,7 @@ TEST_F(LookUp, RandomLivesAgreeWithAMapAtEveryMoment) {
     switch (below(40)) {
       case 0:
         if (in_transaction) break;
-        begin(db, *store), at_begin = model, in_transaction = true;
+        begin(db, *store), at_start = model, in_transaction = true;
         break;
       case 1:
         if (!in_transaction) break;
@@ -201,7 +201,7 @@ TEST_F(LookUp, RandomLivesAgreeWithAMapAtEveryMoment) {
         break;
       case 2:
         if (!in_transaction) break;
-        roll_back(db, *store), model = at_begin, in_transaction = in_savepoint = false;
+        roll_back(db, *store), model = at_start, in_transaction = in_savepoint = false;
         break;
       case 3:
         if (!in_transaction || in_savepoint) break;
@@ -227,4 +227,4 @@ TEST_F(LookUp, RandomLivesAgreeWithAMapAtEveryMoment) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,29 +1,29 @@
-// After a large load: which ids are there, and which are surely not (nodes/id_filter.h)?
-#include "storage/table/parts.h"
+// After a large load: look-ups of stored ids and of new ids (nodes/id_filter.h).
+#include "storage/table/partitioned_table.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-class NewIds : public Parts {
+class NewIds : public Partitioned {
  protected:
   NewIds() {
     load();
-    for (std::int64_t id = -320; id < 12'000; id += 3) asked.push_back(id);
+    for (std::int64_t id = -320; id < 12'000; id += 3) queried.push_back(id);
     begin(db, *store);
     store->rebuild(never);
   }
   void expect_known() {
-    for (const std::int64_t id : asked) ASSERT_EQ(store->contains(id), model.contains(id)) << id;
+    for (const std::int64_t id : queried) ASSERT_EQ(store->contains(id), model.contains(id)) << id;
     expect_model();
   }
-  /// One that is not there.
+  /// An id that is not stored.
   std::int64_t new_id() {
     std::int64_t id = 0;
     do id = static_cast<std::int64_t>(random() % 12'000) - 320;
     while (model.contains(id));
     return id;
   }
-  /// So few that they go into the tree where it is.
+  /// So few that they are merged into the existing tree.
   void insert_some() {
     for (int i = 0; i < 300; ++i) insert(new_id());
     store->sync();
@@ -34,10 +34,10 @@ class NewIds : public Parts {
     store->sync();
   }
 
-  std::vector<std::int64_t> asked;
+  std::vector<std::int64_t> queried;
 };
 
-TEST_F(NewIds, AreToldFromThoseThatCameAndWent) {
+TEST_F(NewIds, AreDistinguishedFromInsertedAndDeletedOnes) {
   expect_known();
   for (int round = 0; round < 4; ++round) {
     insert_some();
@@ -51,13 +51,13 @@ TEST_F(NewIds, AreToldFromThoseThatCameAndWent) {
   expect_known();
 }
 
-TEST_F(NewIds, AreThoseOfTheSavepointGoneBackTo) {
+TEST_F(NewIds, AreThoseOfTheSavepointRolledBackTo) {
   insert_some();
   const Model before = model;
   open_savepoint(db, *store, 0);
   for (int round = 0; round < 2; ++round) {
     erase_some();
-    store->rebuild(never);  // whatever was erased is in no list of ids any more
+    store->rebuild(never);  // deleted ids are in no list any more
     insert_some();
     expect_known();
     roll_back_to(db, *store, 0);
@@ -77,7 +77,7 @@ TEST_F(NewIds, AreThoseBeforeTheTransactionThatIsRolledBack) {
   expect_known();
 }
 
-TEST_F(NewIds, AreNotThoseThatSomebodyElseWrote) {
+TEST_F(NewIds, AreNotThoseOfAnotherConnection) {
   commit(db, *store);
   const std::int64_t id = new_id();
   const auto other = store_within(little);
@@ -90,4 +90,4 @@ TEST_F(NewIds, AreNotThoseThatSomebodyElseWrote) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,11 +1,10 @@
-// The number of objects in _meta: true after every commit, written only where it changed, believed with care.
-#include "storage/table/object_count.h"
-
+// Number of objects in _meta: exact after every commit, written only if it changed, checked when it is read.
 #include <filesystem>
 
 #include "storage/database.h"
+#include "storage/table/store_state.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 const std::string stored_count = "SELECT value FROM ships_meta WHERE key = 'objects'";
@@ -17,7 +16,7 @@ class Counted : public ::testing::Test {
     for (int id = 1; id <= 100; ++id) store->insert(id, ship(id), {});
     commit(db, *store);
   }
-  /// Of a table that has just been connected.
+  /// A store that has just been opened.
   std::shared_ptr<Store> opened() {
     store = nullptr;
     return store = Store::open(db, "main", "ships", ships());
@@ -31,7 +30,7 @@ class Counted : public ::testing::Test {
   std::shared_ptr<Store> store = make_store(db);
 };
 
-TEST(ObjectCount, NeverFallsBelowNoneAndAddsUpOnlyWhatIsKnown) {
+TEST(ObjectCount, IsNeverNegativeAndAddsOnlyKnownNumbers) {
   EXPECT_EQ(ObjectCount().likely(), 1048576);
   EXPECT_EQ(ObjectCount().sum(), std::nullopt);
   EXPECT_EQ((ObjectCount{.stored = 5, .added = -2}).sum(), 3);
@@ -39,11 +38,11 @@ TEST(ObjectCount, NeverFallsBelowNoneAndAddsUpOnlyWhatIsKnown) {
   EXPECT_EQ((ObjectCount{.stored = 5, .added = -6}).likely(), 0);
 }
 
-TEST_F(Counted, IsTrueAfterEveryCommit) {
+TEST_F(Counted, IsExactAfterEveryCommit) {
   expect_count(100);
   begin(db, *store);
   store->erase(7);
-  store->update(8, 9, ship(8), {});  // in place of 9
+  store->update(8, 9, ship(8), {});  // replaces 9
   store->update(10, 500, ship(10), {});
   store->insert(501, ship(501), {});
   store->erase(501);
@@ -76,12 +75,12 @@ TEST_F(Counted, IsWrittenOnlyWhereItChanged) {
   db.run("DROP TABLE written");
 }
 
-TEST_F(Counted, GoesBackWithRollbacksAndSavepoints) {
+TEST_F(Counted, IsRestoredByRollbacksAndSavepoints) {
   begin(db, *store);
   store->insert(101, ship(101), {});
   open_savepoint(db, *store, 1);
   store->insert(102, ship(102), {});
-  faults(*store);  // which writes what waits
+  faults(*store);  // which writes all changes
   store->erase(1);
   EXPECT_EQ(store->likely_objects(), 101);
   roll_back_to(db, *store, 1);
@@ -106,7 +105,7 @@ TEST_F(Counted, GoesBackWithRollbacksAndSavepoints) {
   expect_count(102);
 }
 
-TEST_F(Counted, WaitsOnWhereItCannotBeWritten) {
+TEST_F(Counted, IsWrittenLaterAfterAFailedWrite) {
   begin(db, *store);
   store->erase(1);
   db.run(
@@ -145,7 +144,7 @@ TEST_F(Counted, IsLearnedFromOtherConnectionsWithTheStamp) {
   std::filesystem::remove(path);
 }
 
-TEST_F(Counted, WhereVersionZeroOneKeptNoneAWriterCountsOnce) {
+TEST_F(Counted, InAFileOfVersionZeroOneAWriterCountsOnce) {
   db.run("DELETE FROM ships_meta WHERE key = 'objects'");
   EXPECT_EQ(opened()->likely_objects(), 1048576);
   contents(*store);
@@ -163,7 +162,7 @@ TEST_F(Counted, WhereVersionZeroOneKeptNoneAWriterCountsOnce) {
   expect_count(99);
 }
 
-TEST_F(Counted, WhatNoTableCanHaveIsNotBelievedButFoundAndMended) {
+TEST_F(Counted, AnImpossibleCountIsIgnoredReportedAndRepaired) {
   for (const char* value : {"-1", "'many'", "1000000000000000000", "-9223372036854775808", "1e300", "x'00'",
                             "100.0", "99", "printf('%.*c', 1000000, '9')"}) {
     db.run("UPDATE ships_meta SET value = " + std::string(value) + " WHERE key = 'objects'");
@@ -191,7 +190,7 @@ TEST_F(Counted, AWrongOneHidesNoOtherFault) {
   EXPECT_EQ(faults(*store).at(0).find("the count of objects"), std::string::npos) << faults(*store).at(0);
 }
 
-TEST_F(Counted, AWrongOneThatWouldFallBelowNoneIsCountedAnew) {
+TEST_F(Counted, AWrongCountThatWouldBecomeNegativeIsCountedAgain) {
   db.run("UPDATE ships_meta SET value = 1 WHERE key = 'objects'");
   opened();
   begin(db, *store);
@@ -202,4 +201,4 @@ TEST_F(Counted, AWrongOneThatWouldFallBelowNoneIsCountedAnew) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,17 +1,17 @@
-// 'rebuild' and 'optimize'.
+// Commands 'rebuild' and 'optimize' of a table that fits into memory.
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class Pack : public ::testing::Test {
  protected:
-  // Half of 4000 scattered objects, the others erased again: leaves half full.
+  // Half of 4000 scattered objects, the others deleted again: leaves are half full.
   Pack() : store(make_store(db)) {
     std::mt19937 random(5);
     begin(db, *store);
@@ -55,7 +55,7 @@ TEST_F(Pack, RollsBackLikeAnyChange) {
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
 }
 
-TEST_F(Pack, ACommitThatFailsHalfWayIsRolledBack) {
+TEST_F(Pack, AFailedCommitIsRolledBack) {
   const auto before = contents(*store);
   db.run(
       "CREATE TRIGGER stop BEFORE INSERT ON ships_node WHEN new.nodeno = 5 BEGIN SELECT raise(ABORT, "
@@ -69,7 +69,7 @@ TEST_F(Pack, ACommitThatFailsHalfWayIsRolledBack) {
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
 }
 
-TEST_F(Pack, BelievesOnlyLeaves) {
+TEST_F(Pack, ReadsOnlyLeaves) {
   const auto before = contents(*store);
   const std::int64_t root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
   for (const std::string& damage : {std::string("UPDATE ships_meta SET value = 3 WHERE key = 'root'"),
@@ -86,7 +86,7 @@ TEST_F(Pack, BelievesOnlyLeaves) {
   }
 }
 
-TEST_F(Pack, StopsWhenAskedBeforeItWritesAnything) {
+TEST_F(Pack, StopsAtAnInterruptBeforeItWritesAnything) {
   testing::StopAt stop(0);
   begin(db, *store);
   EXPECT_THROW(store->rebuild(stop), Interrupted);
@@ -95,7 +95,7 @@ TEST_F(Pack, StopsWhenAskedBeforeItWritesAnything) {
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
 }
 
-TEST(PackEmpty, AnEmptyTableStaysEmpty) {
+TEST(PackEmpty, AnEmptyTableRemainsEmpty) {
   Database db;
   auto store = make_store(db);
   NeverInterrupt never;
@@ -107,4 +107,4 @@ TEST(PackEmpty, AnEmptyTableStaysEmpty) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,14 +1,14 @@
-// Does a sample stand for all, in whatever rounds they come?
+// Sample of records: represents all of them, also if they repeat periodically.
 #include "storage/table/record_sample.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-TEST(RecordSample, KeepsAllOfFew) {
+TEST(RecordSample, KeepsAllIfThereAreFew) {
   RecordSample sample(2);
   std::vector<double> all;
   for (int i = 0; i < 16'384; ++i) {
@@ -19,7 +19,7 @@ TEST(RecordSample, KeepsAllOfFew) {
   EXPECT_TRUE(std::equal(all.begin(), all.end(), sample.records().begin(), sample.records().end()));
 }
 
-TEST(RecordSample, SeesEveryColumnOfAGrid) {
+TEST(RecordSample, HasEveryColumnOfAGrid) {
   constexpr int columns = 256, rows = 1024;
   RecordSample sample(1);
   for (int i = 0; i < rows * columns; ++i) {
@@ -36,4 +36,4 @@ TEST(RecordSample, SeesEveryColumnOfAGrid) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

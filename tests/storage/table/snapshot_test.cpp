@@ -1,16 +1,16 @@
-// A snapshot reads the tree as it was, whatever happens to the table meanwhile.
+// Snapshot of the tree: it reads the same whatever happens to the table meanwhile.
 #include <map>
 #include <random>
 
 #include "sanitized.h"
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using Model = std::map<std::int64_t, double>;
 
-/// Every id and x that the tree leads to.
+/// Every id and x that the tree has.
 Model walk(NodeSource& source) {
   Model all;
   const auto visit = [&](auto& self, NodeNumber number) -> void {
@@ -48,7 +48,7 @@ class Snapshot : public ::testing::Test {
   std::shared_ptr<Store> store;
 };
 
-TEST_F(Snapshot, SeesWhatWaitsAndStaysThroughChangesAndCommit) {
+TEST_F(Snapshot, SeesPendingObjectsAndOutlivesChangesAndCommit) {
   begin(db, *store);
   store->insert(5000, ship(7), {});
   const auto before = store->take_snapshot();
@@ -71,7 +71,7 @@ TEST_F(Snapshot, SeesWhatWaitsAndStaysThroughChangesAndCommit) {
   EXPECT_EQ(walk(*store->take_snapshot()), Model{});
 }
 
-TEST_F(Snapshot, StaysThroughARollback) {
+TEST_F(Snapshot, OutlivesARollback) {
   begin(db, *store);
   change_much();
   const auto inside = store->take_snapshot();
@@ -83,7 +83,7 @@ TEST_F(Snapshot, StaysThroughARollback) {
   EXPECT_EQ(walk(*store->take_snapshot()), now(*store));
 }
 
-TEST_F(Snapshot, StaysThroughARollbackToASavepoint) {
+TEST_F(Snapshot, OutlivesARollbackToASavepoint) {
   begin(db, *store);
   change_much();
   open_savepoint(db, *store, 0);
@@ -92,7 +92,7 @@ TEST_F(Snapshot, StaysThroughARollbackToASavepoint) {
   const auto inside = store->take_snapshot();
   const Model expected = now(*store);
   for (int id = 2100; id < 2300; ++id) store->erase(id);
-  store->sync();  // written, then taken back by SQLite
+  store->sync();  // written, then rolled back by SQLite
   for (int id = 2300; id < 2400; ++id) store->erase(id);
   roll_back_to(db, *store, 0);
   EXPECT_EQ(walk(*inside), expected);
@@ -164,7 +164,7 @@ TEST_F(Snapshot, AgreesWithAModelThroughRandomProgramsOfSavepoints) {
           break;
         case 4:
           if (!held.empty() && random() % 2) held.erase(held.begin());
-          if (random() % 8 == 0) store->sync();  // as when much waits
+          if (random() % 8 == 0) store->sync();  // as when the budget is exceeded
           break;
         case 5:
           if (random() % 20 == 0) store->rebuild(never);
@@ -200,4 +200,4 @@ TEST_F(Snapshot, AgreesWithAModelThroughRandomProgramsOfSavepoints) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

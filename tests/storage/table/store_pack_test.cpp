@@ -1,13 +1,13 @@
-// More objects than are ordered together: 'rebuild', 'optimize' and loads by way of a temporary file.
+// More objects than are sorted in memory: 'rebuild', 'optimize' and loads through a temporary file.
 #include "index/tpr_tree/tpr_tree.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 #include "storage/format/leaf_node.h"
-#include "storage/table/parts.h"
+#include "storage/table/partitioned_table.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
-TEST_F(Parts, RebuildKeepsEveryObjectInFullLeaves) {
+TEST_F(Partitioned, RebuildKeepsEveryObjectInFullLeaves) {
   load();
   expect_model();
   for (std::int64_t i = 1; i <= objects; i += 2) {
@@ -19,14 +19,14 @@ TEST_F(Parts, RebuildKeepsEveryObjectInFullLeaves) {
   store->rebuild(never);
   commit(db, *store);
   expect_model();
-  // Of a part's leaves one may not be full; and the inner nodes.
+  // One leaf per partition may not be full; and the inner nodes.
   const std::int64_t parts = objects / 2 * 48 / 8'000 + 1;
   EXPECT_LE(db.number("SELECT count(*) FROM ships_node"), objects / 2 / 63 + 1 + parts + 4);
   EXPECT_EQ(db.number("SELECT max(nodeno) - count(*) FROM ships_node"), 0) << "numbers are consecutive";
   EXPECT_EQ(db.number("SELECT value FROM ships_meta WHERE key = 'objects'"), objects / 2);
 }
 
-TEST_F(Parts, WritesOverTheOldNodes) {
+TEST_F(Partitioned, WritesOverTheOldNodes) {
   load();
   const std::int64_t pages = db.number("PRAGMA page_count");
   for (int i = 0; i < 3; ++i) {
@@ -38,7 +38,7 @@ TEST_F(Parts, WritesOverTheOldNodes) {
   EXPECT_LE(db.number("PRAGMA page_count"), pages + pages / 8);
 }
 
-TEST_F(Parts, QuestionsSeeWhatIsNearest) {
+TEST_F(Partitioned, QueriesFindTheNearest) {
   load();
   begin(db, *store);
   store->rebuild(never);
@@ -48,7 +48,7 @@ TEST_F(Parts, QuestionsSeeWhatIsNearest) {
   for (const auto& [id, x] : model) EXPECT_EQ(store->read(id)->at(1), x);
 }
 
-TEST_F(Parts, ManyAtOnePlaceAreShared) {
+TEST_F(Partitioned, ManyAtOnePlaceAreDivided) {
   begin(db, *store);
   for (int id = 1; id <= objects; ++id)
     store->insert(id, std::vector<double>{1, model[id] = 5, 5, 1, 1, 2}, {});
@@ -59,7 +59,7 @@ TEST_F(Parts, ManyAtOnePlaceAreShared) {
   expect_model();
 }
 
-TEST_F(Parts, ReportsOfAllInOneTransaction) {
+TEST_F(Partitioned, ReportsOfAllInOneTransaction) {
   load();
   for (int round = 0; round < 2; ++round) {
     begin(db, *store);
@@ -72,7 +72,7 @@ TEST_F(Parts, ReportsOfAllInOneTransaction) {
   }
 }
 
-TEST_F(Parts, GoBackToASavepoint) {
+TEST_F(Partitioned, RollBackToASavepoint) {
   load();
   begin(db, *store);
   update(-300 + 7919);
@@ -96,7 +96,7 @@ TEST_F(Parts, GoBackToASavepoint) {
   expect_model();
 }
 
-TEST_F(Parts, ASnapshotSeesWhatWas) {
+TEST_F(Partitioned, ASnapshotSeesTheOldTree) {
   load();
   begin(db, *store);
   {
@@ -113,7 +113,7 @@ TEST_F(Parts, ASnapshotSeesWhatWas) {
   expect_model();
 }
 
-TEST_F(Parts, AFaultHalfWayIsRolledBack) {
+TEST_F(Partitioned, AFailedLoadIsRolledBack) {
   load();
   const Model before = model;
   for (const char* when : {"node WHEN new.nodeno = 40", "map WHEN new.rowid = 6400"}) {
@@ -135,7 +135,7 @@ TEST_F(Parts, AFaultHalfWayIsRolledBack) {
   }
 }
 
-TEST_F(Parts, StopWhenAskedAtAnyMoment) {
+TEST_F(Partitioned, StopAtAnInterruptAtAnyTime) {
   load(2'000);
   bool stopped = true;
   for (int n = 0; stopped; n += 1 + n / 8) {
@@ -155,7 +155,7 @@ TEST_F(Parts, StopWhenAskedAtAnyMoment) {
   }
 }
 
-TEST_F(Parts, BelieveOnlyLeavesThatAreSound) {
+TEST_F(Partitioned, ReadOnlySoundLeaves) {
   load();
   const std::string leaf = "(SELECT min(nodeno) FROM ships_node WHERE substr(data, 1, 1) = x'00')";
   const std::string root = "(SELECT value FROM ships_meta WHERE key = 'root')";
@@ -178,12 +178,12 @@ TEST_F(Parts, BelieveOnlyLeavesThatAreSound) {
   roll_back(db, *store);
 }
 
-TEST_F(Parts, AnObjectInTwoLeavesIsAnErrorBeforeAnythingIsWritten) {
+TEST_F(Partitioned, AnObjectInTwoLeavesIsAnErrorBeforeAnythingIsWritten) {
   load();
   begin(db, *store);
   store->rebuild(never);
   commit(db, *store);
-  // The first leaf as another node, which no tree leads to.
+  // A copy of the first leaf as another node, which is not part of the tree.
   Statement read(db, "SELECT data FROM ships_node WHERE nodeno = 1");
   std::vector<std::byte> copy;
   {
@@ -205,8 +205,8 @@ TEST_F(Parts, AnObjectInTwoLeavesIsAnErrorBeforeAnythingIsWritten) {
   roll_back(db, *store);
 }
 
-/// Forms that no object has any more go, as they do where all is ordered together.
-TEST(PartsOfOutlines, KeepTheFormsThatAreUsed) {
+/// Unused forms are deleted, as they are when all objects are sorted in memory.
+TEST(PartitionedOutlines, KeepTheFormsThatAreUsed) {
   Database db;
   static const QualifiedName name{"main", "hulls"};
   const Declaration hulls{.layout = {.axes = 2, .shape = Shape::outline, .has_heading = true}};
@@ -248,4 +248,4 @@ TEST(PartsOfOutlines, KeepTheFormsThatAreUsed) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,4 +1,4 @@
-// The store by its interface: what goes in comes out, in and out of transactions.
+// Store through its public interface: round trips of objects inside and outside transactions.
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -7,12 +7,12 @@
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using Contents = std::vector<std::pair<std::int64_t, double>>;
 
-TEST(Store, GivesBackEveryDoubleBitForBit) {
+TEST(Store, ReturnsEveryDoubleBitForBit) {
   Database db;
   auto store = make_store(
       db, {.layout = {
@@ -193,12 +193,12 @@ TEST(Store, AgreesWithAMapThroughRandomChanges) {
   }
 }
 
-TEST(Store, ABulkLoadCanBeInterruptedAndDoneAgain) {
+TEST(Store, ABulkLoadCanBeInterruptedAndRepeated) {
   Database db;
   auto store = make_store(db);
   begin(db, *store);
   store->insert(1, ship(1), {});
-  store->read_newest_t();  // the tree is in memory: what follows runs no statement of its own
+  store->read_newest_t();  // the tree is in memory: the following calls run no SQL statement
   for (int id = 2; id <= 300; ++id) store->insert(id, ship(id), {});
   sqlite3_progress_handler(
       db, 1, [](void*) { return 1; }, nullptr);
@@ -211,4 +211,4 @@ TEST(Store, ABulkLoadCanBeInterruptedAndDoneAgain) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

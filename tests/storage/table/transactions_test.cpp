@@ -1,15 +1,15 @@
-// Transactions: savepoints exact, rollback whole, versions that never lie, other connections.
+// Transactions of a store: exact savepoints, complete rollbacks, correct versions, two connections.
 #include <cstdio>
 #include <filesystem>
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using Contents = std::vector<std::pair<std::int64_t, double>>;
 
-TEST(Transactions, RollbackDropsWhatIsPendingAndWhatIsWritten) {
+TEST(Transactions, RollbackDropsPendingAndWrittenChanges) {
   Database db;
   auto store = make_store(db);
   begin(db, *store);
@@ -23,7 +23,7 @@ TEST(Transactions, RollbackDropsWhatIsPendingAndWhatIsWritten) {
   EXPECT_EQ(contents(*store), (Contents{{1, 1}}));
 }
 
-TEST(Transactions, SavepointsKeepExactlyWhatTheySaw) {
+TEST(Transactions, SavepointsRestoreExactlyTheirState) {
   Database db;
   auto store = make_store(db);
   begin(db, *store);
@@ -42,7 +42,7 @@ TEST(Transactions, SavepointsKeepExactlyWhatTheySaw) {
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
 }
 
-TEST(Transactions, RollbackBelowTheFirstSavepointSeenMeansTheBeginning) {
+TEST(Transactions, RollbackBelowTheFirstSavepointRestoresTheStart) {
   Database db;
   auto store = make_store(db);
   db.run("BEGIN IMMEDIATE");
@@ -68,7 +68,7 @@ TEST(Transactions, CreateIsAWriteTransactionWithoutBegin) {
   EXPECT_EQ(contents(*store), (Contents{{1, 1}}));
 }
 
-TEST(Transactions, VersionMovesWithEveryChangeAndReturnsWithRollback) {
+TEST(Transactions, VersionChangesWithEveryChangeAndReturnsWithRollback) {
   Database db;
   auto store = make_store(db);
   const ContentVersion empty = store->read_version();
@@ -91,7 +91,7 @@ TEST(Transactions, VersionMovesWithEveryChangeAndReturnsWithRollback) {
   EXPECT_EQ(store->read_version(), empty);
 }
 
-TEST(Transactions, StampIsWrittenWithTheFirstChangeAndLastOfAllThatIsWritten) {
+TEST(Transactions, StampIsWrittenWithTheFirstChangeAndAfterAllOtherRows) {
   Database db;
   auto store = make_store(db);
   const std::string stamp = "SELECT value FROM ships_meta WHERE key = 'stamp'";
@@ -148,7 +148,7 @@ class TwoConnections : public ::testing::Test {
   std::filesystem::path file_;
 };
 
-TEST_F(TwoConnections, SeeEachOthersCommitsAndBelieveNothingOld) {
+TEST_F(TwoConnections, SeeEachOthersCommitsAndNothingOld) {
   Database writer(file_.string()), other(file_.string());
   writer.run("PRAGMA journal_mode = wal");
   auto mine = make_store(writer);
@@ -173,4 +173,4 @@ TEST_F(TwoConnections, SeeEachOthersCommitsAndBelieveNothingOld) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,0 +1,168 @@
+// Queries of a table all of whose objects have reported, or that was loaded in twenty transactions, beside a
+// table of the same objects that was loaded at once. Both must give the same results.
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "measure.h"
+#include "reports/modes.h"
+#include "reports/table.h"
+
+namespace foresee::bench {
+namespace {
+
+/// The number of rows, and a sum of their values that does not depend on their order.
+struct Answer {
+  std::uint64_t rows = 0, hash = 0;
+  friend bool operator==(const Answer&, const Answer&) = default;
+
+  void add(std::initializer_list<double> row) {
+    ++rows;
+    std::uint64_t mixed = 0;
+    for (const double number : row)
+      mixed = testing::Random(mixed ^ std::bit_cast<std::uint64_t>(number)).next();
+    hash += mixed;
+  }
+};
+
+/// The same places for every table.
+class Places {
+ public:
+  explicit Places(const Workload& w) {
+    for (std::size_t i = 0; i < w.count; ++i)
+      for (int axis = 0; axis < 2; ++axis)
+        side_[axis] = std::max(side_[axis], w.bodies().row(i)[w.bodies().at.x + axis]);
+  }
+  double next(int axis) { return random_.in(0, side_[axis]); }
+
+ private:
+  testing::Random random_{23};
+  double side_[2] = {0, 0};
+};
+
+struct Question {
+  std::string what;
+  std::function<void(Table&, Answer&)> run;
+};
+
+/// S has an object on every 14 units of area, and during the horizon of 3 they come from about 4.4 units
+/// away.
+double window_side(int objects) {
+  return std::sqrt(14.0 * objects) - 4.4;
+}
+
+Question window(const Workload& w, int objects, int questions) {
+  return {"windows of about " + std::to_string(objects),
+          [&w, objects, questions](Table& table, Answer& answer) {
+            Statement find(table.db(), "SELECT id, t FROM predictive_window(3, 'ships', ?1, ?2, ?3, ?4)");
+            Places places(w);
+            for (int i = 0; i < questions; ++i) {
+              const double x = places.next(0), y = places.next(1), side = window_side(objects);
+              find.bind(1, x), find.bind(2, x + side), find.bind(3, y), find.bind(4, y + side);
+              while (find.step()) answer.add({find.number(0), find.number(1)});
+            }
+          }};
+}
+
+Question nearest(const Workload& w, int questions) {
+  return {"nearest 10", [&w, questions](Table& table, Answer& answer) {
+            Statement find(table.db(), "SELECT id, distance FROM predictive_nearest(3, 'ships', 10, ?1, ?2)");
+            Places places(w);
+            for (int i = 0; i < questions; ++i) {
+              find.bind(1, places.next(0)), find.bind(2, places.next(1));
+              while (find.step()) answer.add({find.number(0), find.number(1)});
+            }
+          }};
+}
+
+Question partners(const Workload& w, int questions) {
+  return {"join, a = ?", [&w, questions](Table& table, Answer& answer) {
+            Statement find(table.db(), "SELECT b, t FROM predictive_join(3, 'ships') WHERE a = ?");
+            testing::Random random(29);
+            for (int i = 0; i < questions; ++i) {
+              find.bind(1, static_cast<std::int64_t>(1 + random.below(w.count)));
+              while (find.step()) answer.add({find.number(0), find.number(1)});
+            }
+          }};
+}
+
+Question join(const char* what, const char* method) {
+  return {what, [method](Table& table, Answer& answer) {
+            Statement find(table.db(), "SELECT a, b, t FROM predictive_join(3, 'ships') WHERE method = '" +
+                                           std::string(method) + "'");
+            while (find.step()) answer.add({find.number(0), find.number(1), find.number(2)});
+          }};
+}
+
+/// Ratio of fresh to used time of every query, in the same repetition.
+void compare(Table& used, Table& fresh, const Workload& w, int repetitions) {
+  const Question questions[] = {join("join", "auto"), join("join by the tree", "tree"),
+                                window(w, 10, 3000),  window(w, 100, 1000),
+                                window(w, 1000, 200), nearest(w, 1000),
+                                partners(w, 3000)};
+  for (const Question& question : questions) {
+    Comparison times;
+    for (int i = 0; i <= repetitions; ++i) {  // the first is a warm-up
+      Answer of_used, of_fresh;
+      const double seconds = seconds_of([&] { question.run(used, of_used); });
+      const double as_fresh = seconds_of([&] { question.run(fresh, of_fresh); });
+      if (of_used != of_fresh) throw Error(question.what + ": the used table answers otherwise");
+      if (i > 0) times.add(seconds, as_fresh);
+      if (i == repetitions)
+        std::printf("  %-24s used %9.2f   fresh %9.2f ms   %5.2fx (mark: 0.85x), %llu rows\n",
+                    question.what.c_str(), median(times.ours) * 1e3, median(times.rivals) * 1e3,
+                    median(times.ratios), static_cast<unsigned long long>(of_used.rows));
+    }
+    std::fflush(stdout);
+  }
+}
+
+double bytes_of(Table& table) {
+  Statement size(table.db(), "SELECT page_count * page_size FROM pragma_page_count, pragma_page_size");
+  size.step();
+  const double bytes = size.number(0);
+  size.step();
+  return bytes;
+}
+
+void compare_with_fresh(const std::string& how, Table& used, const Workload& w, int repetitions) {
+  Table fresh(Table::foresee, w, Medium::memory, "");
+  fresh.insert_all(writes_of(w));
+  if (!same_rows(used, fresh)) throw Error(how + ": other rows than were reported");
+  std::printf("%s, %s: %.2f times the bytes of a fresh one (mark: 1.3)\n", w.name.c_str(), how.c_str(),
+              bytes_of(used) / bytes_of(fresh));
+  compare(used, fresh, w, repetitions);
+}
+
+void transactions_of(Table& table, const Writes& writes, std::size_t transactions,
+                     void (Table::*write)(const Writes&, std::size_t)) {
+  const std::size_t n = writes.size();
+  for (std::size_t k = 0; k < transactions; ++k) {
+    table.db().run("BEGIN");
+    for (std::size_t i = k * n / transactions; i < (k + 1) * n / transactions; ++i) (table.*write)(writes, i);
+    table.db().run("COMMIT");
+  }
+}
+
+}  // namespace
+
+void measure_after(const Options& options) {
+  const bool quick = options.has("--quick");
+  const int repetitions = quick ? 3 : 7;
+  const std::vector<std::string> few = {"S-100000"}, all = {"S-100000", "S-1000000"};
+  for (const std::string& name : options.names(quick ? few : all)) {
+    Feed feed(make_workload(name));
+    Table reported(Table::foresee, feed.objects(), Medium::memory, "");
+    reported.insert_all(writes_of(feed.objects()));
+    for (int round = 0; round < 10; ++round)
+      transactions_of(reported, writes_of(feed.reports_of_all(), feed.objects()), 10, &Table::update);
+    compare_with_fresh("every object reported ten times, a random tenth a transaction", reported,
+                       feed.objects(), repetitions);
+    Table grown(Table::foresee, feed.objects(), Medium::memory, "");
+    transactions_of(grown, writes_of(feed.objects()), 20, &Table::insert);
+    compare_with_fresh("loaded in twenty transactions", grown, feed.objects(), repetitions);
+  }
+}
+
+}  // namespace foresee::bench

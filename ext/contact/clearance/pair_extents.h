@@ -1,0 +1,90 @@
+// The set of relative positions at which two objects touch, and its support function.
+//
+//   const ExtentsRule rule(ships.layout, ships.layout, 926, std::nullopt);
+//   const PairExtents<2> pair = rule.pair<2>(row_a, row_b, 600);  // half = {0, 0}, radius = r_a + r_b + 926
+//
+// Points, discs, balls, boxes, cylinders and their mixtures give one convex set: a box, grown by a radius on
+// all axes or in x and y alone. Outlines and prisms give one set per pair of convex pieces, whose Minkowski
+// sum replaces the box in x and y (piece_sum.h). Meshes have none. The sets are those of make_contact.cpp
+// with lengths rounded up: a point outside does not touch.
+#pragma once
+
+#include <optional>
+
+#include "contact/clearance/piece_sum.h"
+#include "motion/motion.h"
+#include "shape/layout.h"
+
+namespace foresee {
+
+/// A box of half extents `half` around the origin, whose first `round_axes` axes are grown together by
+/// `radius`. A `sum`, if not null, replaces the box in x and y, where half is 0 then.
+template <int D>
+struct PairExtents {
+  Vec<D> half;
+  double radius;
+  int round_axes;
+  const PieceSum* sum = nullptr;
+
+  void add(const PairExtents& more, double times = 1) {
+    half += times * more.half, radius += times * more.radius;
+  }
+
+  /// Upper bound of the support function along n.
+  double support(const Vec<D>& n) const {
+    const Vec<D> size = n.abs();
+    double square = 0;
+    for (int axis = 0; axis < round_axes; ++axis) square += n[axis] * n[axis];
+    double reach = (half * size).sum() + radius * std::sqrt(square);
+    double magnitude = (half.abs() * size).sum() + std::abs(radius) * std::sqrt(square);
+    if constexpr (D > 1)
+      if (sum) {
+        const double along = sum->support(n[0], n[1]);
+        reach += along, magnitude += std::abs(along);
+      }
+    return reach + (magnitude * 0x1p-49 + 0x1p-1000);
+  }
+
+  /// Approximate upper bound of the distance from the origin on each axis.
+  double size() const { return half.abs().maxCoeff() + std::abs(radius) + (sum ? sum->size() : 0); }
+};
+
+/// The extents at a time, and their growth per unit of time. Before both objects exist, sizes may be
+/// negative.
+template <int D>
+struct GrowingExtents : PairExtents<D> {
+  PairExtents<D> growth{Vec<D>::Zero(), 0, D};
+  bool grows = false;
+
+  PairExtents<D> after(double tau) const {
+    PairExtents<D> extents = *this;
+    if (grows) extents.add(growth, tau);
+    return extents;
+  }
+};
+
+class ExtentsRule {
+ public:
+  /// `within`, `within_z`: as for contact.
+  ExtentsRule(const Layout& a, const Layout& b, double within, std::optional<double> within_z);
+
+  /// The extents at `time`.
+  template <int D>
+  GrowingExtents<D> pair(const double* row_a, const double* row_b, double time) const;
+
+ private:
+  struct Side {
+    Layout layout;
+    Offsets at;
+  };
+  /// The extents of both together. size(quantity, axis) adds up half, r or hz of the two.
+  template <int D, class Size>
+  PairExtents<D> composed(const Size& size, double within, double within_z) const;
+
+  Side a_, b_;
+  bool upright_ = false, round_ = false;
+  bool pieces_ = false;  ///< boxes too are convex pieces in x and y
+  double within_, within_z_;
+};
+
+}  // namespace foresee

@@ -1,0 +1,70 @@
+// Minkowski sum of one convex piece and the reflection of another, in doubles: support function and signed
+// distance.
+//
+//   PieceSum sum(hull.piece(0), quay.piece(3));
+//   sum.support(0, 1)                      // no point of the sum is farther north
+//   sum.turn(15);                          // rotates the first piece by 15 degrees from its given pose
+//
+// The sum is the set of relative positions at which the two touch (contact/outline/convex_sum.h). Its support
+// function is an upper bound for proofs; the signed distance is approximate, for guesses.
+// Cost: linear in the corners of both, some nanoseconds each.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "contact/outline/convex_sum.h"
+#include "contact/outline/object_pieces.h"
+
+namespace foresee {
+
+class PieceSum {
+ public:
+  /// `other` must outlive this.
+  PieceSum(const ConvexPiece& own, const ConvexPiece& other);
+  /// Of the first piece of `other`.
+  PieceSum(const ConvexPiece& own, std::shared_ptr<const ObjectPieces> other);
+  PieceSum(const PieceSum&) = delete;
+  PieceSum& operator=(const PieceSum&) = delete;
+
+  /// Rotates the own piece clockwise by so many degrees from its given pose.
+  /// Requires: |degrees| <= 720; the own piece is not a box of no width.
+  void turn(double degrees);
+
+  /// Upper bound of the support function along (x, y), in lengths of that vector. It also holds for the
+  /// corners that a rotated outline is stored with, at a rounded heading.
+  double support(double x, double y) const;
+  /// Approximate signed distance of a point, below 0 inside, and its gradient, of length 1.
+  double signed_distance(double x, double y, double& normal_x, double& normal_y) const;
+  /// Calls use(normal_x, normal_y, error) for each edge that a point is beyond, or inside by less than
+  /// `near`. The normal points outward; `error` is an upper bound of its error.
+  template <class Use>
+  void for_each_edge_near(double x, double y, double near, Use&& use) const {
+    for (const Edge& edge : ring_)
+      if (!((x - edge.x) * edge.normal_x + (y - edge.y) * edge.normal_y < -near))
+        use(edge.normal_x, edge.normal_y, size_ * 0x1p-45 / edge.run);
+  }
+  /// Upper bound of the distance from the origin on each axis.
+  double size() const { return size_; }
+  /// Upper bound of the distance of the own corners from their position.
+  double own_reach() const { return own_reach_; }
+
+ private:
+  /// An edge of the boundary, which runs counterclockwise.
+  struct Edge {
+    double x, y;                ///< its start
+    double normal_x, normal_y;  ///< outward
+    double length;
+    double run;  ///< the length of the vector that gives its direction, also for boxes of no width
+  };
+  void make_ring(const Corner* along);
+
+  std::vector<Corner> given_, own_;
+  std::shared_ptr<const ObjectPieces> kept_;
+  ConvexPiece other_;
+  std::vector<Edge> ring_;
+  Corner point_;  ///< the sum, if it has no edges
+  double size_ = 0, own_reach_ = 0;
+};
+
+}  // namespace foresee

@@ -1,0 +1,149 @@
+#include "contact/clearance/separation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "contact/clearance/departure.h"
+#include "contact/clearance/separation_case.h"
+
+namespace foresee {
+namespace {
+
+constexpr double rounding = 0x1p-49;
+
+/// A range of delays, where time counts from the start of each delayed motion. So all delays start at one
+/// position, and the other object is where it is by then. A resting object then has one position for all
+/// delays, and the path before the start need not be clear. Cost: some 100 ns.
+template <int D>
+struct SeenFromStart {
+  Encounter<D> encounter;
+  TrajectoryFamily<D> family;
+};
+
+/// One delay: minus the displacement of the other object until the start, and the velocity relative to it
+/// then.
+template <int D>
+TrajectoryEstimate<D> estimate_from_start(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
+                                          double k) {
+  const double duration = family.all.end - family.delay_to;
+  return {-k * (encounter.v + (0.5 * k) * encounter.a), family.at_start.centre - k * encounter.a,
+          family.middle.a, std::max(0.0, encounter.begin - k), std::min(duration, encounter.end - k)};
+}
+
+template <int D>
+SeenFromStart<D> seen_from_start(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
+  SeenFromStart<D> seen{encounter, {}};
+  const double p = family.delay_from, q = family.delay_to, middle = p + 0.5 * (q - p),
+               half = std::max(middle - p, q - middle) * (1 + 0x1p-50), far = std::max(std::abs(p), q);
+  seen.encounter.begin = std::max(0.0, encounter.begin - q * (1 + 0x1p-50) - 0x1p-50 * encounter.begin);
+  seen.encounter.end = encounter.end - p + 0x1p-50 * (std::abs(encounter.end) + std::abs(p));
+  if (encounter.extents.grows) seen.encounter.extents.add(encounter.extents.growth, q * (1 + 0x1p-49));
+  TrajectoryFamily<D>& after = seen.family;
+  const Vec<D> v = encounter.v.abs(), a = encounter.a.abs();
+  after.all.place.centre = -middle * (encounter.v + (0.5 * middle) * encounter.a);
+  after.all.place.along = half * (encounter.v + middle * encounter.a);
+  after.all.place.pad = 0.5 * half * half * a * (1 + rounding) + far * encounter.ev * (1 + rounding) +
+                        rounding * (far * (v + far * a));
+  after.all.velocity = family.at_start;
+  if (encounter.bends()) {
+    after.all.velocity.centre -= middle * encounter.a;
+    after.all.velocity.along = half * encounter.a;
+    after.all.velocity.pad += rounding * (family.at_start.centre.abs() + 2 * far * a);
+  }
+  after.all.acceleration = family.all.acceleration;
+  after.all.begin = 0;
+  after.all.end = family.all.end - p + 0x1p-50 * (std::abs(family.all.end) + std::abs(p));
+  after.middle = estimate_from_start<D>(encounter, family, middle);
+  after.first = estimate_from_start<D>(encounter, family, p),
+  after.last = estimate_from_start<D>(encounter, family, q);
+  after.bends = family.bends, after.one_interval = family.one_interval, after.is_from_start = true;
+  find_ends<D>(after);
+  after.turned[0] = after.all.place.pad.sum();
+  return seen;
+}
+
+template <int D>
+ClearanceVerdict certified(SeparationCase<D>& separation, const Encounter<D>& encounter,
+                           const TrajectoryFamily<D>& family) {
+  if (separation.never_together()) return ClearanceVerdict::clear;
+  if (!separation.is_finite()) return ClearanceVerdict::blocked;
+  double tau = 0;
+  std::optional<double> nearest[2];  // of the first and the last change, once known
+  const TrajectoryEstimate<D>* const ends[] = {&family.first, &family.last};
+  const ProbeResult probe = separation.probe(family.middle, tau);
+  if (encounter.beside && !family.delayed && probe != ProbeResult::separated) {
+    const Departure leaving = departure_of<D>(encounter, family);
+    const double length = separation.end() - separation.begin();
+    if (length <= 0 || leaving.away_until >= length) return ClearanceVerdict::clear;
+    const double begin = separation.begin() + 0.5 * std::min(leaving.away_until, length);
+    if (leaving.away_until > 0 && separation.is_proven_after(begin)) return ClearanceVerdict::clear;
+    if (leaving.all_touch && separation.all_start_together()) return ClearanceVerdict::blocked;
+    if (!leaving.all_approach) separation.take_only_certain_touches();
+  }
+  switch (probe) {
+    case ProbeResult::separated:
+      return ClearanceVerdict::clear;
+    case ProbeResult::overlapping:
+      if (separation.all_touch_about(tau)) return ClearanceVerdict::blocked;
+      break;
+    case ProbeResult::inconclusive:
+      for (int i = 0; i < 2; ++i) {
+        double near = 0;
+        if (separation.probe(*ends[i], near) == ProbeResult::separated) return ClearanceVerdict::clear;
+        nearest[i] = near;
+      }
+      if (separation.all_touch_about(tau)) return ClearanceVerdict::blocked;
+      break;
+  }
+  if (separation.ends_touch_about(tau)) return ClearanceVerdict::blocked;
+  if (separation.bends()) {
+    for (int i = 0; i < 2; ++i) {
+      double near = 0;
+      if (!nearest[i] && separation.probe(*ends[i], near) == ProbeResult::separated)
+        return ClearanceVerdict::clear;
+      if (!nearest[i]) nearest[i] = near;
+    }
+    return separation.all_touch_between(*nearest[0], *nearest[1]) ? ClearanceVerdict::blocked
+                                                                  : ClearanceVerdict::open;
+  }
+  if (!family.one_interval)
+    for (int i = 0; i < 2; ++i) {
+      const double near = nearest[i] ? *nearest[i] : separation.nearest_time(*ends[i]);
+      if (separation.ends_touch_about(near)) return ClearanceVerdict::blocked;
+    }
+  if (family.one_interval && separation.touches(family.first) && separation.touches(family.last))
+    return ClearanceVerdict::blocked;
+  return ClearanceVerdict::open;
+}
+
+template <int D>
+ClearanceVerdict certified(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
+                           std::uint64_t& evaluations) {
+  SeparationCase<D> separation(encounter, family);
+  const ClearanceVerdict verdict = certified<D>(separation, encounter, family);
+  evaluations += 1 + separation.parts();
+  return verdict;
+}
+
+}  // namespace
+
+template <int D>
+ClearanceVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
+                                   std::uint64_t& evaluations) {
+  if (family.delayed) {
+    const SeenFromStart<D> seen = seen_from_start<D>(encounter, family);
+    const ClearanceVerdict verdict = certified<D>(seen.encounter, seen.family, evaluations);
+    if (verdict != ClearanceVerdict::open) return verdict;
+  }
+  return certified<D>(encounter, family, evaluations);
+}
+
+template ClearanceVerdict certify_clearance<1>(const Encounter<1>&, const TrajectoryFamily<1>&,
+                                               std::uint64_t&);
+template ClearanceVerdict certify_clearance<2>(const Encounter<2>&, const TrajectoryFamily<2>&,
+                                               std::uint64_t&);
+template ClearanceVerdict certify_clearance<3>(const Encounter<3>&, const TrajectoryFamily<3>&,
+                                               std::uint64_t&);
+
+}  // namespace foresee

@@ -1,0 +1,140 @@
+// Nearest approach of a straight path to a convex set, and the normal of a plane between them, in plain
+// doubles.
+//
+//   const StraightApproach<2> near = straight_approach(extents, x, v, 0, 600);
+//   near.gap > 0                 // the path probably keeps clear; near.normal is that of a separating plane
+//
+// The result is a guess that others prove. The distance from a convex set along a straight line is a convex
+// function of time. A falling and a rising tangent bound it from below; the mixture of their normals at the
+// crossing is perpendicular to the path. The crossing is the next time to evaluate (Kelley's cutting-plane
+// method, 1960). A disc takes one evaluation, a box as many as it has edges on the path. A growing set takes
+// some more: its distance is convex too, as the growth along a normal is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/clearance/pair_extents.h"
+#include "contact/clearance/trajectory_family.h"
+
+namespace foresee {
+
+/// The signed distance of a position from the set on the round axes: below 0 inside. `over`: its distance
+/// beyond the half extents.
+template <int D>
+double signed_distance_in_round_axes(const PairExtents<D>& extents, const Vec<D>& over, const Vec<D>& place,
+                                     Vec<D>& normal) {
+  if constexpr (D > 1)
+    if (extents.sum)
+      return extents.sum->signed_distance(place[0], place[1], normal[0], normal[1]) - extents.radius;
+  double square = 0, farthest = -std::numeric_limits<double>::infinity();
+  int face = 0;
+  for (int axis = 0; axis < extents.round_axes; ++axis) {
+    if (over[axis] > 0) square += over[axis] * over[axis];
+    if (over[axis] > farthest) farthest = over[axis], face = axis;
+  }
+  if (!(square > 0)) {
+    normal[face] = std::copysign(1.0, place[face]);
+    return farthest - extents.radius;
+  }
+  const double length = std::sqrt(square);
+  for (int axis = 0; axis < extents.round_axes; ++axis)
+    if (over[axis] > 0) normal[axis] = std::copysign(over[axis] / length, place[axis]);
+  return length - extents.radius;
+}
+
+/// The signed distance of a position from the set: below 0 inside. `normal`: its gradient.
+template <int D>
+double signed_distance(const PairExtents<D>& extents, const Vec<D>& place, Vec<D>& normal) {
+  const Vec<D> over = place.abs() - extents.half;
+  normal.setZero();
+  double outside = signed_distance_in_round_axes<D>(extents, over, place, normal);
+  for (int axis = extents.round_axes; axis < D; ++axis)
+    if (over[axis] > outside) {
+      outside = over[axis];
+      normal.setZero();
+      normal[axis] = std::copysign(1.0, place[axis]);
+    }
+  return outside;
+}
+
+template <int D>
+struct StraightApproach {
+  double tau, gap;  ///< approximately the time of the nearest approach, and the signed distance then
+  Vec<D> normal;
+};
+
+/// Of x + v tau during [begin, end]. Requires: begin <= end, both finite.
+template <int D>
+StraightApproach<D> straight_approach(const GrowingExtents<D>& extents, const Vec<D>& x, const Vec<D>& v,
+                                      double begin, double end) {
+  struct Tangent {
+    double tau, gap, slope;
+    Vec<D> normal;
+  };
+  const auto at = [&](double tau) {
+    Tangent tangent;
+    tangent.tau = tau;
+    tangent.gap = signed_distance<D>(extents.after(tau), x + tau * v, tangent.normal);
+    tangent.slope = (tangent.normal * v).sum();
+    if (extents.grows) tangent.slope -= extents.growth.support(tangent.normal);
+    return tangent;
+  };
+  const auto answer = [](const Tangent& t) { return StraightApproach<D>{t.tau, t.gap, t.normal}; };
+  const double square = (v * v).sum(), nearest = square > 0 ? -(x * v).sum() / square : begin;
+  Tangent first = at(std::clamp(nearest, begin, end));
+  const double level = 0x1p-50 * (first.normal * v).abs().sum();
+  if (std::abs(first.slope) <= level) return answer(first);
+  // Nearest to the centre and nearly to the set, as for a disc: the rest of the slope is rounding.
+  if (!extents.grows && first.tau == nearest && std::abs(first.slope) <= 0x1p20 * level) {
+    first.normal -= (first.slope / square) * v;
+    return answer(first);
+  }
+  Tangent fall = first, rise = first;
+  if (first.slope > 0) {
+    if (first.tau > begin) fall = at(begin);
+    if (fall.slope >= 0) return answer(fall);
+  } else {
+    if (first.tau < end) rise = at(end);
+    if (rise.slope <= 0) return answer(rise);
+  }
+  StraightApproach<D> best{};
+  for (int evaluation = 0; evaluation < 40; ++evaluation) {
+    const double span = rise.tau - fall.tau, turn = rise.slope - fall.slope;
+    const double step = std::clamp((fall.gap - rise.gap + rise.slope * span) / turn, 0.0, span);
+    const double lower_bound = fall.gap + fall.slope * step;
+    const Vec<D> between = (rise.slope * fall.normal - fall.slope * rise.normal) / turn;
+    const Tangent middle = at(fall.tau + step);
+    best = {middle.tau, middle.gap, between};
+    if (middle.gap - lower_bound <= 0.03 * std::abs(middle.gap)) break;
+    if (!(middle.tau > fall.tau && middle.tau < rise.tau)) break;
+    (middle.slope < 0 ? fall : rise) = middle;
+  }
+  return best;
+}
+
+/// Approximately the time during [begin, end] at which a bent path is deepest inside: the best of some
+/// samples and `tau`, refined.
+template <int D>
+double deepest_time(const GrowingExtents<D>& extents, const TrajectoryEstimate<D>& path, double begin,
+                    double end, double tau) {
+  Vec<D> ignored;
+  const auto distance = [&](double at) {
+    return signed_distance<D>(extents.after(at), place_at<D>(path, at), ignored);
+  };
+  double best = tau, min_distance = distance(tau), step = (end - begin) / sampled_times;
+  const auto evaluate_at = [&](double at) {
+    const double here = distance(at);
+    if (here < min_distance) best = at, min_distance = here;
+  };
+  for (int i = 0; i <= sampled_times; ++i) evaluate_at(std::min(begin + i * step, end));
+  for (int evaluation = 0; evaluation < 12; ++evaluation) {
+    step *= 0.5;
+    const double middle = best;
+    evaluate_at(std::max(begin, middle - step)), evaluate_at(std::min(end, middle + step));
+  }
+  return best;
+}
+
+}  // namespace foresee

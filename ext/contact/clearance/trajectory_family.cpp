@@ -1,0 +1,137 @@
+#include "contact/clearance/trajectory_family.h"
+
+#include "contact/set/relative_motion.h"
+#include "numbers/turned_vector.h"
+
+namespace foresee {
+namespace {
+
+DoubleDouble number(double value) {
+  return {value, 0};
+}
+
+/// The end of the horizon, in seconds after `s`, rounded up.
+double horizon_end(const Horizon& horizon, double s) {
+  if (s == horizon.now) return horizon.h;
+  const DoubleDouble passed = difference(s, horizon.now), left = difference(horizon.h, passed.high);
+  if (passed.low == 0 && left.low == 0) return left.high;
+  return left.high + 0x1p-50 * (horizon.h + std::abs(passed.high));
+}
+
+template <int D>
+Vec<D> turned(Vec<D> vector, const SineCosine<double>& by) {
+  const double x = vector[0];
+  vector[0] = x * by.cosine + vector[1] * by.sine;
+  vector[1] = vector[1] * by.cosine - x * by.sine;
+  return vector;
+}
+
+/// Both ends on each axis; most sets of a scene contain only 0.
+template <int D>
+void find_ends(const VectorSet<D>& set, Vec<D>& lower, Vec<D>& upper) {
+  lower = upper = Vec<D>::Zero();
+  if ((set.centre == 0).all() && (set.along == 0).all() && (set.pad == 0).all()) return;
+  for (int axis = 0; axis < D; ++axis) {
+    const bool is_one = !set.turns && set.along[axis] == 0 && set.pad[axis] == 0;
+    upper[axis] = is_one ? set.centre[axis] : set.max(axis);
+    lower[axis] = is_one ? set.centre[axis] : set.min(axis);
+  }
+}
+
+}  // namespace
+
+template <int D>
+Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
+                          const double* row, const GrowingExtents<D>& extents) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const double t = value_or(row, others.at.t, 0), until = value_or(row, others.at.until, inf);
+  const DoubleDouble age = difference(base.t, t);
+  Encounter<D> encounter;
+  for (int axis = 0; axis < D; ++axis) {
+    const AxisMotion<double> other = axis_motion(others, row, axis);
+    const double own = base.x[static_cast<std::size_t>(axis)];
+    const DoubleDouble gap = difference(other.x, own);
+    encounter.a[axis] = other.a;
+    if (age.high == 0) {
+      encounter.x[axis] = gap.high, encounter.v[axis] = other.v;
+      encounter.ex[axis] = std::abs(gap.low), encounter.ev[axis] = 0;
+      continue;
+    }
+    const DoubleDouble gained = age * number(other.a);
+    const DoubleDouble v = number(other.v) + gained, x = gap + age * (number(other.v) + half_of(gained));
+    const double magnitude = std::abs(age.high) * (std::abs(other.v) + std::abs(gained.high));
+    encounter.x[axis] = x.high, encounter.v[axis] = v.high;
+    encounter.ex[axis] = std::abs(x.low) + 0x1p-95 * (std::abs(other.x) + std::abs(own) + magnitude) +
+                         (magnitude == 0 ? 0 : 0x1p-1000);
+    encounter.ev[axis] = std::abs(v.low) + 0x1p-95 * (std::abs(other.v) + std::abs(gained.high)) +
+                         (gained.high == 0 ? 0 : 0x1p-1000);
+  }
+  encounter.extents = extents;
+  const double begin = t - base.t, end = until - base.t;
+  encounter.begin = std::max(0.0, begin * (1 - 0x1p-50));
+  encounter.end = std::min(horizon_end(horizon, base.t), end > 0 ? end * (1 + 0x1p-50) : end * (1 - 0x1p-50));
+  return encounter;
+}
+
+template <int D>
+void find_ends(TrajectoryFamily<D>& family) {
+  const VectorSet<D>* const parts[] = {&family.all.place, &family.all.velocity, &family.all.acceleration};
+  for (int part = 0; part < 3; ++part) find_ends<D>(*parts[part], family.lower[part], family.upper[part]);
+}
+
+template <int D>
+TrajectoryEstimate<D> trajectory_estimate(const OwnMotion& base, const Change& change, double k) {
+  if constexpr (D > 1)
+    if (change.manoeuvre == Manoeuvre::turn) {
+      const SineCosine<double> by = quick_sine_cosine(k);
+      return {Vec<D>::Zero(), turned<D>(Eigen::Map<const Vec<D>>(base.v.data()), by),
+              turned<D>(Eigen::Map<const Vec<D>>(base.a.data()), by), 0, base.until - base.t};
+    }
+  const MotionSet<D> one = motions_between<D>(base, change, k, k);
+  return {one.place.centre, one.velocity.centre, one.acceleration.centre, one.begin, one.end};
+}
+
+template <int D>
+TrajectoryFamily<D> trajectory_family(const OwnMotion& base, const Change& change, double p, double q) {
+  TrajectoryFamily<D> family;
+  family.all = motions_between<D>(base, change, p, q);
+  const auto& all = family.all;
+  family.delayed = change.manoeuvre == Manoeuvre::delay;
+  family.middle = {all.place.centre, all.velocity.centre, all.acceleration.centre, all.begin, all.end};
+  family.first = trajectory_estimate<D>(base, change, p),
+  family.last = trajectory_estimate<D>(base, change, q);
+  find_ends<D>(family);
+  const auto off_chord = [](const VectorSet<D>& set) {
+    return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : 0;
+  };
+  family.turned[0] = (family.delayed ? all.place.pad.sum() : 0);
+  family.turned[1] = off_chord(all.velocity), family.turned[2] = off_chord(all.acceleration);
+  // For turns by more than a third of a circle the middle is not typical: the mean velocity is near 0.
+  if (all.velocity.turns && all.velocity.cosine < 0.5) family.middle.v *= all.velocity.cosine > 0 ? 0.5 : 0;
+  if (family.delayed) {
+    family.at_start = motions_between<D>(base, {Manoeuvre::accelerate, 1}, 0, 0).velocity;
+    const double unsure = min_change(base, change, p, q);
+    family.delay_from = p + change.later - unsure, family.delay_to = q + change.later + unsure;
+  }
+  family.bends = (family.upper[2] != 0).any() || (family.lower[2] != 0).any();
+  family.one_interval = change.manoeuvre != Manoeuvre::turn && p < q;
+  return family;
+}
+
+template Encounter<1> encounter_of<1>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
+                                      const GrowingExtents<1>&);
+template Encounter<2> encounter_of<2>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
+                                      const GrowingExtents<2>&);
+template Encounter<3> encounter_of<3>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
+                                      const GrowingExtents<3>&);
+template void find_ends<1>(TrajectoryFamily<1>&);
+template void find_ends<2>(TrajectoryFamily<2>&);
+template void find_ends<3>(TrajectoryFamily<3>&);
+template TrajectoryEstimate<1> trajectory_estimate<1>(const OwnMotion&, const Change&, double);
+template TrajectoryEstimate<2> trajectory_estimate<2>(const OwnMotion&, const Change&, double);
+template TrajectoryEstimate<3> trajectory_estimate<3>(const OwnMotion&, const Change&, double);
+template TrajectoryFamily<1> trajectory_family<1>(const OwnMotion&, const Change&, double, double);
+template TrajectoryFamily<2> trajectory_family<2>(const OwnMotion&, const Change&, double, double);
+template TrajectoryFamily<3> trajectory_family<3>(const OwnMotion&, const Change&, double, double);
+
+}  // namespace foresee

@@ -1,0 +1,93 @@
+// All motions of a range of changes, the encounter with one other object, and approximate motions for
+// guesses.
+//
+//   const Encounter<2> encounter = encounter_of<2>(base, {now, h}, others, row,
+//                                                  rule.pair<2>(own_row, row, base.t));
+//   if (encounter.begin > encounter.end) …                             // they never exist together
+//   // 10 to 20 degrees to starboard
+//   const TrajectoryFamily<2> turns = trajectory_family<2>(base, change, 10, 20);
+//
+// The reference frame of both is the time and position of the change. At tau seconds after the change the
+// other object is at x + v tau + a tau^2 / 2, each number within its error. Differences of positions are
+// taken in double-double before they are rounded, so that neither old reports nor distant positions lose
+// digits. Families hold exact bounds of all motions; estimates are motions in plain doubles, near the stored
+// ones, and prove nothing.
+// Cost: some tens of nanoseconds per encounter, some hundreds per family.
+#pragma once
+
+#include "contact/clearance/pair_extents.h"
+#include "motion/motion_set.h"
+#include "shape/bodies.h"
+
+namespace foresee {
+
+/// How many times of a bent path are sampled for a guess.
+inline constexpr int sampled_times = 32;
+/// A smaller distance counts as touching, relative to the lengths of the pair. Proofs need less at any width.
+inline constexpr double touching_share = 0x1p-44;
+
+/// One other object, relative to an object that is about to change its motion.
+template <int D>
+struct Encounter {
+  Vec<D> x, v, a;
+  Vec<D> ex, ev;              ///< errors; a is exact
+  GrowingExtents<D> extents;  ///< at the change
+  double begin, end;          ///< both exist in the horizon, in seconds after the change, rounded outward
+  double inflation = 0;       ///< upper bound of the change of the set's support by its rotation …
+  double rotation_chord = 0;  ///< … whose chord this is, relative to the length that rotates
+  double square_gap = 0;      ///< lower bound of squared distance - squared reach, of discs and balls beside
+  bool beside = false;        ///< apart at the change by exact contact, but doubles may not decide it
+
+  bool bends() const { return (a != 0).any(); }
+};
+
+/// `base`: the motion that is changed, at the time of the change. Numbers that overflow are not finite.
+template <int D>
+Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
+                          const double* row, const GrowingExtents<D>& extents);
+
+/// One approximate motion, relative to the position of the change, and when it exists.
+template <int D>
+struct TrajectoryEstimate {
+  Vec<D> x, v, a;
+  double begin = 0, end = 0;
+};
+
+/// The changed motions of a range, and estimates of three of them.
+template <int D>
+struct TrajectoryFamily {
+  MotionSet<D> all;
+  TrajectoryEstimate<D> middle, first, last;
+  Vec<D> upper[3], lower[3];            ///< of positions, velocities and accelerations on each axis
+  double turned[3]{};                   ///< the height of an arc of these over its chord; 0: a segment
+  bool delayed = false;                 ///< each has its own start, at one position …
+  double delay_from = 0, delay_to = 0;  ///< … at this time after the t of the base …
+  VectorSet<D> at_start;                ///< … and with one velocity
+  bool is_from_start = false;           ///< seen_from_start(): only the other object's position differs
+  bool bends;                           ///< any of them is accelerated
+  bool one_interval;                    ///< if no path is bent, the changes that touch are one interval
+};
+
+template <int D>
+TrajectoryFamily<D> trajectory_family(const OwnMotion& base, const Change& change, double p, double q);
+
+/// Computes `upper` and `lower` of `all`.
+template <int D>
+void find_ends(TrajectoryFamily<D>& family);
+
+template <int D>
+TrajectoryEstimate<D> trajectory_estimate(const OwnMotion& base, const Change& change, double k);
+
+/// The other object relative to one estimate.
+template <int D>
+TrajectoryEstimate<D> relative(const Encounter<D>& encounter, const TrajectoryEstimate<D>& own) {
+  return {encounter.x - own.x, encounter.v - own.v, encounter.a - own.a, std::max(encounter.begin, own.begin),
+          std::min(encounter.end, own.end)};
+}
+
+template <int D>
+Vec<D> place_at(const TrajectoryEstimate<D>& path, double tau) {
+  return path.x + tau * (path.v + (0.5 * tau) * path.a);
+}
+
+}  // namespace foresee

@@ -1,9 +1,0 @@
-// Contact over three axes: a file of its own, as it takes long to compile.
-#include "contact/set_contact.h"
-
-namespace foresee::contact {
-
-template class SetContact<3, 1>;
-template class SetContact<3, 2>;
-
-}  // namespace foresee::contact

@@ -1,0 +1,155 @@
+#include "index/tpr_tree/bulk_load/bulk_load.h"
+
+#include <numeric>
+
+#include "base/interrupt_steps.h"
+#include "index/tpr_tree/bulk_load/leaf_order.h"
+
+namespace foresee {
+namespace {
+
+/// The upper quartile of a sample of t: the time that most objects have reached.
+template <int D>
+double typical_t(const LeafReader<D>& reader, std::span<const double> records) {
+  const std::size_t count = records.size() / reader.record_size(), step = count / 1024 + 1;
+  std::vector<double> sample;
+  for (std::size_t i = 0; i < count; i += step)
+    sample.push_back(reader.t(records.data() + i * reader.record_size()));
+  const auto quartile = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() * 3 / 4);
+  std::nth_element(sample.begin(), quartile, sample.end());
+  return *quartile;
+}
+
+template <int D>
+class TreeLoad {
+ public:
+  TreeLoad(TreeState<D>& state, Interrupt& interrupt) : state_(state), interrupt_(interrupt) {}
+
+  void run(std::span<const std::int64_t> ids, std::span<const double> records) {
+    start_clock(state_, records);
+    number_nodes(state_.leaves_for(ids.size()));
+    write_leaves(ids, records, {0, levels_[0]});
+    write_inner_levels();
+  }
+
+  void run(ObjectPartitions& partitions) {
+    const std::span<const std::size_t> counts = partitions.counts();
+    std::vector<std::size_t> leaves;
+    for (const std::size_t count : counts) leaves.push_back(count == 0 ? 0 : state_.leaves_for(count));
+    number_nodes(std::accumulate(leaves.begin(), leaves.end(), std::size_t{0}));
+    std::vector<std::int64_t> ids;
+    std::vector<double> records;
+    for (std::size_t i = 0, first = 0; i < leaves.size(); first += leaves[i++]) {
+      if (leaves[i] == 0) continue;
+      partitions.read(i, ids, records);
+      write_leaves(ids, records, {first, leaves[i]});
+    }
+    std::vector<double>().swap(records);
+    write_inner_levels();
+  }
+
+ private:
+  void number_nodes(std::size_t leaves) {
+    levels_ = level_sizes(leaves, state_.pages.inner_capacity());
+    std::size_t nodes = 0;
+    for (const std::size_t level : levels_) firsts_.push_back(static_cast<NodeNumber>(nodes)), nodes += level;
+    const NodeNumber first = state_.pages.reserve(nodes);
+    for (NodeNumber& number : firsts_) number += first;
+  }
+
+  NodeNumber number(std::size_t level, std::size_t i) const {
+    return firsts_[level] + static_cast<NodeNumber>(i);
+  }
+
+  void write_leaves(std::span<const std::int64_t> ids, std::span<const double> records, LeafRange leaves) {
+    const auto order = leaf_order(state_, records, levels_, leaves, interrupt_);
+    for (std::size_t i = 0; i < leaves.count; ++i) {
+      Node leaf = objects_at(part_of(order, i, leaves.count), ids, records, state_.reader.record_size());
+      state_.pages.place(leaf.keys, number(0, leaves.first + i));
+      finish(std::move(leaf), 0, leaves.first + i);
+    }
+  }
+
+  void write_inner_levels() {
+    for (std::size_t level = 1; level < levels_.size(); ++level) write_inner_nodes(level);
+    state_.pages.set_root(number(levels_.size() - 1, 0));
+  }
+
+  void write_inner_nodes(std::size_t level) {
+    const std::vector<Entry<D>> below = std::exchange(entries_, {});
+    const std::size_t nodes = levels_[level];
+    for (std::size_t i = 0; i < nodes; ++i) {
+      Node inner;
+      inner.level = static_cast<int>(level);
+      inner.epoch = state_.clock.now();
+      const std::size_t last = first_child(i + 1, nodes, below.size());
+      for (std::size_t child = first_child(i, nodes, below.size()); child < last; ++child)
+        add_entry(inner, number(level - 1, child), below[child]);
+      finish(std::move(inner), level, i);
+    }
+  }
+
+  /// Writes node i of a level and keeps its entry for the level above.
+  void finish(Node node, std::size_t level, std::size_t i) {
+    if (i % 64 == 0) interrupt_.check();
+    entries_.push_back(summary(node, state_.reader, state_.clock.now()));
+    if (level + 1 < levels_.size()) {
+      const std::size_t nodes = levels_[level], parents = levels_[level + 1];
+      std::size_t parent = i * parents / nodes;
+      while (first_child(parent + 1, parents, nodes) <= i) ++parent;
+      node.parent = number(level + 1, parent);
+    }
+    state_.pages.put(number(level, i), std::move(node));
+  }
+
+  TreeState<D>& state_;
+  Interrupt& interrupt_;
+  std::vector<std::size_t> levels_;  ///< number of nodes per level
+  std::vector<NodeNumber> firsts_;   ///< the first node number of each level; the others follow
+  std::vector<Entry<D>> entries_;    ///< of the nodes written last, for the level above
+};
+
+}  // namespace
+
+template <int D>
+void start_clock(TreeState<D>& state, std::span<const double> records) {
+  if (!state.clock.runs()) state.clock.set(typical_t(state.reader, records));
+}
+
+void free_all(Pages& pages, Interrupt& interrupt) {
+  std::vector<Unread> all;
+  if (pages.find_root() != 0) all.push_back(unread_root(pages));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    interrupt.check();
+    const auto node = read(pages, all[i]);
+    const NodeNumber number = all[i].number;
+    for (std::size_t slot = 0; slot < (node->is_leaf() ? 0 : node->size()); ++slot)
+      all.push_back(unread_child(number, *node, slot));
+  }
+  pages.set_root(0);
+  Steps step(interrupt);
+  for (const Unread& node : all) step(), pages.free(node.number);
+}
+
+template <int D>
+void bulk_load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+                    Interrupt& interrupt) {
+  if (!ids.empty()) TreeLoad<D>(state, interrupt).run(ids, records);
+}
+
+template <int D>
+void bulk_load_tree(TreeState<D>& state, ObjectPartitions& partitions, Interrupt& interrupt) {
+  TreeLoad<D>(state, interrupt).run(partitions);
+}
+
+#define FORESEE_OF_AXES(D)                                                                               \
+  template void start_clock<D>(TreeState<D>&, std::span<const double>);                                  \
+  template void bulk_load_tree<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
+                                  Interrupt&);                                                           \
+  template void bulk_load_tree<D>(TreeState<D>&, ObjectPartitions&, Interrupt&)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
+
+}  // namespace foresee

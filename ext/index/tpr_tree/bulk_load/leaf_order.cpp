@@ -1,0 +1,128 @@
+#include "index/tpr_tree/bulk_load/leaf_order.h"
+
+#include "base/interrupt_steps.h"
+#include "index/tpr_tree/bulk_load/leaf_order_items.h"
+
+namespace foresee {
+namespace {
+
+template <int D>
+class LeafOrder {
+ public:
+  LeafOrder(const TreeState<D>& state, std::span<const double> records,
+            const std::vector<std::size_t>& levels, LeafRange leaves, Interrupt& interrupt)
+      : state_(state),
+        records_(records),
+        levels_(levels),
+        leaves_(leaves),
+        interrupt_(interrupt),
+        step_(interrupt),
+        items_(records.size() / state.reader.record_size()) {}
+
+  std::vector<std::uint32_t> order() {
+    fill();
+    const std::size_t first_giant = leaves_.first + move_giants_last() * leaves_.count / items_.size();
+    halve(leaves_.first, first_giant);
+    halve(first_giant, leaves_.first + leaves_.count);
+    std::vector<std::uint32_t> order(items_.size());
+    for (std::size_t i = 0; i < order.size(); step_(), ++i) order[i] = items_[i].index;
+    return order;
+  }
+
+ private:
+  void fill() {
+    const OrderItems<D> items(state_, records_.data());
+    reach_.resize(items_.size());
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      if (i % 4096 == 0) interrupt_.check();
+      items_[i] = items.of(records_.data() + i * state_.reader.record_size(), static_cast<std::uint32_t>(i),
+                           reach_[i]);
+    }
+  }
+
+  /// Moves objects with far more than the median reach to the end; returns the number of the others.
+  std::size_t move_giants_last() {
+    std::vector<float> sample;
+    for (std::size_t i = 0; i < items_.size(); i += items_.size() / 1024 + 1) sample.push_back(reach_[i]);
+    std::nth_element(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2),
+                     sample.end());
+    const float limit = 16 * sample[sample.size() / 2];
+    const auto end = std::partition(items_.begin(), items_.end(), [&](const OrderItem<D>& item) {
+      return step_(), reach_[item.index] <= limit;
+    });
+    return static_cast<std::size_t>(end - items_.begin());
+  }
+
+  /// Orders the objects of leaves [first, last).
+  void halve(std::size_t first, std::size_t last) {
+    while (last - first > 1) {
+      interrupt_.check();
+      const std::size_t middle = boundary_near_middle(first, last);
+      const auto begin = items_.begin() + object(first), nth = items_.begin() + object(middle),
+                 end = items_.begin() + object(last);
+      const std::span<const OrderItem<D>> items(&*begin, static_cast<std::size_t>(end - begin));
+      const std::size_t along = widest_axis<D>(items);
+      std::nth_element(begin, nth, end, [this, along](const OrderItem<D>& a, const OrderItem<D>& b) {
+        step_();
+        return a.place[along] < b.place[along];
+      });
+      halve(first, middle);
+      first = middle;
+    }
+  }
+
+  std::ptrdiff_t object(std::size_t leaf) const {
+    return static_cast<std::ptrdiff_t>(first_child(leaf - leaves_.first, leaves_.count, items_.size()));
+  }
+
+  /// The boundary between two nodes, of the highest level with a boundary strictly between two leaves.
+  std::size_t boundary_near_middle(std::size_t first, std::size_t last) const {
+    const std::size_t middle = first + (last - first) / 2;
+    for (std::size_t level = levels_.size(); level-- > 1;) {
+      const std::size_t nodes = levels_[level];
+      std::size_t best = first;
+      for (std::size_t node = middle * nodes / levels_[0], i = 0; i < 2 && node + i < nodes; ++i) {
+        std::size_t leaf = node + i;
+        for (std::size_t below = level; below-- > 0;)
+          leaf = first_child(leaf, levels_[below + 1], levels_[below]);
+        auto distance = [middle](std::size_t a) { return a > middle ? a - middle : middle - a; };
+        if (leaf > first && leaf < last && (best == first || distance(leaf) < distance(best))) best = leaf;
+      }
+      if (best != first) return best;
+    }
+    return middle;
+  }
+
+  const TreeState<D>& state_;
+  std::span<const double> records_;
+  const std::vector<std::size_t>& levels_;
+  LeafRange leaves_;
+  Interrupt& interrupt_;
+  Steps step_;
+  std::vector<OrderItem<D>> items_;
+  std::vector<float> reach_;  ///< how far an object extends over the horizon, by record
+};
+
+}  // namespace
+
+std::vector<std::size_t> level_sizes(std::size_t leaves, std::size_t inner_capacity) {
+  std::vector<std::size_t> levels{leaves};
+  while (levels.back() > 1) levels.push_back((levels.back() + inner_capacity - 1) / inner_capacity);
+  return levels;
+}
+
+template <int D>
+std::vector<std::uint32_t> leaf_order(const TreeState<D>& state, std::span<const double> records,
+                                      const std::vector<std::size_t>& levels, LeafRange leaves,
+                                      Interrupt& interrupt) {
+  return LeafOrder<D>(state, records, levels, leaves, interrupt).order();
+}
+
+template std::vector<std::uint32_t> leaf_order<1>(const TreeState<1>&, std::span<const double>,
+                                                  const std::vector<std::size_t>&, LeafRange, Interrupt&);
+template std::vector<std::uint32_t> leaf_order<2>(const TreeState<2>&, std::span<const double>,
+                                                  const std::vector<std::size_t>&, LeafRange, Interrupt&);
+template std::vector<std::uint32_t> leaf_order<3>(const TreeState<3>&, std::span<const double>,
+                                                  const std::vector<std::size_t>&, LeafRange, Interrupt&);
+
+}  // namespace foresee

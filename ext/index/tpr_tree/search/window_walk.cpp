@@ -1,0 +1,61 @@
+#include "index/tpr_tree/search/window_walk.h"
+
+namespace foresee {
+
+template <int D>
+WindowWalk<D>::WindowWalk(NodeSource& source, const MovingBox<D>& query, const Horizon& horizon,
+                          const Vec<D>& margin, Interrupt& interrupt)
+    : source_(source), interrupt_(interrupt), reader_(source.layout()), horizon_(horizon), query_(query) {
+  query_.lower = lower_end<D>(query.lower - margin, (query.lower.abs() + margin) * rounding_pad);
+  query_.upper = upper_end<D>(query.upper + margin, (query.upper.abs() + margin) * rounding_pad);
+  if (source.find_root() != 0) open_.push_back(unread_root(source));
+}
+
+template <int D>
+bool WindowWalk<D>::next(LeafHits& hits) {
+  hits.slots.clear();
+  while (!open_.empty()) {
+    interrupt_.check();
+    const Unread open = open_.back();
+    open_.pop_back();
+    auto node = read(source_, open);
+    if (!node->is_leaf()) {
+      open_children(open.number, *node);
+      continue;
+    }
+    find_in_leaf(*node, hits.slots);
+    if (!hits.slots.empty()) {
+      hits.leaf = std::move(node);
+      return true;
+    }
+  }
+  hits.leaf = nullptr;
+  return false;
+}
+
+template <int D>
+[[gnu::flatten]] void WindowWalk<D>::open_children(NodeNumber number, const Node& inner) {
+  for (std::size_t slot = 0; slot < inner.size(); ++slot) {
+    const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
+    SharedInterval span = shared_span(box, query_);
+    if (!span.is_empty() && narrow_to_contact(box, query_, span))
+      open_.push_back(unread_child(number, inner, slot));
+  }
+}
+
+template <int D>
+[[gnu::flatten]] void WindowWalk<D>::find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const {
+  for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
+    const Mover<D> mover(reader_, reader_.record(leaf, slot));
+    const MovingBox<D> box = mover.box(horizon_, Vec<D>::Zero());
+    SharedInterval span = shared_span(box, query_);
+    if (!span.is_empty() && narrow_to_contact(box, query_, span))
+      slots.push_back(static_cast<std::uint32_t>(slot));
+  }
+}
+
+template class WindowWalk<1>;
+template class WindowWalk<2>;
+template class WindowWalk<3>;
+
+}  // namespace foresee

@@ -1,0 +1,104 @@
+// State shared by the operations of a TPR-tree: its pages, a record reader and the write clock, but no nodes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "index/tpr_tree/node.h"
+#include "index/tpr_tree/visit_cost.h"
+
+namespace foresee {
+
+// The write clock estimates the current time of a table. Most objects are written with the current time as
+// their t, but some are scheduled for later and some arrive late. So the clock is the median t of the last
+// writes.
+//
+// Only the shape of the tree depends on it, never a result.
+
+class WriteClock {
+ public:
+  /// The number of writes that it remembers.
+  static constexpr std::size_t memory = 15;
+
+  double now() const { return now_; }
+  /// False until the first write.
+  bool runs() const { return count_ > 0; }
+
+  /// Called when an object with this t is written. The first write sets the clock.
+  void observe(double t) {
+    if (count_ == 0) recent_.fill(t);
+    recent_[count_++ % recent_.size()] = t;
+    if (t == now_ && count_ > 1) return;
+    auto sorted = recent_;
+    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+    now_ = sorted[sorted.size() / 2];
+  }
+  /// Called when a whole table was written; `t` is its typical time.
+  void set(double t) { recent_.fill(t), now_ = t, count_ = recent_.size(); }
+
+ private:
+  std::array<double, memory> recent_{};
+  std::size_t count_ = 0;
+  double now_ = 0;
+};
+
+/// The fraction of `horizon` for which the tree's shape is optimized. Queries about a whole horizon are
+/// fastest with 0.3 to 0.5, queries about a twentieth of it with 0.1 or less. With 0.15 neither costs much
+/// more than its optimum.
+inline constexpr double look_ahead = 0.15;
+
+/// The fraction of a leaf that packing fills. Moving objects come and go, so every other write would
+/// redistribute leaves without free slots.
+inline constexpr double packed_fill = 0.9;
+
+template <int D>
+struct TreeState {
+  TreeState(Pages& pages, double horizon) : pages(pages), reader(pages.layout()), horizon(horizon) {}
+
+  Pages& pages;
+  LeafReader<D> reader;
+  double horizon;
+  WriteClock clock;
+
+  VisitCost<D> cost(double epoch) const { return {clock.now(), look_ahead * horizon, epoch}; }
+  std::size_t stride(int level) const {
+    return level == 0 ? reader.record_size() : static_cast<std::size_t>(entry_size(D));
+  }
+  std::size_t capacity(int level) const {
+    return level == 0 ? pages.leaf_capacity() : pages.inner_capacity();
+  }
+  /// The number of objects in a packed leaf.
+  std::size_t packed_size() const {
+    return static_cast<std::size_t>(packed_fill * static_cast<double>(pages.leaf_capacity()));
+  }
+  /// The number of leaves for these objects when they are packed.
+  std::size_t leaves_for(std::size_t objects) const {
+    return objects <= pages.leaf_capacity() ? 1 : (objects + packed_size() - 1) / packed_size();
+  }
+  /// A node with fewer keys is dissolved, except the root. No split gives a smaller half.
+  std::size_t min_size(int level) const { return std::max<std::size_t>(2, capacity(level) / 4); }
+};
+
+/// What is added to the tree: an object in a leaf, or a branch in an inner node.
+template <int D>
+struct NewObject {
+  std::int64_t id;
+  std::span<const double> record;
+  Mover<D> mover;
+
+  Entry<D> entry(double epoch) const { return entry_of(mover, epoch); }
+};
+
+template <int D>
+struct Branch {
+  NodeNumber number;
+  NodeNumber parent;  ///< which no longer exists
+  int level;          ///< of the node that the branch is added to
+  Entry<D> known;
+  double epoch;
+
+  Entry<D> entry(double at) const { return {known.times, carried(known.bounds, epoch, at)}; }
+};
+
+}  // namespace foresee

@@ -1,0 +1,65 @@
+// Choice of the subtree for an insertion, and of the sibling with which a node shares: the cost of visits
+// increases least.
+//
+//   ChildChoice<2> choice(*inner, state.cost(inner->epoch));     // for as many objects as there are
+//   const std::size_t slot = choice.choose(entry_of(object, inner->epoch).bounds);
+//
+// Ties go to the cheaper child. Cost: the node's entries are read once. Then each object costs about thirty
+// multiplications per child, in vector instructions.
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "index/tpr_tree/tree_state.h"
+
+namespace foresee {
+
+template <int D>
+class ChildChoice {
+ public:
+  /// Requires: an inner node that is not empty; `cost` is for bounds at its epoch.
+  ChildChoice(const Node& inner, const VisitCost<D>& cost);
+
+  /// The slot of the best child for `added`, bounds at the node's epoch.
+  std::size_t choose(const Bounds<D>& added);
+
+ private:
+  enum Face { x_lower, x_upper, v_lower, v_upper, a_lower, a_upper, faces };
+  const double* face(int which, int axis) const {
+    return faces_.data() + static_cast<std::size_t>(which * D + axis) * children_;
+  }
+  void costs_with(const Bounds<D>& added, std::vector<double>& costs);
+
+  std::size_t children_;
+  VisitCost<D> cost_;
+  double query_;
+  std::vector<double> faces_;             ///< of all children in columns: by face, then by axis
+  std::vector<double> widths_, product_;  ///< temporary
+  std::vector<double> before_, after_;    ///< the cost of each child
+};
+
+/// The slot of the sibling that a node overlaps most: a union with it increases the cost least. The node's
+/// own slot if it has no sibling.
+template <int D>
+std::size_t closest_sibling(const TreeState<D>& state, const Node& above, NodeNumber number);
+
+/// The cost that an addition adds to a child; the min is the best.
+struct Growth {
+  double cost;
+  std::size_t slot;
+
+  friend auto operator<=>(const Growth&, const Growth&) = default;
+};
+
+/// The growth of every child, by slot. `added` are bounds at the node's epoch.
+template <int D>
+std::vector<Growth> growths(const Node& inner, const Bounds<D>& added, const VisitCost<D>& cost,
+                            double query);
+
+/// The slots of a child, first, and of the siblings that it overlaps most: at most `limit` in total.
+template <int D>
+std::vector<std::size_t> closest_children(const TreeState<D>& state, const Node& above, NodeNumber number,
+                                          std::size_t limit);
+
+}  // namespace foresee

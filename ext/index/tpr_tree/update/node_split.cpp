@@ -1,0 +1,87 @@
+#include "index/tpr_tree/update/node_split.h"
+
+#include <numeric>
+
+namespace foresee {
+namespace {
+
+/// The sort key of elements: their centre at half the look-ahead, or their velocity.
+template <int D>
+double sort_key(const Bounds<D>& b, int axis, bool by_velocity, double middle) {
+  const double v = 0.5 * b.v_lower[axis] + 0.5 * b.v_upper[axis];
+  const double key = by_velocity ? v : 0.5 * b.x_lower[axis] + 0.5 * b.x_upper[axis] + v * middle;
+  return std::isnan(key) ? 0 : key;
+}
+
+template <int D>
+class SplitSearch {
+ public:
+  SplitSearch(std::span<const Bounds<D>> elements, const VisitCost<D>& cost)
+      : elements_(elements),
+        cost_(cost),
+        order_(elements.size()),
+        key_(elements.size()),
+        from_(elements.size()) {
+    Bounds<D> all = Bounds<D>::nothing();
+    for (const Bounds<D>& element : elements) all.include(element);
+    query_ = 0.25 * cost.mean_width(all);
+  }
+
+  void try_order(int axis, bool by_velocity) {
+    for (std::size_t i = 0; i < elements_.size(); ++i)
+      key_[i] = sort_key(elements_[i], axis, by_velocity, cost_.middle());
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::sort(order_.begin(), order_.end(), [this](std::uint32_t a, std::uint32_t b) {
+      return key_[a] != key_[b] ? key_[a] < key_[b] : a < b;
+    });
+    try_cuts();
+  }
+
+  std::vector<std::uint32_t> leaving() const { return leaving_; }
+
+ private:
+  /// from_[i] is set to the bounds of all elements from place i of the order on.
+  void try_cuts() {
+    const std::size_t count = elements_.size(), min_count = std::max<std::size_t>(2, count * 2 / 5);
+    Bounds<D> right = Bounds<D>::nothing(), left = right;
+    for (std::size_t i = count; i-- > 0;) {
+      right.include(elements_[order_[i]]);
+      from_[i] = right;
+    }
+    std::size_t best_cut = 0;
+    for (std::size_t cut = 1; cut + min_count <= count; ++cut) {
+      left.include(elements_[order_[cut - 1]]);
+      if (cut < min_count) continue;
+      const double total = cost_(left, query_) + cost_(from_[cut], query_);
+      if (total < lowest_) lowest_ = total, best_cut = cut;
+    }
+    if (best_cut == 0) return;
+    leaving_.assign(order_.begin() + static_cast<std::ptrdiff_t>(best_cut), order_.end());
+    std::sort(leaving_.begin(), leaving_.end());
+  }
+
+  std::span<const Bounds<D>> elements_;
+  const VisitCost<D>& cost_;
+  std::vector<std::uint32_t> order_, leaving_;
+  std::vector<double> key_;
+  std::vector<Bounds<D>> from_;
+  double query_ = 0, lowest_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+template <int D>
+std::vector<std::uint32_t> choose_split(std::span<const Bounds<D>> elements, const VisitCost<D>& cost) {
+  SplitSearch<D> search(elements, cost);
+  for (int axis = 0; axis < D; ++axis) {
+    search.try_order(axis, false);
+    search.try_order(axis, true);
+  }
+  return search.leaving();
+}
+
+template std::vector<std::uint32_t> choose_split<1>(std::span<const Bounds<1>>, const VisitCost<1>&);
+template std::vector<std::uint32_t> choose_split<2>(std::span<const Bounds<2>>, const VisitCost<2>&);
+template std::vector<std::uint32_t> choose_split<3>(std::span<const Bounds<3>>, const VisitCost<3>&);
+
+}  // namespace foresee

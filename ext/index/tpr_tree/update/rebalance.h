@@ -1,0 +1,33 @@
+// Rebalancing of TPR-tree nodes that have gained or lost many objects. Overfull and underfull nodes share
+// with a sibling or are split, empty nodes are removed, and the parent's entries are recomputed.
+//
+//   even_out(state, parent, changed_children);       // from the leaves up, parent by parent
+//   even_out_root(state);                            // at the end
+//
+// A leaf that is overfull, or less than a quarter full, is repacked together with a sibling. Both go into as
+// few leaves as hold them with some free slots: two full leaves become three. A leaf that is less than half
+// full is repacked too, if one leaf holds both. The sibling is one of the few that the leaf overlaps most:
+// the first that has enough free slots, otherwise the first. Inner nodes are split in two, or merged into the
+// sibling that they overlap most.
+#pragma once
+
+#include "index/tpr_tree/tree_state.h"
+
+namespace foresee {
+
+/// Requires: the nodes beneath `children` are balanced; `parent` has all `children`. Afterwards the parent
+/// may be overfull, underfull or without children, and its own entry is stale.
+template <int D>
+void even_out(TreeState<D>& state, NodeNumber parent, std::span<const NodeNumber> children);
+
+/// The same for one leaf that has lost objects, or is overfull: it shares with a sibling. Returns false, and
+/// writes nothing, if no change is necessary. Requires: `parent` has a true entry for the leaf; afterwards
+/// the parent may be overfull or underfull.
+template <int D>
+bool even_out_leaf(TreeState<D>& state, NodeNumber parent, NodeNumber leaf);
+
+/// Splits an overfull root below a new one; removes roots with a single child.
+template <int D>
+void even_out_root(TreeState<D>& state);
+
+}  // namespace foresee

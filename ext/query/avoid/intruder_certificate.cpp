@@ -1,0 +1,113 @@
+#include "query/avoid/intruder_certificate.h"
+
+#include <algorithm>
+
+#include "contact/clearance/departure.h"
+#include "contact/clearance/separation_increase.h"
+
+namespace foresee {
+namespace {
+
+/// Upper bound of the chord of a rotation by at most `degrees`, relative to the radius: twice the sine of
+/// half the angle.
+double chord_of(double degrees) {
+  if (degrees >= 180) return 2;
+  return 2 * (quick_sine_cosine(0.5 * degrees).sine * (1 + 0x1p-40) + 0x1p-1000);
+}
+
+}  // namespace
+
+template <int D>
+IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& encounter, AtFirst at_first,
+                                            std::shared_ptr<const OutlinePair> outlines)
+    : encounter_(encounter),
+      at_first_(at_first),
+      stage_(outlines ? Stage::whole : Stage::simple),
+      outlines_(std::move(outlines)),
+      round_(encounter.extents.radius) {
+  if (outlines_)
+    encounter_.extents.radius += outlines_->reach() * (1 + 0x1p-50);
+  else
+    encounter_.beside = at_first == AtFirst::apart && is_beside(encounter_);
+}
+
+template <int D>
+ClearanceVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& family, double p, double q,
+                                                 std::uint64_t& evaluations) const {
+  if (touches_first()) ++evaluations;
+  if (stage_ == Stage::simple)
+    return touches_first() ? certify_separation_increases<D>(encounter_, family, evaluations)
+                           : certify_clearance<D>(encounter_, family, evaluations);
+  if (has_parts())
+    return certify_clearance<D>(turning_ ? encounter_between(p, q) : encounter_, family, evaluations) ==
+                   ClearanceVerdict::clear
+               ? ClearanceVerdict::clear
+               : ClearanceVerdict::open;
+  const Encounter<D> turned = turning_ ? encounter_between(p, q) : encounter_;
+  if (!touches_first()) return certify_clearance<D>(turned, family, evaluations);
+  const bool surely_first = outlines_->is_sole() && !outlines_->turns();
+  return surely_first ? certify_separation_increases<D>(turned, family, evaluations)
+                      : certify_piece_separation_increases<D>(turned, family, evaluations);
+}
+
+template <int D>
+Encounter<D> IntruderCertificate<D>::encounter_between(double p, double q) const {
+  Encounter<D> encounter = encounter_;
+  if (!turning_) return encounter;
+  const double middle = p + 0.5 * (q - p), half = std::max(middle - p, q - middle);
+  const double chord = half > 0 ? chord_of(half * (1 + 0x1p-50)) : 0;
+  if (stage_ == Stage::boxes && chord > 0.5) return encounter;
+  turning_->turn(middle);
+  encounter.extents.sum = turning_.get(), encounter.extents.radius = round_;
+  encounter.rotation_chord = chord, encounter.inflation = turning_->own_reach() * chord;
+  return encounter;
+}
+
+template <int D>
+bool IntruderCertificate<D>::is_worth_splitting(const TrajectoryFamily<D>& family) const {
+  if (!has_parts()) return false;
+  const double end = std::min(encounter_.end, family.all.end);
+  const Vec<D> apart =
+      (family.upper[0] - family.lower[0]) +
+      end * ((family.upper[1] - family.lower[1]) + (0.5 * end) * (family.upper[2] - family.lower[2]));
+  const double size = stage_ == Stage::boxes ? outlines_->box_size(part_) : 0;
+  return touches_first() || 4 * (size + 2 * encounter_.extents.after(end).radius) >= apart.maxCoeff();
+}
+
+template <int D>
+std::vector<IntruderCertificate<D>> IntruderCertificate<D>::parts() const {
+  std::vector<IntruderCertificate> parts;
+  for (const OutlinePair::Part& part :
+       stage_ == Stage::whole ? outlines_->parts() : outlines_->parts(part_)) {
+    IntruderCertificate one = *this;
+    one.stage_ = part.pieces ? Stage::pieces : Stage::boxes;
+    one.part_ = part;
+    one.sum_ = outlines_->sum_of(part);
+    if (outlines_->turns()) one.turning_ = part.pieces ? one.sum_ : outlines_->turning_sum_of(part);
+    one.encounter_.extents.sum = one.sum_.get();
+    one.encounter_.extents.radius = round_ + outlines_->more_round(part) * (1 + 0x1p-50);
+    one.encounter_.beside =
+        part.pieces && !outlines_->turns() && at_first_ == AtFirst::apart && is_beside(one.encounter_);
+    parts.push_back(std::move(one));
+  }
+  return parts;
+}
+
+template <int D>
+bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family, double k) {
+  std::uint64_t evaluations = 0;
+  const ClearanceVerdict verdict = intruder.certify(family, k, k, evaluations);
+  if (verdict != ClearanceVerdict::open || !intruder.has_parts()) return verdict == ClearanceVerdict::clear;
+  const std::vector<IntruderCertificate<D>> parts = intruder.parts();
+  return std::all_of(parts.begin(), parts.end(),
+                     [&](const IntruderCertificate<D>& part) { return is_clear_of<D>(part, family, k); });
+}
+
+template class IntruderCertificate<1>;
+template class IntruderCertificate<2>;
+template class IntruderCertificate<3>;
+template bool is_clear_of<1>(const IntruderCertificate<1>&, const TrajectoryFamily<1>&, double);
+template bool is_clear_of<2>(const IntruderCertificate<2>&, const TrajectoryFamily<2>&, double);
+template bool is_clear_of<3>(const IntruderCertificate<3>&, const TrajectoryFamily<3>&, double);
+
+}  // namespace foresee

@@ -1,0 +1,68 @@
+// The clearance certificate of one intruder for a range of changes, refined from bounds to convex pieces.
+//
+//   IntruderCertificate<2> ship(encounter, IntruderCertificate<2>::AtFirst::apart);
+//   ship.certify(trajectory_family<2>(base, change, 10, 20), 10, 20, evaluations)
+//
+// Guarantee: a range certified clear is so for every change of it (contact/clearance/separation.h). An
+// intruder of several parts is clear if all of them are. An outline starts as the disc around both objects.
+// Where that is undecided, boxes follow, and finally the pairs of convex pieces.
+// Cost: that of a certificate. The sum of an outline that rotates is recomputed per range.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "contact/clearance/outline_pair.h"
+#include "contact/clearance/separation.h"
+
+namespace foresee {
+
+template <int D>
+class IntruderCertificate {
+ public:
+  /// The state at the change, by exact contact.
+  enum class AtFirst : std::uint8_t {
+    touches,  ///< must separate
+    apart,
+    unknown
+  };
+  /// `outlines`: null for shapes without outlines.
+  IntruderCertificate(const Encounter<D>& encounter, AtFirst at_first,
+                      std::shared_ptr<const OutlinePair> outlines = {});
+
+  const Encounter<D>& encounter() const { return encounter_; }
+  bool touches_first() const { return at_first_ == AtFirst::touches; }
+  ClearanceVerdict certify(const TrajectoryFamily<D>& family, double p, double q,
+                           std::uint64_t& evaluations) const;
+
+  /// The encounter of one change, for guesses.
+  Encounter<D> encounter_at(double k) const { return encounter_between(k, k); }
+
+  /// Whether it bounds several convex sets.
+  bool has_parts() const { return stage_ == Stage::whole || stage_ == Stage::boxes; }
+  /// Whether a test of the parts can succeed. It cannot if the whole is smaller than the distance between the
+  /// changes of the range: then no set touches for all of them.
+  bool is_worth_splitting(const TrajectoryFamily<D>& family) const;
+  std::vector<IntruderCertificate> parts() const;
+
+ private:
+  enum class Stage : std::uint8_t { simple, whole, boxes, pieces };
+
+  /// If the outline rotates with the change: its pose in the middle of the range, inflated by the rotation to
+  /// the ends. For boxes and a wide range the disc around them instead.
+  Encounter<D> encounter_between(double p, double q) const;
+
+  Encounter<D> encounter_;
+  AtFirst at_first_;
+  Stage stage_;
+  std::shared_ptr<const OutlinePair> outlines_;
+  OutlinePair::Part part_;
+  std::shared_ptr<PieceSum> sum_, turning_;  ///< turning_: if the own part rotates
+  double round_ = 0;                         ///< the radius without discs around rotating boxes
+};
+
+/// Whether one single change is proven clear.
+template <int D>
+bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family, double k);
+
+}  // namespace foresee

@@ -1,0 +1,52 @@
+// An outline that many rows share, with its convex pieces and its rotations, which are checked on demand.
+//
+//   const auto hull = std::make_shared<const SharedOutline>(read_outline(text));
+//   hull->pieces();                      // cut at the first call, by whichever thread comes first
+//   hull->rotated(37.5)               // throws if the rotated outline is not valid
+//
+// Immutable: several threads and statements may hold one.
+#pragma once
+
+#include <mutex>
+
+#include "shape/form.h"
+#include "shape/outline/convex_pieces.h"
+#include "shape/outline/validity.h"
+#include "shape/outline/wkt.h"
+
+namespace foresee {
+
+class SharedOutline final : public Form {
+ public:
+  using Pieces = ConvexPieces;
+  /// Requires: a valid outline (validity.h).
+  explicit SharedOutline(Outline outline) : outline_(std::move(outline)) {}
+
+  const Outline& outline() const { return outline_; }
+  const ConvexPieces& pieces() const {
+    std::call_once(cut_, [this] { pieces_ = convex_pieces(outline_); });
+    return pieces_;
+  }
+  /// The outline rotated by `heading` degrees (outline_rotation.h). Throws Error if the result is not a valid
+  /// outline, or beyond the largest double. Requires: -360 <= heading <= 360.
+  Outline rotated(double heading) const;
+  ConvexPieces rotated_pieces(double heading) const { return turned_pieces(pieces(), rotated(heading)); }
+
+  Shape shape() const override { return Shape::outline; }
+  std::size_t corners() const override { return outline_.corners().size(); }
+  std::string text() const override { return write_outline(outline_); }
+  Extents<3> extents(double heading) const override {
+    const Extents<2> flat = rotated(heading).extents();
+    Extents<3> around = Extents<3>::none();
+    around.lower.head<2>() = flat.lower, around.upper.head<2>() = flat.upper;
+    return around;
+  }
+
+ private:
+  Outline outline_;
+  mutable std::once_flag cut_, checked_;
+  mutable ConvexPieces pieces_;
+  mutable std::optional<Flaw> edge_touch_;
+};
+
+}  // namespace foresee

@@ -1,0 +1,38 @@
+// Compatibility with the host's SQLite: the minimum version, and newer functions with their fallbacks.
+//
+//   require_version(sqlite3_libversion_number(), sqlite3_libversion());     // before all else
+//   if (may_be_list(info, i)) return;
+//
+// An older SQLite passes a loadable extension a shorter table of functions; nothing beyond its end may be
+// called. 3.31 is the oldest supported version: the first with INNOCUOUS, without which untrusted views could
+// not be distinguished from trusted ones. Functions that SQLite added later are called only here, each with a
+// fallback.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "storage/rows/sqlite_api.h"
+
+namespace foresee {
+
+/// Throws Error if this version of SQLite is too old; the message names it and foresee's version.
+void require_version(int number, const char* host);
+
+/// Whether constraint `i` may be a list, `column IN (…)`. Always true before 3.38, which does not report it.
+bool may_be_list(sqlite3_index_info& info, int i);
+
+/// Whether SQLite reads a column of a function before it compares it with a value that is NULL. Only then can
+/// the function refuse; else the row is lost without an error. True for 3.40, false for 3.53 and for all
+/// other versions, which were not tested.
+bool reads_to_compare();
+
+/// The value that constraint `i` compares with, if it is a literal in the statement; else, and before 3.38,
+/// null.
+sqlite3_value* written_value(sqlite3_index_info& info, int i);
+
+/// The schemas of a connection in the order in which SQLite resolves an unqualified name: temp, main, the
+/// attached ones. Before 3.39 an authorizer may forbid this query: StoreError.
+std::vector<std::string> schema_names(sqlite3* db);
+
+}  // namespace foresee

@@ -1,0 +1,119 @@
+#include "sqlite/table/column_vocabulary.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <vector>
+
+#include "sqlite/sql_tokens.h"
+
+namespace foresee {
+namespace {
+
+constexpr std::array words = {
+    Word{"t", Quantity::reference_time, 0}, Word{"x", Quantity::centre, 0},
+    Word{"y", Quantity::centre, 1},         Word{"z", Quantity::centre, 2},
+    Word{"vx", Quantity::velocity, 0},      Word{"vy", Quantity::velocity, 1},
+    Word{"vz", Quantity::velocity, 2},      Word{"ax", Quantity::acceleration, 0},
+    Word{"ay", Quantity::acceleration, 1},  Word{"az", Quantity::acceleration, 2},
+    Word{"fx", Quantity::force, 0},         Word{"fy", Quantity::force, 1},
+    Word{"fz", Quantity::force, 2},         Word{"m", Quantity::mass, 0},
+    Word{"hx", Quantity::half_extent, 0},   Word{"hy", Quantity::half_extent, 1},
+    Word{"hz", Quantity::half_extent, 2},   Word{"r", Quantity::radius, 0},
+    Word{"shape", Quantity::form, 0},       Word{"heading", Quantity::heading, 0},
+    Word{"growth", Quantity::growth, 0},    Word{"growth_z", Quantity::growth, 2},
+    Word{"until", Quantity::until, 0},
+};
+
+constexpr std::string_view metric_place =
+    "positions are metres, x and y: geo_to_plane(lat, lon, speed, course, lat0, lon0) makes them of degrees";
+constexpr std::string_view metric_velocity =
+    "velocities are vx and vy: geo_to_plane(lat, lon, speed, course, lat0, lon0) makes them of speed and "
+    "course";
+
+/// A column name of other data formats.
+struct ForeignWord {
+  std::string_view name, hint;
+};
+constexpr ForeignWord foreign_words[] = {
+    {"lat", metric_place},
+    {"latitude", metric_place},
+    {"lon", metric_place},
+    {"lng", metric_place},
+    {"long", metric_place},
+    {"longitude", metric_place},
+    {"sog", metric_velocity},
+    {"cog", metric_velocity},
+    {"speed", metric_velocity},
+    {"course", metric_velocity},
+    {"radius", "did you mean r?"},
+    {"time", "did you mean t?"},
+    {"timestamp", "did you mean t?"},
+    {"width", "did you mean hx, half of it?"},
+    {"length", "did you mean hy, half of it?"},
+    {"height", "did you mean hz, half of it, or z?"},
+    {"mmsi", "did you mean id?"},
+    {"mass", "did you mean m?"},
+};
+
+/// Levenshtein distance from a to b, without case.
+std::size_t edits_between(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t exchanged = diagonal + (same_name(a.substr(i - 1, 1), b.substr(j - 1, 1)) ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, exchanged});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+const Word* find_word(std::string_view name) {
+  const auto* found =
+      std::find_if(words.begin(), words.end(), [&](const Word& word) { return same_name(word.name, name); });
+  return found == words.end() ? nullptr : found;
+}
+
+std::string_view word_for(Quantity quantity, int axis) {
+  const auto* found = std::find_if(words.begin(), words.end(), [&](const Word& word) {
+    return word.quantity == quantity && word.axis == axis;
+  });
+  return found == words.end() ? "" : found->name;
+}
+
+std::string known_words() {
+  std::string list = "id";
+  for (const Word& word : words) list += ", " + std::string(word.name);
+  return list;
+}
+
+std::string_view hint_for(std::string_view name) {
+  for (const ForeignWord& word : foreign_words)
+    if (same_name(word.name, name)) return word.hint;
+  return "";
+}
+
+std::string_view nearest_word(std::string_view name) {
+  // One edit turns a one-letter word into any other, so only names of two letters or more have a neighbour.
+  // At least half of the letters must match.
+  std::string_view nearest;
+  std::size_t limit = name.size() < 2 ? 0 : std::min<std::size_t>(2, name.size() / 2) + 1;
+  auto consider = [&](std::string_view word) {
+    const std::size_t edits = edits_between(name, word);
+    if (word.size() > 1 && edits < limit) {
+      limit = edits;
+      nearest = word;
+    }
+  };
+  consider("id");
+  for (const Word& word : words) consider(word.name);
+  return nearest;
+}
+
+}  // namespace foresee

@@ -1,0 +1,53 @@
+// Column vocabulary of moving_objects: the fixed names of motion and shape columns, without `id`.
+//
+//   find_word("VX")->quantity == Quantity::velocity && find_word("VX")->axis == 0
+//   nearest_word("vxx") == "vx"
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace foresee {
+
+/// The physical quantity that a column holds.
+enum class Quantity : std::uint8_t {
+  reference_time,
+  centre,
+  velocity,
+  acceleration,
+  force,
+  mass,
+  half_extent,
+  radius,
+  form,
+  heading,
+  growth,
+  until,  // must stay last: quantity_count depends on it
+};
+constexpr int quantity_count = static_cast<int>(Quantity::until) + 1;
+
+/// One known column name.
+struct Word {
+  std::string_view name;
+  Quantity quantity;
+  int axis;  ///< 0 where the quantity has no axes
+};
+
+/// The word with this name, compared without case, or null.
+const Word* find_word(std::string_view name);
+
+/// The word for a quantity along an axis, e.g. "vy".
+std::string_view word_for(Quantity quantity, int axis);
+
+/// "id" and all words as one comma-separated list for messages: "id, t, x, …".
+std::string known_words();
+
+/// Hint for a name of AIS and other data formats, such as "lat", "sog" or "radius": the known word, or the
+/// function that converts it. "" for other names.
+std::string_view hint_for(std::string_view name);
+
+/// The known word (or "id") within edit distance 2 of `name`, or "" if no word is that near.
+std::string_view nearest_word(std::string_view name);
+
+}  // namespace foresee

@@ -1,0 +1,197 @@
+#include "sqlite/table/record_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/float_environment.h"
+#include "base/integer_of.h"
+#include "base/number_text.h"
+#include "sqlite/callback.h"
+#include "sqlite/date_text.h"
+#include "storage/rows/value_text.h"
+
+namespace foresee {
+
+namespace {
+
+StoredForms::Known form_of(Shape kind, sqlite3_value* shape, Store& store) {
+  if (sqlite3_value_type(shape) != SQLITE_TEXT)
+    throw Error(shown(shape) + " is no text: write well-known text as in " +
+                (kind == Shape::mesh ? "'TIN Z(((0 0 0, 4 0 0, 0 3 1, 0 0 0)))'"
+                                     : "'POLYGON((0 0, 4 0, 0 3, 0 0))'") +
+                ", or NULL");
+  return store.find_or_add_form(text_of(shape));
+}
+
+}  // namespace
+
+void FormValues::fill(std::span<double> record, sqlite3_value* shape, std::span<const double> before,
+                      Store& store) const {
+  const auto heading_of = [this](std::span<const double> numbers) {
+    return value_or(numbers.data(), at_.heading, 0);
+  };
+  double &number = record[static_cast<std::size_t>(at_.outline)],
+         *const bounds = &record[static_cast<std::size_t>(at_.bounds)];
+  std::shared_ptr<const Form> form;
+  const int axes = bounded_axes(shape_);
+  number = 0;
+  std::fill_n(bounds, 2 * axes, 0.0);
+  if (!before.empty() && sqlite3_value_nochange(shape)) {
+    number = before[static_cast<std::size_t>(at_.outline)];
+    if (heading_of(record) == heading_of(before)) {
+      std::copy_n(&before[static_cast<std::size_t>(at_.bounds)], 2 * axes, bounds);
+      return;
+    }
+    if (number != 0) form = store.form(static_cast<std::int64_t>(number));
+  } else if (!is_null_or_empty(shape)) {
+    const StoredForms::Known known = form_of(shape_, shape, store);
+    number = static_cast<double>(known.number), form = known.form;
+  }
+  if (!form) return;
+  const Extents<3> around = form->extents(heading_of(record));
+  std::copy_n(around.lower.data(), axes, bounds);
+  std::copy_n(around.upper.data(), axes, bounds + axes);
+}
+
+namespace {
+
+/// SQLITE_INTEGER or SQLITE_FLOAT for numbers and wholly numeric text, SQLITE_NULL for NULL and '',
+/// SQLITE_TEXT or SQLITE_BLOB for the rest.
+int type_as_number(sqlite3_value* value) {
+  if (is_null_or_empty(value)) return SQLITE_NULL;
+  const int type = sqlite3_value_type(value);
+  return type == SQLITE_TEXT ? sqlite3_value_numeric_type(value) : type;
+}
+
+const char* rule_for_null(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::reference_time:
+      return "a declared reference time is needed; write the time at which the position holds";
+    case Quantity::mass:
+      return "a force needs a mass; write a number greater than 0";
+    default:
+      return "a position is needed; write a finite number";
+  }
+}
+
+const char* rule_for_infinity(Quantity quantity) {
+  return quantity == Quantity::until ? "not a finite number; write NULL for no end"
+                                     : "not a finite number; write a finite one";
+}
+
+}  // namespace
+
+Values::Values(const Declaration& declaration, const std::string& table)
+    : table_(table), layout_(declaration.layout), at_(record_offsets(layout_)), forms_(layout_) {
+  for (const MotionColumn& column : declaration.columns)
+    columns_.push_back({column.name, find_word(column.name)->quantity, column.place});
+  record_.assign(static_cast<std::size_t>(at_.size), 0.0);
+}
+
+std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion, Store& store,
+                                       std::optional<std::int64_t> updated) {
+  sqlite3_value* shape = nullptr;
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (columns_[i].quantity == Quantity::form)
+      shape = motion[i];
+    else
+      record_[static_cast<std::size_t>(columns_[i].place)] = stored(columns_[i], id, motion[i]);
+  if (layout_.has_until) require_motion_to_last(id);
+  if (layout_.law == Law::forced) require_finite_acceleration(id);
+  if (shape) fill_form(id, shape, store, updated);
+  return record_;
+}
+
+void Values::fill_form(std::int64_t id, sqlite3_value* shape, Store& store,
+                       std::optional<std::int64_t> updated) try {
+  std::vector<double> before;
+  if (updated && sqlite3_value_nochange(shape)) before = store.read(*updated).value_or(before);
+  forms_.fill(record_, shape, before, store);
+} catch (const StoreError&) {
+  throw;
+} catch (const Error& error) {
+  throw Refusal(SQLITE_CONSTRAINT, table_ + ".shape of row " + std::to_string(id) + ": " + error.what());
+}
+
+double Values::stored(const Column& column, std::int64_t id, sqlite3_value* value) const {
+  const Quantity quantity = column.quantity;
+  const int type = type_as_number(value);
+  if (type == SQLITE_NULL) {
+    if (quantity == Quantity::until) return std::numeric_limits<double>::infinity();
+    if (quantity == Quantity::reference_time || quantity == Quantity::centre || quantity == Quantity::mass)
+      refuse(column.name, id, shown(value), rule_for_null(quantity));
+    return 0;
+  }
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) {
+    const bool time = quantity == Quantity::reference_time || quantity == Quantity::until;
+    const auto seconds = time ? as_unixepoch(value) : std::nullopt;
+    refuse(column.name, id, shown(value),
+           seconds ? "a date, where seconds are stored; write " + *seconds
+                   : "not a number; write a finite number");
+  }
+  const double number = sqlite3_value_double(value);
+  if (type == SQLITE_INTEGER && integer_of(number) != sqlite3_value_int64(value))
+    refuse(column.name, id, shown(value),
+           "no double holds this integer; write " + shown(number) + " for the nearest that one does");
+  if (!std::isfinite(number)) refuse(column.name, id, shown(value), rule_for_infinity(quantity));
+  if (number < 0 && quantity == Quantity::half_extent)
+    refuse(column.name, id, shown(value), "a half extent is never negative; write 0 or more");
+  if (number < 0 && quantity == Quantity::radius)
+    refuse(column.name, id, shown(value), "a radius is never negative; write 0 or more");
+  if (number < 0 && quantity == Quantity::growth)
+    refuse(column.name, id, shown(value), "what is known gets less certain with time; write 0 or more");
+  if (std::abs(number) > 360 && quantity == Quantity::heading)
+    refuse(column.name, id, shown(value),
+           number == 511
+               ? "write -360 to 360 (511 is \"not available\" in AIS: write the course, or NULL for "
+                 "shape and half the length as r)"
+               : "beyond a full turn; write degrees from -360 to 360");
+  if (number <= 0 && quantity == Quantity::mass)
+    refuse(column.name, id, shown(value), "a mass is never 0 or negative; write a number greater than 0");
+  return number;
+}
+
+void Values::require_motion_to_last(std::int64_t id) const {
+  const double t = value_or(record_.data(), at_.t, 0);
+  const double until = record_[static_cast<std::size_t>(at_.until)];
+  if (until < t)
+    refuse("until", id, shown(until),
+           "before the reference time " + shown(t) + "; write that or more, or NULL for no end");
+}
+
+void Values::require_finite_acceleration(std::int64_t id) const {
+  const FloatEnvironment environment;
+  const double mass = record_[static_cast<std::size_t>(at_.mass)];
+  for (int axis = 0; axis < layout_.axes; ++axis) {
+    const double force = record_[static_cast<std::size_t>(at_.force + axis)];
+    if (!std::isfinite(force / mass))
+      refuse(std::string(word_for(Quantity::force, axis)), id, shown(force),
+             "no double holds its quotient by the mass " + shown(mass) +
+                 "; write a smaller force or a greater mass");
+  }
+}
+
+void Values::refuse(const std::string& column, std::int64_t id, const std::string& value,
+                    const std::string& rule) const {
+  throw Refusal(SQLITE_CONSTRAINT,
+                table_ + "." + column + " of row " + std::to_string(id) + " is " + value + ": " + rule);
+}
+
+std::optional<std::int64_t> Values::id(sqlite3_value* value) const {
+  switch (type_as_number(value)) {
+    case SQLITE_NULL:
+      return std::nullopt;
+    case SQLITE_INTEGER:
+      return sqlite3_value_int64(value);
+    case SQLITE_FLOAT:
+      if (const auto integer = integer_of(sqlite3_value_double(value))) return integer;
+      break;
+    default:
+      break;
+  }
+  throw Refusal(SQLITE_MISMATCH, table_ + ".id is " + shown(value) +
+                                     ": not an integer; write an INTEGER, or NULL to have one assigned");
+}
+
+}  // namespace foresee

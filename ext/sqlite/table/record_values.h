@@ -1,0 +1,88 @@
+// Conversion of SQL values into an object's record, with validation of every column.
+//
+//   Values values(declaration, "ships");
+//   store.insert(id, values.record(id, argv + 3, store), auxiliaries);
+//
+// The rules (docs/sql_reference.md#values): integers and wholly numeric text convert, and '' is NULL. A NULL
+// velocity, acceleration, extent or heading is 0, a NULL shape means no shape, a NULL until means no end. A
+// value that breaks a rule throws Refusal (SQLITE_CONSTRAINT) with a message that names table, column, row id
+// and value, and says what to write instead.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sqlite/table/column_vocabulary.h"
+#include "storage/format/declaration.h"
+#include "storage/rows/sqlite_api.h"
+#include "storage/table/store.h"
+
+namespace foresee {
+
+// Conversion of the columns `shape` and `heading` into a record's fields: the number of the outline or mesh,
+// and the bounding box of its rotated pose.
+//
+//   FormValues forms(layout);
+//   forms.fill(record, value, old_record, store);
+//
+// The rules (docs/sql_reference.md#outlines): NULL and '' mean no shape; anything else is well-known text. A
+// column that an UPDATE does not name arrives without a value and is neither printed nor parsed. If the
+// heading is unchanged as well, the stored bounds are copied.
+
+class FormValues {
+ public:
+  explicit FormValues(const Layout& layout) : shape_(layout.shape), at_(record_offsets(layout)) {}
+
+  /// Fills the fields of form number and bounds; the other fields of `record` are set already. `before`: the
+  /// record that an UPDATE changes, else empty. Throws Error, without table and row, for a value that is not
+  /// well-known text and for a form that cannot be rotated by the heading.
+  void fill(std::span<double> record, sqlite3_value* shape, std::span<const double> before,
+            Store& store) const;
+
+ private:
+  Shape shape_;
+  Offsets at_;
+};
+
+class Values {
+ public:
+  Values(const Declaration& declaration, const std::string& table);
+
+  void rename(const std::string& table) { table_ = table; }
+
+  /// `motion`: one value per declared motion column, in declared order. `updated`: the row that an UPDATE
+  /// changes. Adds new outlines and meshes to the store; objects stay unchanged. The result is valid until
+  /// the next call.
+  std::span<const double> record(std::int64_t id, sqlite3_value** motion, Store& store,
+                                 std::optional<std::int64_t> updated = {});
+
+  /// The id in this value; nothing for NULL and ''. Throws Refusal (SQLITE_MISMATCH) for a value that is not
+  /// an integer.
+  std::optional<std::int64_t> id(sqlite3_value* value) const;
+
+ private:
+  struct Column {
+    std::string name;
+    Quantity quantity;
+    int place;
+  };
+
+  void fill_form(std::int64_t id, sqlite3_value* shape, Store& store, std::optional<std::int64_t> updated);
+  double stored(const Column& column, std::int64_t id, sqlite3_value* value) const;
+  void require_motion_to_last(std::int64_t id) const;
+  void require_finite_acceleration(std::int64_t id) const;
+  [[noreturn]] void refuse(const std::string& column, std::int64_t id, const std::string& value,
+                           const std::string& rule) const;
+
+  std::string table_;
+  Layout layout_;
+  Offsets at_;
+  std::vector<Column> columns_;
+  FormValues forms_;
+  std::vector<double> record_;
+};
+
+}  // namespace foresee

@@ -1,0 +1,88 @@
+#include "sqlite/table/row_write.h"
+
+#include <optional>
+#include <span>
+
+#include "sqlite/callback.h"
+#include "sqlite/table/table_commands.h"
+#include "sqlite/table/table_cursor.h"
+
+namespace foresee {
+namespace {
+
+/// The arguments of an xUpdate call that inserts or updates a row, by name.
+struct NewRow {
+  NewRow(const MovingObjectsTable& table, sqlite3_value** arguments)
+      : rowid(arguments[1]),
+        id(arguments[2 + MovingObjectsTable::id_column]),
+        motion(arguments + 2 + MovingObjectsTable::first_motion_column),
+        auxiliaries(arguments + 2 + table.first_auxiliary_column(), table.declaration().auxiliaries.size()),
+        command(arguments[2 + table.command_column()]) {}
+
+  sqlite3_value* rowid;
+  sqlite3_value* id;
+  sqlite3_value** motion;
+  std::span<sqlite3_value*> auxiliaries;
+  sqlite3_value* command;
+};
+
+bool is_null(sqlite3_value* value) {
+  return sqlite3_value_type(value) == SQLITE_NULL;
+}
+
+/// Whether the statement replaces an object with this id. Throws Refusal if the object exists and the
+/// statement is not OR REPLACE.
+bool replaces(MovingObjectsTable& table, std::int64_t id) {
+  if (!table.store().contains(id)) return false;
+  if (sqlite3_vtab_on_conflict(table.connection->db()) == SQLITE_REPLACE) return true;
+  throw Refusal(SQLITE_CONSTRAINT, "UNIQUE constraint failed: " + table.name + ".id");
+}
+
+std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
+  if (!is_null(row.command)) {
+    run_command(table, row.command);
+    return 0;
+  }
+  // `INSERT INTO ships(rowid, ...)` sets the id by its alias.
+  std::optional<std::int64_t> id = table.values.id(row.id);
+  if (!id) id = table.values.id(row.rowid);
+  const bool assigned = !id;
+  if (assigned) id = table.store().find_next_id();
+  const std::span<const double> record = table.values.record(*id, row.motion, table.store());
+  if (!assigned && replaces(table, *id)) {
+    table.store().update(*id, *id, record, row.auxiliaries);
+  } else {
+    table.store().insert(*id, record, row.auxiliaries);
+  }
+  return *id;
+}
+
+void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& row) {
+  if (!is_null(row.command))
+    throw Error(table.name + "." + table.name + " takes commands by INSERT only; write INSERT INTO " +
+                table.name + "(" + table.name + ") VALUES('rebuild')");
+  // Either of `SET id = ...` and `SET rowid = ...` changes the id.
+  std::optional<std::int64_t> id = table.values.id(row.id);
+  if (id == old_id) id = table.values.id(row.rowid);
+  if (!id)
+    throw Refusal(SQLITE_MISMATCH, table.name + ".id of row " + std::to_string(old_id) +
+                                       " would become NULL: every object has an id; write an INTEGER");
+  const std::span<const double> record = table.values.record(*id, row.motion, table.store(), old_id);
+  if (*id != old_id) replaces(table, *id);  // throws, or the update replaces it
+  table.store().update(old_id, *id, record, row.auxiliaries);
+}
+
+}  // namespace
+
+void write_table(MovingObjectsTable& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid) {
+  for (TableCursor* cursor : table.cursors()) cursor->keep_ids();
+  if (count == 1) {
+    table.store().erase(sqlite3_value_int64(arguments[0]));
+  } else if (is_null(arguments[0])) {
+    *rowid = insert_row(table, NewRow(table, arguments));
+  } else {
+    update_row(table, sqlite3_value_int64(arguments[0]), NewRow(table, arguments));
+  }
+}
+
+}  // namespace foresee

@@ -1,0 +1,148 @@
+#include "sqlite/table/table_cursor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "storage/rows/value_text.h"
+
+namespace foresee {
+
+TableCursor::TableCursor(MovingObjectsTable& table) : sqlite3_vtab_cursor{}, table_(table) {
+  table_.scan_opened(*this);
+}
+
+TableCursor::~TableCursor() {
+  table_.scan_closed(*this);
+}
+
+void TableCursor::clear() {
+  ids_.clear();
+  records_.clear();
+  position_ = 0;
+  leaf_ = 0;
+  found_ = 0;
+  by_leaf_ = handle_ = aborted_ = false;
+}
+
+void TableCursor::filter(TablePlan plan, sqlite3_value** arguments) {
+  clear();
+  switch (plan) {
+    case TablePlan::scan:
+      by_leaf_ = true;
+      return next_leaf();
+    case TablePlan::one_object:
+      return seek_object(arguments[0]);
+    case TablePlan::handle:
+      require_handle_word(arguments[0]);
+      table_.store();  // throws for a table that cannot be read
+      handle_ = true;
+      ids_.push_back(0);
+      return;
+  }
+}
+
+void TableCursor::seek_object(sqlite3_value* value) {
+  // SQLite compares again with the column's affinity; here a superset of the equal ids suffices.
+  const int type = sqlite3_value_numeric_type(value);
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) return;
+  const std::int64_t id = sqlite3_value_int64(value);
+  if (type == SQLITE_FLOAT && static_cast<double>(id) != sqlite3_value_double(value)) return;
+  Store& store = table_.store();
+  if (const auto first = rising_.next(id)) store.fetch_ahead(*first, RisingIds::batch);
+  const std::span<const double> record = store.find(id, statement_state_);
+  if (record.empty()) return;
+  ids_.push_back(id);
+  records_.assign(record.begin(), record.end());
+}
+
+void TableCursor::require_handle_word(sqlite3_value* word) const {
+  if (text_of(word) != handle_word)
+    throw Error(table_.name +
+                " MATCH: a table of moving objects has no text to search; query predictive_join or "
+                "another of foresee's functions");
+}
+
+void TableCursor::next_leaf() {
+  position_ = 0;
+  do {
+    ids_.clear();
+    records_.clear();
+    leaf_ = table_.store().next_leaf(leaf_, ids_, records_);
+  } while (leaf_ != 0 && ids_.empty());
+  found_ += ids_.size();
+  if (leaf_ != 0) return;
+  by_leaf_ = false;
+  table_.store().expect_objects(found_);
+}
+
+void TableCursor::next() {
+  if (aborted_) throw StoreError(SQLITE_ABORT, table_.name + ": a rollback ended the scan");
+  ++position_;
+  if (by_leaf_) {
+    if (position_ == ids_.size()) next_leaf();
+  } else {
+    seek_existing();
+  }
+}
+
+/// Moves to the first id at or after the position whose object still exists, and reads it.
+void TableCursor::seek_existing() {
+  for (; position_ < ids_.size(); ++position_) {
+    if (auto record = table_.store().read(ids_[position_])) {
+      records_ = std::move(*record);
+      return;
+    }
+  }
+}
+
+void TableCursor::keep_ids() {
+  if (!by_leaf_ || aborted_) return;
+  std::vector<std::int64_t> rest(ids_.begin() + static_cast<std::ptrdiff_t>(position_), ids_.end());
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  std::size_t found = found_;  // a copy: if a leaf cannot be read, the scan keeps its state
+  for (std::int64_t leaf = leaf_; (leaf = table_.store().next_leaf(leaf, ids, records)) != 0;) {
+    rest.insert(rest.end(), ids.begin(), ids.end());
+    found += ids.size();
+    ids.clear();
+    records.clear();
+  }
+  table_.store().expect_objects(found);
+  const std::size_t size = records_.size() / ids_.size();
+  records.assign(records_.begin() + static_cast<std::ptrdiff_t>(position_ * size),
+                 records_.begin() + static_cast<std::ptrdiff_t>((position_ + 1) * size));
+  ids_ = std::move(rest);
+  records_ = std::move(records);
+  position_ = 0;
+  by_leaf_ = false;
+}
+
+/// Well-known text, NULL for an object without a shape; no result if an UPDATE does not change the column.
+void TableCursor::result_form(sqlite3_context* context, double number) const {
+  if (number == 0 || sqlite3_vtab_nochange(context)) return;
+  const std::string text = table_.store().form(static_cast<std::int64_t>(number), statement_state_)->text();
+  sqlite3_result_text(context, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
+}
+
+void TableCursor::column(sqlite3_context* context, int column) const {
+  if (handle_) {
+    if (column == table_.command_column()) sqlite3_result_int64(context, table_.number);
+    return;
+  }
+  const int auxiliary = column - table_.first_auxiliary_column();
+  if (column == MovingObjectsTable::id_column) {
+    sqlite3_result_int64(context, rowid());
+  } else if (auxiliary < 0) {
+    const auto& motion =
+        table_.declaration()
+            .columns[static_cast<std::size_t>(column - MovingObjectsTable::first_motion_column)];
+    const std::size_t first = by_leaf_ ? position_ * (records_.size() / ids_.size()) : 0;
+    const double number = records_[first + static_cast<std::size_t>(motion.place)];
+    if (motion.is_form) return result_form(context, number);
+    if (std::isfinite(number)) sqlite3_result_double(context, number);  // an infinite until reads as NULL
+  } else if (column < table_.command_column() && !sqlite3_vtab_nochange(context)) {
+    table_.store().result_auxiliary(context, rowid(), auxiliary);
+  }
+}
+
+}  // namespace foresee

@@ -1,0 +1,60 @@
+// Cursor over one moving_objects table: a full scan, the look-up of one id, or the table's handle.
+//
+// A scan reads objects leaf by leaf; after a write during the scan, one by one (see moving_objects_table.h).
+// Memory: one leaf, and after such a write the ids not yet visited.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sqlite/table/moving_objects_table.h"
+#include "sqlite/table/rising_ids.h"
+#include "sqlite/table/table_plan.h"
+
+namespace foresee {
+
+class TableCursor : public sqlite3_vtab_cursor {
+ public:
+  explicit TableCursor(MovingObjectsTable& table);
+  ~TableCursor();
+  TableCursor(const TableCursor&) = delete;
+  TableCursor& operator=(const TableCursor&) = delete;
+
+  /// xFilter: moves to the first row of the plan, if it has any.
+  void filter(TablePlan plan, sqlite3_value** arguments);
+  void next();
+  bool at_end() const { return position_ >= ids_.size(); }
+  std::int64_t rowid() const { return ids_[position_]; }
+  void column(sqlite3_context* context, int column) const;
+
+  /// Before a change: makes the rest of the scan independent of leaves.
+  void keep_ids();
+  /// After a rollback: leaves may have older contents than the scan has read, so it cannot continue.
+  void abort_leaves() { aborted_ = by_leaf_; }
+
+ private:
+  void clear();
+  void seek_object(sqlite3_value* id);
+  void require_handle_word(sqlite3_value* word) const;
+  void next_leaf();
+  void seek_existing();
+  void result_form(sqlite3_context* context, double number) const;
+
+  MovingObjectsTable& table_;
+  std::vector<std::int64_t> ids_;
+  std::vector<double> records_;  ///< of all ids_; if not by_leaf_, only of the id at position_
+  std::size_t position_ = 0;
+  std::int64_t leaf_ = 0;
+  std::size_t found_ = 0;  ///< objects in all leaves so far
+  bool by_leaf_ = false;   ///< more leaves may follow
+  mutable StatementReadState statement_state_;
+  RisingIds rising_;
+  bool handle_ = false;  ///< the only row has the table's number
+  bool aborted_ = false;
+};
+
+inline TableCursor& cursor_of(sqlite3_vtab_cursor* base) {
+  return *static_cast<TableCursor*>(base);
+}
+
+}  // namespace foresee

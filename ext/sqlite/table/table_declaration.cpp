@@ -1,0 +1,162 @@
+#include "sqlite/table/table_declaration.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/error.h"
+#include "sqlite/sql_tokens.h"
+#include "sqlite/table/column_vocabulary.h"
+#include "sqlite/table/layout_rules.h"
+#include "sqlite/table/table_arguments.h"
+#include "storage/rows/statement.h"
+
+namespace foresee {
+namespace {
+
+[[noreturn]] void refuse(const Argument& argument, const std::string& why) {
+  throw Error("\"" + argument.text + "\": " + why);
+}
+
+bool is_one_of(std::string_view type, std::initializer_list<std::string_view> types) {
+  for (std::string_view known : types)
+    if (same_name(known, type)) return true;
+  return false;
+}
+
+void require_id(const Argument& argument) {
+  if (argument.kind != Argument::Kind::column || !same_name(argument.name, "id"))
+    refuse(argument, "the first column must be id; write moving_objects(id, ...)");
+  if (!is_one_of(argument.detail, {"", "INT", "INTEGER", "BIGINT", "INT PRIMARY KEY", "INTEGER PRIMARY KEY"}))
+    refuse(argument, "the id is an INTEGER PRIMARY KEY; write id");
+}
+
+const Word& motion_word(const Argument& argument) {
+  if (const Word* word = find_word(argument.name)) return *word;
+  std::string why = "no such column";
+  const std::string_view hint = hint_for(argument.name), near = nearest_word(argument.name);
+  if (!hint.empty())
+    why += "; " + std::string(hint);
+  else if (!near.empty())
+    why += "; did you mean " + std::string(near) + "?";
+  refuse(argument,
+         why + "; known are " + known_words() + "; a column of your own is written +" + argument.name);
+}
+
+void require_text(const Argument& argument) {
+  if (!is_one_of(argument.detail, {"", "TEXT"}))
+    refuse(argument, "shape holds well-known text; write shape or shape TEXT");
+}
+
+double positive_number(const Argument& argument) {
+  const char* end = argument.detail.data() + argument.detail.size();
+  double number = 0;
+  const auto [stop, error] = std::from_chars(argument.detail.data(), end, number);
+  if (stop != end || error != std::errc() || !(number > 0) || !std::isfinite(number))
+    refuse(argument,
+           argument.name + " must be a number greater than 0; write for example " + argument.name + " = 60");
+  return number;
+}
+
+/// Collects the arguments one by one; the layout is derived at the end, from all of them.
+class Declarer {
+ public:
+  void add(const Argument& argument) {
+    switch (argument.kind) {
+      case Argument::Kind::column:
+        return add_motion(argument);
+      case Argument::Kind::auxiliary:
+        return add_auxiliary(argument);
+      case Argument::Kind::option:
+        return add_option(argument);
+    }
+  }
+
+  Declaration finish() {
+    declaration_.layout = layout_of(words_);
+    const Offsets at = record_offsets(declaration_.layout);
+    for (const DeclaredWord& declared : words_)
+      declaration_.columns.push_back({std::string(declared.word.name), offset_of(at, declared.word),
+                                      declared.word.quantity == Quantity::form});
+    return std::move(declaration_);
+  }
+
+ private:
+  void add_motion(const Argument& argument) {
+    if (same_name(argument.name, "id")) refuse(argument, "id is declared twice; leave this one out");
+    const Word& word = motion_word(argument);
+    if (word.quantity == Quantity::form)
+      require_text(argument);
+    else if (!is_one_of(argument.detail,
+                        {"", "REAL", "DOUBLE", "DOUBLE PRECISION", "FLOAT", "NUMERIC", "INT", "INTEGER"}))
+      refuse(argument, std::string(word.name) + " holds a double; write " + std::string(word.name) + " or " +
+                           std::string(word.name) + " REAL");
+    require_new_name(argument);
+    if (!declaration_.auxiliaries.empty())
+      refuse(argument, "motion columns come before the auxiliary columns; move it before +" +
+                           declaration_.auxiliaries.front().name);
+    words_.push_back({word, argument.text});
+  }
+
+  void add_auxiliary(const Argument& argument) {
+    require_new_name(argument);
+    declaration_.auxiliaries.push_back({argument.name, argument.detail});
+  }
+
+  void add_option(const Argument& argument) {
+    if (!same_name(argument.name, "horizon"))
+      refuse(argument, "no such option; known is horizon, as in horizon = 60");
+    if (has_horizon_) refuse(argument, "horizon is given twice; leave one out");
+    has_horizon_ = true;
+    declaration_.horizon = positive_number(argument);
+  }
+
+  void require_new_name(const Argument& argument) const {
+    bool taken = same_name(argument.name, "id");
+    for (const DeclaredWord& declared : words_) taken |= same_name(declared.word.name, argument.name);
+    for (const AuxiliaryColumn& column : declaration_.auxiliaries)
+      taken |= same_name(column.name, argument.name);
+    if (taken)
+      refuse(argument, "a column named " + argument.name + " is declared already; choose another name");
+  }
+
+  std::vector<DeclaredWord> words_;
+  Declaration declaration_;
+  bool has_horizon_ = false;
+};
+
+}  // namespace
+
+Declaration parse_declaration(std::string_view table, const std::vector<std::string_view>& arguments) try {
+  if (arguments.empty())
+    throw Error("no columns are declared; write for example moving_objects(id, t, x, y, vx, vy, r)");
+  require_id(parse_argument(arguments[0]));
+  Declarer declarer;
+  for (std::size_t i = 1; i < arguments.size(); ++i) declarer.add(parse_argument(arguments[i]));
+  Declaration declaration = declarer.finish();
+  require_table_name(declaration, table);
+  return declaration;
+} catch (const Error& error) {
+  throw Error(std::string(table) + ": " + error.what());
+}
+
+void require_table_name(const Declaration& declaration, std::string_view table) {
+  bool taken = same_name("id", table);
+  for (const MotionColumn& column : declaration.columns) taken |= same_name(column.name, table);
+  for (const AuxiliaryColumn& column : declaration.auxiliaries) taken |= same_name(column.name, table);
+  if (taken)
+    throw Error(
+        "a table cannot be named like one of its columns (commands go to a column named like the table);"
+        " choose another name than " +
+        std::string(table));
+}
+
+std::string declared_schema(const Declaration& declaration, std::string_view table) {
+  std::string sql = "CREATE TABLE x(id INTEGER PRIMARY KEY";
+  for (const MotionColumn& column : declaration.columns)
+    sql += ", " + quoted_name(column.name) + (column.is_form ? " TEXT" : " REAL");
+  for (const AuxiliaryColumn& column : declaration.auxiliaries)
+    sql += ", " + quoted_name(column.name) + " " + column.type;
+  return sql + ", " + quoted_name(std::string(table)) + " HIDDEN)";
+}
+
+}  // namespace foresee

@@ -1,0 +1,28 @@
+// Parser of the arguments of CREATE VIRTUAL TABLE … USING moving_objects into a Declaration.
+//
+//   Declaration ships = parse_declaration("ships", {"id", "t", "x", "y", "vx", "vy", "r", "+name TEXT"});
+//
+// The id comes first, then the motion columns in any order, then auxiliary columns, as in SQLite's R*Tree.
+// Options (`horizon = 60`) may occur anywhere after the id. An invalid declaration
+// (docs/sql_reference.md#columns) throws Error. The message names the table, quotes the argument and says
+// what to write instead.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "storage/format/declaration.h"
+
+namespace foresee {
+
+Declaration parse_declaration(std::string_view table, const std::vector<std::string_view>& arguments);
+
+/// Throws Error if `table` is also a column's name, because the command column has the name of the table.
+void require_table_name(const Declaration& declaration, std::string_view table);
+
+/// The CREATE TABLE statement for sqlite3_declare_vtab: id, the declared columns in their order, and the
+/// hidden command column, which has the name of the table.
+std::string declared_schema(const Declaration& declaration, std::string_view table);
+
+}  // namespace foresee

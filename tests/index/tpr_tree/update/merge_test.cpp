@@ -1,0 +1,82 @@
+// Merges of many objects: the tree is as sound as after single insertions, and its leaves remain full.
+
+#include <gtest/gtest.h>
+
+#include "tests/index/tpr_tree/tree_model.h"
+
+namespace foresee {
+namespace {
+
+using testing::all_scene_kinds;
+using testing::boats;
+using testing::name_of;
+using testing::Random;
+using testing::random_scene;
+using testing::RandomScene;
+using testing::TreeModel;
+using testing::varied_layouts;
+
+TEST(Merge, KeepsTheTreeSoundInEveryLayout) {
+  for (const Layout& layout : varied_layouts()) {
+    SCOPED_TRACE(name_of(layout));
+    const RandomScene scene = random_scene({.layout = layout, .count = 150, .seed = 3});
+    TreeModel model(layout, 3);
+    Random random(9);
+    double clock = 0;
+    for (const std::size_t count : {1, 40, 100, 200, 33, 250}) {
+      model.merge(scene, count, random);
+      model.expect_sound();
+    }
+    model.churn(scene, 200, random, clock);
+    model.merge(scene, 60, random);
+    model.expect_sound();
+  }
+}
+
+TEST(Merge, KeepsTheTreeSoundInEveryKindOfScene) {
+  constexpr int rounds = testing::sanitized ? 5 : 12;
+  for (auto kind : all_scene_kinds) {
+    SCOPED_TRACE(name_of(kind));
+    const RandomScene scene = random_scene({.layout = boats, .kind = kind, .count = 1500, .seed = 5});
+    TreeModel model(boats, 60, 10);
+    Random random(2);
+    double clock = 0;
+    for (int round = 0; round < rounds; ++round, clock += 50) {
+      model.merge(scene, 1 + random.below(1500), random);
+      model.expect_sound();
+      model.churn(scene, 300, random, clock);
+      model.expect_sound();
+    }
+  }
+}
+
+TEST(Merge, TakesManyMoreObjectsThanTheTreeHas) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 3000, .seed = 7});
+  TreeModel model(boats, 60, 6);
+  Random random(3);
+  model.merge(scene, 10, random);
+  model.merge(scene, 4000, random);
+  model.expect_sound();
+}
+
+TEST(Merge, TakesMoreObjectsThanAreMergedAtOnce) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 70000, .seed = 6});
+  TreeModel model(boats, 60, 60);
+  Random random(5);
+  model.load(scene);
+  model.merge(scene, 80000, random);
+  model.expect_sound();
+}
+
+TEST(Merge, LeavesRemainThreeQuartersFullWhileTheyGrow) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 10000, .seed = 8});
+  TreeModel model(boats, 60, 20);
+  Random random(4);
+  for (int round = 0; round < 40; ++round) model.merge(scene, 800, random);
+  model.expect_sound();
+  const double full = static_cast<double>(model.objects.size()) / 20;
+  EXPECT_LT(static_cast<double>(model.pages.node_count()), full / 0.75 * 1.1);
+}
+
+}  // namespace
+}  // namespace foresee

@@ -1,0 +1,84 @@
+// Statements that stay prepared, as Python's driver keeps them by default: each holds the virtual tables that
+// it was compiled for, also those that SQLite has replaced since. Changes that a transaction left in a
+// replaced table must not reach its successor.
+#include "sqlite/lives/old_statements.h"
+
+#include "sqlite/database.h"
+
+namespace foresee::testing {
+namespace {
+
+constexpr const char* discs = "CREATE VIRTUAL TABLE s USING moving_objects(id, x);";
+constexpr const char* watch = "CREATE VIRTUAL TABLE w USING predictive_watch(s, horizon = 5);";
+constexpr const char* all_pairs = "SELECT a, b FROM w ORDER BY a, b";
+
+struct OldStatements : ::testing::Test {
+  /// Another connection sees the committed rows, and its integrity checks pass.
+  void expect_sound(const std::string& rows, const std::string& pairs) {
+    Database other(file.path());
+    EXPECT_EQ(other.rows("SELECT id FROM s ORDER BY id"), rows);
+    EXPECT_EQ(other.error_of("INSERT INTO s(s) VALUES('integrity-check')"), "");
+    if (!pairs.empty()) {
+      EXPECT_EQ(other.rows(all_pairs), pairs);
+      EXPECT_EQ(other.rows("SELECT fault FROM predictive_watches"), "NULL");
+    }
+  }
+  void make_and_change_schema() {
+    driver.exec(std::string(discs) + "INSERT INTO s VALUES(1, 1); INSERT INTO s VALUES(2, 1);" + watch);
+    Database(file.path()).exec("CREATE TABLE q(x)");
+  }
+
+  TemporaryFile file;
+  KeepingDriver driver{file.path()};
+};
+
+TEST_F(OldStatements, ATableWhoseCreationWasRolledBackDoesNotEmptyTheNextOne) {
+  driver.exec(std::string("BEGIN;") + discs + "INSERT INTO s VALUES(1, 1)");
+  EXPECT_NE(driver.error_of("INSERT INTO s VALUES(2, NULL)"), "");
+  driver.exec(std::string("ROLLBACK; BEGIN;") + discs +
+              "INSERT INTO s VALUES(1, 1); INSERT INTO s VALUES(2, 1);" + watch + "COMMIT");
+  EXPECT_EQ(driver.rows("SELECT id FROM s ORDER BY id"), "1\n2");
+  expect_sound("1\n2", "1|2");
+}
+
+TEST_F(OldStatements, ATableThatAnotherConnectionCreatedAgainIsWatchedByItsOwnColumns) {
+  driver.exec(
+      "CREATE VIRTUAL TABLE s USING moving_objects(id, x, y); INSERT INTO s VALUES(1, 0, 0);"
+      "INSERT INTO s VALUES(2, 0, 9)");
+  Database(file.path())
+      .exec(
+          "DROP TABLE s; CREATE VIRTUAL TABLE s USING moving_objects(id, x, vx); INSERT INTO s VALUES(1, 0, "
+          "0);"
+          "CREATE VIRTUAL TABLE w USING predictive_watch(s, horizon = 5)");
+  EXPECT_EQ(driver.error_of("INSERT INTO s VALUES(3, 4, -1)"), "");
+  EXPECT_EQ(driver.error_of("INSERT INTO s VALUES(4, 9, 0)"), "");
+  expect_sound("1\n3\n4", "1|3");
+}
+
+TEST_F(OldStatements, ADropThatIsRolledBackLeavesTheWatchWhole) {
+  make_and_change_schema();
+  driver.exec(
+      "BEGIN; INSERT INTO s VALUES(3, 1); DROP TABLE w; DROP TABLE s; ROLLBACK;"
+      "INSERT INTO s VALUES(4, 1)");
+  expect_sound("1\n2\n4", "1|2\n1|4\n2|4");
+}
+
+TEST_F(OldStatements, ARenameThatIsRolledBackIsForgotten) {
+  make_and_change_schema();
+  driver.exec("BEGIN; ALTER TABLE s RENAME TO s2; ROLLBACK");
+  EXPECT_EQ(driver.rows(all_pairs), "1|2");
+  driver.exec("INSERT INTO s VALUES(4, 1)");
+  EXPECT_EQ(driver.rows(all_pairs), "1|2\n1|4\n2|4");
+  expect_sound("1\n2\n4", "1|2\n1|4\n2|4");
+}
+
+TEST_F(OldStatements, ADropThatIsRolledBackAfterVacuumLeavesTheCountRight) {
+  driver.exec(std::string(discs) +
+              "INSERT INTO s VALUES(1, 1); INSERT INTO s VALUES(2, 1); VACUUM;"
+              "BEGIN; INSERT INTO s VALUES(3, 1); DROP TABLE s; ROLLBACK");
+  driver.exec(watch);
+  expect_sound("1\n2", "1|2");
+}
+
+}  // namespace
+}  // namespace foresee::testing
