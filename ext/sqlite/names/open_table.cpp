@@ -95,6 +95,9 @@ std::string quoted(const std::string& name) {
 }
 
 void require_moving_objects(sqlite3* db, const std::string& table, const std::optional<std::string>& schema) {
+  if (schema)
+    for (const VisibleTable& seen : visible_tables(db, *schema))
+      if (same_name(seen.name, table) && seen.holds_moving_objects) return;
   const std::string name = quoted(table) + (schema ? " in schema " + quoted(*schema) : "");
   const std::vector<VisibleTable> tables = visible_tables(db);
   for (const VisibleTable& seen : tables) {

@@ -36,4 +36,11 @@ std::vector<VisibleTable> visible_tables(sqlite3* db) {
   return tables;
 }
 
+std::vector<VisibleTable> visible_tables(sqlite3* db, const std::string& schema) {
+  std::vector<VisibleTable> tables;
+  for (const std::string& known : schema_names(db))
+    if (same_name(known, schema)) add_tables(db, known, tables);
+  return tables;
+}
+
 }  // namespace foresee

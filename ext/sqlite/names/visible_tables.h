@@ -20,6 +20,9 @@ struct VisibleTable {
 
 /// All tables and views.
 std::vector<VisibleTable> visible_tables(sqlite3* db);
+/// Those of one schema; none if it does not exist. Reads no other schema: if another connection has changed that,
+/// SQLite reloads every schema, also the one in which a CREATE VIRTUAL TABLE is under way.
+std::vector<VisibleTable> visible_tables(sqlite3* db, const std::string& schema);
 
 /// Whether this is a CREATE VIRTUAL TABLE … USING this module, as sqlite_master stores it.
 bool uses_module(const std::string& sql, std::string_view module);

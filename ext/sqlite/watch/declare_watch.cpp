@@ -172,9 +172,14 @@ WatchDeclaration parse_watch(std::string_view watch, const std::vector<std::stri
 }
 
 void require_tables(sqlite3* db, const QualifiedName& watch, const WatchDeclaration& declaration) {
-  const std::vector<VisibleTable> tables = visible_tables(db);
-  require_table(tables, watch, declaration.tbl);
-  if (declaration.other) require_table(tables, watch, *declaration.other);
+  const std::vector<VisibleTable> own = visible_tables(db, watch.schema);
+  const auto require = [&](const std::string& name) {
+    for (const VisibleTable& table : own)
+      if (same_name(table.name, name) && table.holds_moving_objects) return;
+    require_table(visible_tables(db), watch, name);  // refuses it, with what there is elsewhere
+  };
+  require(declaration.tbl);
+  if (declaration.other) require(*declaration.other);
 }
 
 std::string declared_watch(std::string_view watch) {

@@ -11,7 +11,10 @@ namespace foresee {
 void Store::start_change(std::span<const double> record) {
   if (!record.empty())
     if (const char* fault = record_fault(format_, record.data())) throw Error(name_.table + ": " + fault);
-  if (!in_transaction_) begin();
+  // A rollback inside the statement, by a function that it calls, takes the table out of the transaction: no
+  // COMMIT would reach what is written from here on.
+  if (!in_transaction_)
+    throw StoreError(SQLITE_ABORT_ROLLBACK, name_.table + ": a rollback ended this statement; run it again");
   shadow_rows();
   if (!writing_) {
     revalidate_cache();

@@ -80,5 +80,39 @@ TEST_F(OldStatements, ADropThatIsRolledBackAfterVacuumLeavesTheCountRight) {
   expect_sound("1\n2", "1|2");
 }
 
+/// SQL's rollback_at(x, limit): x, and from `limit` on it rolls the transaction back.
+void rollback_at(sqlite3_context* context, int, sqlite3_value** arguments) {
+  if (sqlite3_value_int(arguments[0]) == sqlite3_value_int(arguments[1]))
+    sqlite3_exec(sqlite3_context_db_handle(context), "ROLLBACK", nullptr, nullptr, nullptr);
+  sqlite3_result_value(context, arguments[0]);
+}
+
+TEST_F(OldStatements, ARollbackInsideAnInsertEndsItAndLosesNothingLater) {
+  driver.exec(std::string(discs) + "INSERT INTO s VALUES(1, 1)");
+  sqlite3_create_function(driver.handle(), "rollback_at", 2, SQLITE_UTF8, nullptr, rollback_at, nullptr,
+                          nullptr);
+  driver.exec("BEGIN");
+  EXPECT_NE(
+      driver.error_of("INSERT INTO s SELECT rollback_at(column1, 11), 1 FROM (VALUES (10), (11), (12))"), "");
+  EXPECT_EQ(sqlite3_get_autocommit(driver.handle()), 1);
+  Database(file.path()).exec("INSERT INTO s VALUES(30, 3)");
+  driver.exec("INSERT INTO s VALUES(20, 1)");
+  EXPECT_EQ(driver.rows("SELECT id FROM s ORDER BY id"), "1\n20\n30");
+  expect_sound("1\n20\n30", "");
+}
+
+// SQLite reloads all schemas if a statement reads one that another connection has changed, and frees the
+// table that a CREATE in another schema is making.
+TEST_F(OldStatements, ATemporaryWatchIsCreatedWhileAnotherConnectionChangesTheFile) {
+  driver.exec("CREATE VIRTUAL TABLE temp.s USING moving_objects(id, x)");
+  for (int i = 0; i < 30; ++i) {
+    Database(file.path()).exec("CREATE TABLE q" + std::to_string(i) + "(x, y, z)");
+    driver.exec("CREATE VIRTUAL TABLE temp.w USING predictive_watch(s, horizon = 4)");
+    driver.exec("INSERT OR REPLACE INTO temp.s VALUES(1, 2); INSERT OR REPLACE INTO temp.s VALUES(2, 2)");
+    EXPECT_EQ(driver.rows("SELECT a, b FROM temp.w"), "1|2");
+    driver.exec("DROP TABLE temp.w; DELETE FROM temp.s");
+  }
+}
+
 }  // namespace
 }  // namespace foresee::testing
