@@ -16,8 +16,8 @@ constexpr int register_width = 2;
 #endif
 using Register [[gnu::vector_size(8 * register_width), gnu::aligned(8), gnu::may_alias]] = double;
 
-// Clang assumes that a reference to Register is aligned: lanes must be.
-inline void store(double* at, const Register& value) {
+// Clang assumes that a reference to Register is aligned: lanes must be, and a value is passed as such.
+inline void store(double* at, Register value) {
   *reinterpret_cast<Register*>(at) = value;
 }
 inline const Register& load(const double* at) {
