@@ -18,7 +18,7 @@ struct VisibleTable {
   bool is_watch;  ///< CREATE VIRTUAL TABLE … USING predictive_watch
 };
 
-/// All tables and views.
+/// All tables and views of all schemas.
 std::vector<VisibleTable> visible_tables(sqlite3* db);
 /// Those of one schema; none if it does not exist. Reads no other schema: if another connection has changed that,
 /// SQLite reloads every schema, also the one in which a CREATE VIRTUAL TABLE is under way.
