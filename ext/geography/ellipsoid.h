@@ -9,7 +9,6 @@
 namespace foresee {
 
 // Motion over the ground.
-
 struct Course {
   double speed;    ///< metres per second
   double degrees;  ///< clockwise from north

@@ -7,9 +7,9 @@
 namespace foresee {
 namespace {
 
-std::size_t fitting(std::size_t queried, std::size_t bytes_per_key) {
+std::size_t fitting(std::size_t requested, std::size_t bytes_per_key) {
   constexpr std::size_t page = 4096, head = 64;
-  return std::max<std::size_t>(4, queried != 0 ? queried : (page - head) / bytes_per_key);
+  return std::max<std::size_t>(4, requested != 0 ? requested : (page - head) / bytes_per_key);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "shape/layout.h"
+#include "shape/row_layout.h"
 
 namespace foresee {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "numbers/turned_vector.h"
+#include "numbers/correct_rounding.h"
 
 namespace foresee {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "motion/manoeuvre.h"
 #include "motion/motion.h"
-#include "numbers/turned_vector.h"
+#include "numbers/correct_rounding.h"
 
 namespace foresee {
 

@@ -6,7 +6,7 @@
 // Bounds that no double holds are infinite. Cost: some tens of flops per axis.
 #pragma once
 
-#include "motion/box.h"
+#include "motion/axis_aligned_box.h"
 #include "motion/life_interval.h"
 
 namespace foresee {

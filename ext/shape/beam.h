@@ -22,8 +22,8 @@
 
 #include <cstddef>
 
+#include "motion/axis_aligned_box.h"
 #include "motion/beam_lanes.h"
-#include "motion/box.h"
 #include "shape/bodies.h"
 
 namespace foresee {

@@ -13,7 +13,7 @@
 
 #include "base/pair.h"
 #include "motion/motion.h"
-#include "shape/layout.h"
+#include "shape/row_layout.h"
 
 namespace foresee {
 

@@ -11,7 +11,7 @@
 #include <functional>
 #include <unordered_map>
 
-#include "shape/form.h"
+#include "shape/shared_form.h"
 
 namespace foresee {
 

@@ -14,8 +14,8 @@
 #include <span>
 
 #include "base/error.h"
-#include "motion/box.h"
-#include "shape/layout.h"
+#include "motion/axis_aligned_box.h"
+#include "shape/row_layout.h"
 
 namespace foresee {
 
@@ -76,7 +76,6 @@ constexpr bool has_column(const Layout& layout, const SizeColumn& column) {
 }
 
 // A point: no size.
-
 struct PointShape {
   static constexpr Shape shape = Shape::point;
   static constexpr std::span<const SizeColumn> sizes = {};
@@ -92,7 +91,6 @@ struct PointShape {
 };
 
 // A box along the axes: half extents hx, hy, hz.
-
 struct BoxShape {
   static constexpr Shape shape = Shape::box;
   static constexpr SizeColumn sizes[] = {half_extent_columns};
@@ -129,7 +127,6 @@ struct BallShape {
 
 // An upright cylinder, on three axes only: a radius r in x and y, a half height hz, or neither at first if it
 // grows.
-
 struct CylinderShape {
   static constexpr Shape shape = Shape::cylinder;
   static constexpr SizeColumn sizes[] = {radius_column, half_height_column};
@@ -157,7 +154,6 @@ struct CylinderShape {
 //
 // A row has the number of its outline and the bounding box of the rotated outline
 // (outline/outline_rotation.h), so that box tests need no look-up of outlines.
-
 struct OutlineShape {
   static constexpr Shape shape = Shape::outline;
   static constexpr SizeColumn sizes[] = {radius_column, half_height_column};
@@ -180,7 +176,6 @@ struct OutlineShape {
 //
 // A row has the number of its mesh and the bounding box of the rotated mesh (mesh/turned_mesh.h), so that box
 // tests need no look-up of meshes.
-
 struct MeshShape {
   static constexpr Shape shape = Shape::mesh;
   static constexpr SizeColumn sizes[] = {radius_column};

@@ -21,8 +21,8 @@
 
 #include "base/error.h"
 #include "shape/bodies.h"
-#include "shape/form.h"
 #include "shape/scratch_pieces.h"
+#include "shape/shared_form.h"
 
 namespace foresee {
 

@@ -45,9 +45,9 @@ const Connection::OpenTable* Connection::find(std::int64_t number) const {
   return open == tables_.end() ? nullptr : &open->second;
 }
 
-double Connection::likely_objects(const QueriedTable& name) const {
-  const auto matches = [](const std::optional<std::string>& queried, const std::string& open) {
-    return !queried || sqlite3_stricmp(queried->c_str(), open.c_str()) == 0;
+double Connection::likely_objects(const TableName& name) const {
+  const auto matches = [](const std::optional<std::string>& wanted, const std::string& open) {
+    return !wanted || sqlite3_stricmp(wanted->c_str(), open.c_str()) == 0;
   };
   std::optional<std::int64_t> largest;
   for (const auto& [number, open] : tables_)

@@ -66,7 +66,7 @@ class Connection {
   /// Estimated number of objects of the table with this name, from memory: reads nothing, connects nothing.
   /// The largest of the connected tables that match; without a name all match. Where none is connected yet,
   /// the number that R*Tree assumes without statistics.
-  double likely_objects(const QueriedTable& name) const;
+  double likely_objects(const TableName& name) const;
 
   // Open scans by the store that they read: SQLite may reconnect a table during a scan of its older instance,
   // and both share one store.

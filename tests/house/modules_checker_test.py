@@ -42,7 +42,7 @@ class ModuleGuard(unittest.TestCase):
         self.catches("query/join/join.h", '  #  include "storage/table/store.h"', "query may include")
 
     def test_storage_sees_the_page_interface_shape_and_motion_only(self):
-        self.passes("storage/pages.cpp", '#include "index/pages.h"\n#include "shape/layout.h"')
+        self.passes("storage/pages.cpp", '#include "index/pages.h"\n#include "shape/row_layout.h"')
         self.catches("storage/pages.cpp", '#include "index/candidates.h"', "storage may include base, motion")
         self.catches("storage/pages.cpp", '#include "contact/contact.h"', "storage may include base, motion")
 

@@ -40,18 +40,18 @@ class Chord {
     }
   }
 
-  /// The part of `queried` in which the pair may be between all `faces`, for example those of a hull. At no
-  /// other time of `queried` is it between them.
+  /// The part of `span` in which the pair may be between all `faces`, for example those of a hull. At no
+  /// other time of `span` is it between them.
   template <class Lengths>
   Interval<Real> between(const Faces* faces, int count, const Lengths& lengths,
-                         Interval<Real> queried) const {
+                         Interval<Real> span) const {
     for (int i = 0; i < count; ++i) {
       const Real below = crossing(faces[i].axis, -1, faces[i].has_below, faces[i].below, lengths);
       const Real above = crossing(faces[i].axis, 1, faces[i].has_above, faces[i].above, lengths);
-      queried.begin = greater(lesser(below, above), queried.begin);
-      queried.end = lesser(greater(above, below), queried.end);
+      span.begin = greater(lesser(below, above), span.begin);
+      span.end = lesser(greater(above, below), span.end);
     }
-    return queried;
+    return span;
   }
 
   /// The chord on one axis.

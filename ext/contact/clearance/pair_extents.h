@@ -13,7 +13,7 @@
 
 #include "contact/clearance/piece_sum.h"
 #include "motion/motion.h"
-#include "shape/layout.h"
+#include "shape/row_layout.h"
 
 namespace foresee {
 

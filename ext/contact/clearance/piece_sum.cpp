@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numbers/turned_vector.h"
+#include "numbers/correct_rounding.h"
 
 namespace foresee {
 namespace {

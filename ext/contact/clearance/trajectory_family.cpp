@@ -1,7 +1,7 @@
 #include "contact/clearance/trajectory_family.h"
 
 #include "contact/set/relative_motion.h"
-#include "numbers/turned_vector.h"
+#include "numbers/correct_rounding.h"
 
 namespace foresee {
 namespace {

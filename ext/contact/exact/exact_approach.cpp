@@ -2,26 +2,12 @@
 #include <cmath>
 
 #include "contact/exact/exact_contact.h"
+#include "numbers/correct_rounding.h"
 #include "numbers/interval_newton.h"
 #include "numbers/time_intervals.h"
 
 namespace foresee {
 namespace {
-
-/// The double nearest to the square root, ties to even.
-double rounded_square_root(const Dyadic& square) {
-  if (square.sign() <= 0) return 0;
-  // 128 bits or one less, so that the exponent is even. Of the bits cut off only their presence matters.
-  const int bits = bit_length(square.mantissa());
-  int shift = 128 - bits;
-  if ((square.exponent() - shift) % 2 != 0) --shift;
-  const Integer head =
-      shift >= 0 ? Integer(square.mantissa() << shift) : Integer(square.mantissa() >> -shift);
-  Integer rest;
-  const Integer root = sqrt(head, rest);
-  const bool more = !rest.is_zero() || (shift < 0 && Integer(head << -shift) != square.mantissa());
-  return rounded(Dyadic((root << 1) + (more ? 1 : 0), (square.exponent() - shift) / 2 - 1));
-}
 
 /// A LazyPolynomial of given exact coefficients.
 class KnownPolynomial final : public PolynomialSource {
@@ -112,12 +98,12 @@ class ExactApproach {
 
   /// The distance at an end or a root of the slope, rounded once.
   double distance_at(AlgebraicRoot& time) {
-    if (time.known) return rounded_square_root(value_at(known_.exact(), *time.known));
+    if (time.known) return rounded_root(value_at(known_.exact(), *time.known));
     if (known_.polynomial().sign_at(time) == 0) return 0;
     for (int bits = first_length;; bits *= 2) {
       const Polynomial& p = known_.exact();
       const Midrad square = value_at(known_.polynomial().enclosure(bits), p.degree, time.enclosure(bits));
-      const double lower = rounded_square_root(square.low()), upper = rounded_square_root(square.high());
+      const double lower = rounded_root(square.low()), upper = rounded_root(square.high());
       if (lower == upper) return lower;
       if (std::nextafter(lower, upper) != upper) continue;
       // Rounding treats infinity as 2^1024.

@@ -1,6 +1,6 @@
 #include "contact/outline/convex_sum.h"
 
-#include "shape/outline/orientation.h"
+#include "shape/outline/orientation_predicate.h"
 
 namespace foresee {
 namespace {

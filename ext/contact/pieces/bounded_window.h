@@ -13,7 +13,7 @@
 #include <limits>
 
 #include "contact/set/relative_motion.h"
-#include "motion/box.h"
+#include "motion/axis_aligned_box.h"
 #include "shape/shapes.h"
 
 namespace foresee {

@@ -15,7 +15,7 @@
 #include "base/interrupt_steps.h"
 #include "contact/certain/chord.h"
 #include "contact/pieces/time_expansion.h"
-#include "motion/box.h"
+#include "motion/axis_aligned_box.h"
 
 namespace foresee {
 
@@ -43,31 +43,31 @@ class BoxChord {
     }
   }
 
-  /// The part of `queried` in which the boxes could touch.
-  Interval<double> between(const Box<axes>& a, const Box<axes>& b, const Interval<double>& queried) const {
-    return is_plain_ ? quickly_between(a, b, queried) : carefully_between(a, b, queried);
+  /// The part of `span` in which the boxes could touch.
+  Interval<double> between(const Box<axes>& a, const Box<axes>& b, const Interval<double>& span) const {
+    return is_plain_ ? quickly_between(a, b, span) : carefully_between(a, b, span);
   }
 
   bool is_plain() const { return is_plain_; }
   /// Takes boxes of floats as well. Requires: is_plain().
   template <class AnyBox>
-  Interval<double> quickly_between(const AnyBox& a, const AnyBox& b, Interval<double> queried) const {
+  Interval<double> quickly_between(const AnyBox& a, const AnyBox& b, Interval<double> span) const {
     const auto gap = [](double to, double from) { return to - from; };
     for (int i = 0; i < axes; ++i) {
       const auto j = static_cast<decltype(a.lower.size())>(i);
       const double one = (gap(a.lower[j], b.upper[j]) + below_[i]) * steep_[i];
       const double other = (gap(a.upper[j], b.lower[j]) + above_[i]) * steep_[i];
-      queried.begin = greater(lesser(one, other), queried.begin);
-      queried.end = lesser(greater(one, other), queried.end);
+      span.begin = greater(lesser(one, other), span.begin);
+      span.end = lesser(greater(one, other), span.end);
     }
-    return queried;
+    return span;
   }
 
  private:
   static Vec<axes> reach(const Box<axes>& box) { return box.lower.abs().max(box.upper.abs()); }
 
   [[gnu::noinline]] Interval<double> carefully_between(const Box<axes>& a, const Box<axes>& b,
-                                                       const Interval<double>& queried) const {
+                                                       const Interval<double>& span) const {
     static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
                                       {.axis = 1, .below = {2}, .above = {3}},
                                       {.axis = 2, .below = {4}, .above = {5}}};
@@ -76,7 +76,7 @@ class BoxChord {
       limits[2 * j] = Bounded{b.upper[j]} - Bounded{a.lower[j]} + grown_;
       limits[2 * j + 1] = Bounded{a.upper[j]} - Bounded{b.lower[j]} + grown_;
     }
-    return chord_.between(faces, axes, limits, queried);
+    return chord_.between(faces, axes, limits, span);
   }
 
   const Chord<D>& chord_;

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "contact/pieces/endpoint_rounding.h"
-#include "contact/pieces/pair_intervals.h"
+#include "contact/pieces/possible_intervals.h"
 
 namespace foresee {
 

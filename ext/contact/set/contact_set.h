@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "contact/set/primitive.h"
-#include "shape/layout.h"
+#include "shape/row_layout.h"
 
 namespace foresee {
 

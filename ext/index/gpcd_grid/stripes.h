@@ -29,7 +29,6 @@ namespace foresee::gpcd {
 //
 // A row holds the lower ends and the upper ends, then travel and life if `columns` has them. So one object
 // takes one or two cache lines.
-
 template <int D>
 class FloatRows {
  public:

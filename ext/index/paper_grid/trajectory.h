@@ -36,7 +36,6 @@ Trajectory<D> trajectory_of(const Bodies& bodies, std::size_t i, const Horizon& 
 //
 // Guarantee: never false for regions that intersect. Any direction is valid, so only the intervals are
 // rounded outward. On one axis a region is its projection: always true.
-
 template <int D>
 bool regions_may_meet(const Trajectory<D>& a, const Trajectory<D>& b);
 

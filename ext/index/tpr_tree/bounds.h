@@ -21,7 +21,7 @@
 
 #include <limits>
 
-#include "motion/box.h"
+#include "motion/axis_aligned_box.h"
 #include "motion/motion.h"
 
 namespace foresee {

@@ -15,7 +15,6 @@ namespace foresee {
 // writes.
 //
 // Only the shape of the tree depends on it, never a result.
-
 class WriteClock {
  public:
   /// The number of writes that it remembers.

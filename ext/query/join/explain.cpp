@@ -195,9 +195,9 @@ class Explanation {
 
 }  // namespace
 
-std::vector<ExplainRow> explain_join(const JoinQuestion& queried, Interrupt& interrupt) {
+std::vector<ExplainRow> explain_join(const JoinQuestion& whole, Interrupt& interrupt) {
   const FloatEnvironment environment;
-  JoinQuestion question = in_tile(queried, interrupt);
+  JoinQuestion question = in_tile(whole, interrupt);
   question.only_a = question.only_b = {};
   question.queried_t = question.queried_dt = {};
   Explanation explanation(question, interrupt);

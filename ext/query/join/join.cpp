@@ -14,8 +14,8 @@ namespace foresee {
 
 /// The state of a join: its query, plan and open slab.
 struct Join::Progress {
-  Progress(JoinQuestion queried, Interrupt& interrupt)
-      : question(with_space(in_tile(std::move(queried), interrupt))),
+  Progress(JoinQuestion whole, Interrupt& interrupt)
+      : question(with_space(in_tile(std::move(whole), interrupt))),
         interrupt(interrupt),
         stage(question, interrupt),
         plan(plan_join(question, stage.reach())),

@@ -58,10 +58,10 @@ double share_that_meets(const JoinQuestion& question, const Horizon& horizon, co
   const std::vector<Box<D>> other =
       between ? sample_of<D>(*question.b, horizon, margin) : std::vector<Box<D>>{};
   const std::vector<Box<D>>& b = between ? other : a;
-  std::size_t queried = 0, meetings = 0;
+  std::size_t pair_count = 0, meetings = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = between ? 0 : i + 1; j < b.size(); ++j) ++queried, meetings += a[i].meets(b[j]);
-  return queried == 0 ? 0 : static_cast<double>(meetings) / static_cast<double>(queried);
+    for (std::size_t j = between ? 0 : i + 1; j < b.size(); ++j) ++pair_count, meetings += a[i].meets(b[j]);
+  return pair_count == 0 ? 0 : static_cast<double>(meetings) / static_cast<double>(pair_count);
 }
 
 /// Fraction of all pairs whose boxes intersect at one instant, from a few rows against many. A few giants may
@@ -75,11 +75,11 @@ double share_that_touches(const JoinQuestion& question, double time, const Vec<D
   std::size_t meetings = 0;
   for (const Box<D>& box : b)
     for (const Box<D>& other : a) meetings += box.meets(other);
-  const double queried = static_cast<double>(a.size() * b.size());
-  if (queried == 0) return 0;
+  const double pair_count = static_cast<double>(a.size() * b.size());
+  if (pair_count == 0) return 0;
   // The expected number of rows in both samples: each meets itself.
-  const double same = between ? 0 : queried / static_cast<double>(question.a->size());
-  return std::max(0.0, static_cast<double>(meetings) - same) / queried;
+  const double same = between ? 0 : pair_count / static_cast<double>(question.a->size());
+  return std::max(0.0, static_cast<double>(meetings) - same) / pair_count;
 }
 
 /// The middle one of `parts` equal parts of the queried span.

@@ -68,9 +68,9 @@ void require_valid(const JoinQuestion& question) {
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines) {
   const Scene& a = *question.a;
   const Scene& b = question.b ? *question.b : a;
-  const ContactQuestion queried{
+  const ContactQuestion contact_question{
       {question.now, question.h}, question.within, question.within_z, rectangles_for_outlines};
-  return make_contact(a.bodies(), b.bodies(), queried, a.name, b.name);
+  return make_contact(a.bodies(), b.bodies(), contact_question, a.name, b.name);
 }
 
 }  // namespace foresee

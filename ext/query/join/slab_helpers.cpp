@@ -31,9 +31,9 @@ struct SlabHelpers::Shared {
     bool done = false;
   };
 
-  Shared(const JoinQuestion& queried, const TimeSlab& part_of_time, bool sorted, const Contact::Reach& reach,
+  Shared(const JoinQuestion& of_join, const TimeSlab& part_of_time, bool sorted, const Contact::Reach& reach,
          Interrupt& of_caller)
-      : question(queried),
+      : question(of_join),
         slab(part_of_time),
         sorts(sorted),
         interrupt(of_caller),

@@ -26,7 +26,6 @@ namespace foresee {
 //
 // Touching pairs are handed over as pairs, and the reader writes their rows. A row is nine times as large as
 // a pair, and its transfer from one processor to another takes longer than writing it.
-
 class SlabBatch {
  public:
   Hits hits;  ///< to be sorted; a batch with hits has neither rows nor pairs

@@ -30,7 +30,6 @@ namespace foresee {
 //
 //   LeafBodies bodies(tree.layout());
 //   while (auto leaf = walk.next()) swept_box<2>(bodies.of(*leaf), i, horizon, margin);
-
 class LeafBodies {
  public:
   explicit LeafBodies(const Layout& layout)

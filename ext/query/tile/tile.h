@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "motion/box.h"
+#include "motion/axis_aligned_box.h"
 
 namespace foresee {
 

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "motion/box.h"
+#include "motion/axis_aligned_box.h"
 
 namespace foresee {
 

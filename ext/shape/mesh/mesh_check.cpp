@@ -7,7 +7,7 @@
 #include "base/float_environment.h"
 #include "base/number_text.h"
 #include "shape/mesh/mesh_text.h"
-#include "shape/outline/orientation.h"
+#include "shape/outline/orientation_predicate.h"
 
 namespace foresee {
 

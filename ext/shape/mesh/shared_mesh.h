@@ -9,11 +9,11 @@
 
 #include <mutex>
 
-#include "shape/form.h"
 #include "shape/mesh/mesh_check.h"
 #include "shape/mesh/mesh_text.h"
 #include "shape/mesh/triangle_tree.h"
 #include "shape/mesh/turned_mesh.h"
+#include "shape/shared_form.h"
 
 namespace foresee {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/float_environment.h"
-#include "shape/outline/orientation.h"
+#include "shape/outline/orientation_predicate.h"
 #include "shape/outline/triangulation.h"
 
 namespace foresee {

@@ -9,10 +9,10 @@
 
 #include <mutex>
 
-#include "shape/form.h"
 #include "shape/outline/convex_pieces.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"
+#include "shape/shared_form.h"
 
 namespace foresee {
 

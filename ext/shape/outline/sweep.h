@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "shape/outline/orientation.h"
+#include "shape/outline/orientation_predicate.h"
 
 namespace foresee {
 

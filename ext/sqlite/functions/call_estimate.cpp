@@ -107,9 +107,9 @@ CallEstimate estimate_stages(const CallSizes& sizes) {
 CallSizes call_sizes(const TableFunction& function, const Connection& connection,
                      std::span<sqlite3_value* const> written, std::uint32_t given) {
   const WrittenInputs inputs(function, written, given);
-  const QueriedTable tbl{inputs.text("tbl"), inputs.text("schema")};
+  const TableName tbl{inputs.text("tbl"), inputs.text("schema")};
   CallSizes sizes{.objects = connection.likely_objects(tbl)};
-  const QueriedTable other{inputs.text("other"), tbl.schema};
+  const TableName other{inputs.text("other"), tbl.schema};
   if (other.table || inputs.is_bound_later("other")) sizes.others = connection.likely_objects(other);
   if (sqlite3_value* k = inputs.value("k")) sizes.k = sqlite3_value_double(k);
   return sizes;

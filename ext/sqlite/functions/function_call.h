@@ -22,6 +22,8 @@
 
 namespace foresee {
 
+struct TableFunction;
+
 // Values that a call uses for inputs that were left out, as SELECT now, tbl FROM predictive_join(60) returns
 // them.
 //
@@ -30,7 +32,6 @@ namespace foresee {
 //
 // A given input is not kept here: it reads back unchanged, because SQLite may compare it again. Cost: some
 // bytes per input.
-
 class UsedInputs {
  public:
   using Value = std::variant<std::monostate, double, std::string>;
@@ -59,8 +60,6 @@ class UsedInputs {
 // all conditions: inputs, `a = 42`, bounds on times. Even then they are only a hint and SQLite applies them:
 // a call returns more rows if more are read.
 
-struct TableFunction;
-
 struct RowLimit {
   std::int64_t rows = -1;  ///< negative: all
   std::int64_t skipped = 0;
@@ -79,8 +78,6 @@ void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std
 
 /// Stores an argument in `limit` by its letters. False, without a change, if it is neither LIMIT nor OFFSET.
 bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit);
-
-struct TableFunction;
 
 struct FreeValue {
   void operator()(sqlite3_value* value) const { sqlite3_value_free(value); }

@@ -19,7 +19,7 @@ namespace foresee {
 
 struct JoinInputs {
   double h = 0;
-  QueriedTable tbl = {};  ///< with `schema`, which is also that of `other`
+  TableName tbl = {};  ///< with `schema`, which is also that of `other`
   double within = 0;
   std::optional<std::string> other = {};  ///< nothing: pairs within tbl, each once
   std::optional<double> now = {};         ///< nothing: the newest t stored

@@ -142,7 +142,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   read_numbers(call, question);
   const std::int64_t id = call.required_integer(in_id);
   const auto given_now = call.number(in_now);
-  const QueriedTable tbl{call.text(in_tbl), call.text(in_schema)};
+  const TableName tbl{call.text(in_tbl), call.text(in_schema)};
   const auto table = open_table(connection, tbl);
   std::array<std::string, 2> tables{table.table, ""};
   question.others = searched(table);

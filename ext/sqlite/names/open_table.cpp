@@ -36,7 +36,7 @@ std::string list_tables(const std::vector<VisibleTable>& tables, bool with_schem
 }
 
 /// The only moving_objects table, for a query without a table name. Throws Error unless there is exactly one.
-QueriedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
+TableName only_table(sqlite3* db, const std::optional<std::string>& schema) {
   const std::vector<VisibleTable> tables = visible_tables(db);
   const VisibleTable* only = nullptr;
   for (const VisibleTable& table : tables) {
@@ -61,14 +61,14 @@ std::string separate_schema_hint(const std::vector<VisibleTable>& tables, const 
 }
 
 /// Whether SQL text, which ends at a NUL, can hold this name.
-bool fits_in_sql(const QueriedTable& name) {
+bool fits_in_sql(const TableName& name) {
   const std::string text = *name.table + name.schema.value_or("");
   return std::strlen(text.c_str()) == text.size();
 }
 
 /// The table that SQLite finds under this name; nothing if it is not a moving_objects table. Throws
 /// StoreError if SQLite finds no table.
-std::optional<Connection::OpenTable> find_open(Connection& connection, const QueriedTable& name) {
+std::optional<Connection::OpenTable> find_open(Connection& connection, const TableName& name) {
   TableLookups& lookups = connection.lookups();
   const auto find = [&]() -> const Connection::OpenTable* {
     const auto number = lookups.number_of(name);
@@ -111,8 +111,8 @@ void require_moving_objects(sqlite3* db, const std::string& table, const std::op
               list_tables(tables, schema.has_value()));
 }
 
-Connection::OpenTable open_table(Connection& connection, const QueriedTable& queried) {
-  const QueriedTable name = queried.table ? queried : only_table(connection.db(), queried.schema);
+Connection::OpenTable open_table(Connection& connection, const TableName& given) {
+  const TableName name = given.table ? given : only_table(connection.db(), given.schema);
   try {
     if (fits_in_sql(name))
       if (auto open = find_open(connection, name)) return *open;

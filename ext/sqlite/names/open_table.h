@@ -17,7 +17,7 @@ namespace foresee {
 /// The table; equal tables have equal stores. Returns a copy, because the look-up of another table may make
 /// SQLite reconnect this one. Throws Error if no such table exists or the choice is ambiguous; the message
 /// lists the tables.
-Connection::OpenTable open_table(Connection& connection, const QueriedTable& name);
+Connection::OpenTable open_table(Connection& connection, const TableName& name);
 
 /// 'name', as messages show it.
 std::string quoted(const std::string& name);

@@ -6,7 +6,7 @@
 
 namespace foresee {
 // Removes the witness from the list while it runs: SQLite may disconnect tables then, which calls finalize().
-std::optional<std::int64_t> TableLookups::kept_number(const QueriedTable& name) {
+std::optional<std::int64_t> TableLookups::kept_number(const TableName& name) {
   const auto found =
       std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.name == name; });
   if (found == kept_.end()) return std::nullopt;
@@ -25,7 +25,7 @@ std::optional<std::int64_t> TableLookups::kept_number(const QueriedTable& name) 
   return number;
 }
 
-std::optional<std::int64_t> TableLookups::query_sqlite(const QueriedTable& name) {
+std::optional<std::int64_t> TableLookups::query_sqlite(const TableName& name) {
   const std::string table = quoted_name(*name.table);
   const std::string schema = name.schema ? quoted_name(*name.schema) + "." : "";
   Statement select(
@@ -36,12 +36,12 @@ std::optional<std::int64_t> TableLookups::query_sqlite(const QueriedTable& name)
   return run.integer(0);
 }
 
-std::optional<std::int64_t> TableLookups::number_of(const QueriedTable& name) {
+std::optional<std::int64_t> TableLookups::number_of(const TableName& name) {
   if (const auto number = kept_number(name)) return number;
   return query_sqlite(name);
 }
 
-void TableLookups::keep(const QueriedTable& name, std::int64_t number, const std::string& schema) {
+void TableLookups::keep(const TableName& name, std::int64_t number, const std::string& schema) {
   if (!kept_.empty() && kept_.back().name == name) return;
   try {
     Statement witness(db_, "SELECT 1 FROM " + quoted_name(schema) + ".sqlite_master WHERE 0");
@@ -53,7 +53,7 @@ void TableLookups::keep(const QueriedTable& name, std::int64_t number, const std
   }
 }
 
-void TableLookups::forget(const QueriedTable& name) noexcept {
+void TableLookups::forget(const TableName& name) noexcept {
   std::erase_if(kept_, [&](const Kept& kept) { return kept.name == name; });
 }
 

@@ -1,6 +1,6 @@
 // Cache of table look-ups: SQLite resolves a name once, and again only after a schema change.
 //
-//   const QueriedTable name{.table = "ships", .schema = {}};
+//   const TableName name{.table = "ships", .schema = {}};
 //   lookups.number_of(name)          // the table's number on this connection, or nothing
 //   lookups.keep(name, 7, "main")    // with the schema that holds it: the next look-up is cached
 //
@@ -24,11 +24,11 @@
 
 namespace foresee {
 
-struct QueriedTable {
+struct TableName {
   std::optional<std::string> table;
   std::optional<std::string> schema;
 
-  friend bool operator==(const QueriedTable&, const QueriedTable&) = default;
+  friend bool operator==(const TableName&, const TableName&) = default;
 };
 
 class TableLookups {
@@ -37,22 +37,22 @@ class TableLookups {
 
   /// The table's number from the cache, else from SQLite. Throws StoreError if SQLite finds no such table, or
   /// one of another kind. Requires: `name.table` has a value.
-  std::optional<std::int64_t> number_of(const QueriedTable& name);
+  std::optional<std::int64_t> number_of(const TableName& name);
   /// The cached number if the name certainly still refers to that table; else nothing. Runs the witness, so
   /// SQLite may disconnect tables meanwhile.
-  std::optional<std::int64_t> kept_number(const QueriedTable& name);
+  std::optional<std::int64_t> kept_number(const TableName& name);
   /// Caches the number, so that the next number_of(name) needs no look-up by SQLite. Does nothing if an
   /// authorizer forbids reading the schema. Requires: number_of(name) has just returned it for a table in
   /// `schema`.
-  void keep(const QueriedTable& name, std::int64_t number, const std::string& schema);
+  void keep(const TableName& name, std::int64_t number, const std::string& schema);
   /// Removes the name from the cache: SQLite resolves it again next time.
-  void forget(const QueriedTable& name) noexcept;
+  void forget(const TableName& name) noexcept;
   /// Finalizes all statements that are not running.
   void finalize() noexcept;
 
  private:
   struct Kept {
-    QueriedTable name;
+    TableName name;
     std::int64_t number;
     Statement witness;
   };
@@ -60,7 +60,7 @@ class TableLookups {
 
   /// The number from SQLite's look-up; nothing if the table that it finds answers without one. Throws as
   /// number_of() does.
-  std::optional<std::int64_t> query_sqlite(const QueriedTable& name);
+  std::optional<std::int64_t> query_sqlite(const TableName& name);
 
   sqlite3* db_;
   std::vector<Kept> kept_;  ///< the most recent last

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "shape/layout.h"
+#include "shape/row_layout.h"
 #include "sqlite/table/column_vocabulary.h"
 
 namespace foresee {

@@ -31,7 +31,6 @@ namespace foresee {
 // The rules (docs/sql_reference.md#outlines): NULL and '' mean no shape; anything else is well-known text. A
 // column that an UPDATE does not name arrives without a value and is neither printed nor parsed. If the
 // heading is unchanged as well, the stored bounds are copied.
-
 class FormValues {
  public:
   explicit FormValues(const Layout& layout) : shape_(layout.shape), at_(record_offsets(layout)) {}

@@ -58,21 +58,21 @@ void PairSearch::probe(Side side, std::int64_t id, NodeSource& others_tree, cons
                                  {question_.now, question_.h}, reach_, connection_.interrupt(),
                                  [&](std::int64_t other) { return !within_one || other != id; });
   if (near->size() == 0) return;
-  JoinQuestion queried = question_;
-  queried.a = by_a ? object : near, queried.b = by_a ? near : object;
+  JoinQuestion question = question_;
+  question.a = by_a ? object : near, question.b = by_a ? near : object;
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < near->size(); ++i) pairs.push_back(by_a ? Pair{0, i} : Pair{i, 0});
-  take(pair_contacts(queried, pairs, connection_.interrupt()));
+  take(pair_contacts(question, pairs, connection_.interrupt()));
 }
 
 void PairSearch::join(Side side, std::span<const std::int64_t> ids, const Take& take) {
-  JoinQuestion queried = question_;
-  queried.a = connection_.load_scene(tables_.a);
-  queried.b = !tables_.b || tables_.are_one() ? queried.a : connection_.load_scene(*tables_.b);
-  queried.space = connection_.grid_space(), queried.helpers = connection_.helper_threads();
-  (side == Side::a ? queried.a : queried.b) = scene_of(connection_, table(side), ids);
+  JoinQuestion question = question_;
+  question.a = connection_.load_scene(tables_.a);
+  question.b = !tables_.b || tables_.are_one() ? question.a : connection_.load_scene(*tables_.b);
+  question.space = connection_.grid_space(), question.helpers = connection_.helper_threads();
+  (side == Side::a ? question.a : question.b) = scene_of(connection_, table(side), ids);
   const bool within_one = !tables_.b || tables_.are_one();
-  Join join(std::move(queried), connection_.interrupt());
+  Join join(std::move(question), connection_.interrupt());
   std::vector<JoinRow> others;
   for (auto rows = join.next(); !rows.empty(); rows = join.next()) {
     if (!within_one) {

@@ -97,9 +97,9 @@ std::vector<StoredChange> whole_watch(WatchRows& rows, const WatchState& state) 
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   Connection& connection = call.connection();
-  const auto queried = call.text(in_watch, "the name of a watch in quotes");
-  if (!queried) throw Error("watch is missing or NULL: write predictive_changes('alerts', since)");
-  const QualifiedName watch = find_watch(connection.db(), *queried, call.text(in_schema));
+  const auto name = call.text(in_watch, "the name of a watch in quotes");
+  if (!name) throw Error("watch is missing or NULL: write predictive_changes('alerts', since)");
+  const QualifiedName watch = find_watch(connection.db(), *name, call.text(in_schema));
   const ReadTransaction transaction(connection.db(), watch.schema);
   const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(connection, watch);
   const WatchState state = rows->read_state();

@@ -106,7 +106,7 @@ void Settlement::read_old_pairs() {
 /// Reads the due pairs whose objects have not changed. A waiting pair that enters the horizon keeps its
 /// stored start; each of the others needs a contact query.
 void Settlement::query_due_pairs() {
-  std::vector<PairIds> queried;
+  std::vector<PairIds> uncertain;
   const auto is_changed = [&](const StoredPair& pair) {
     return changed_a_.holds(pair.a) || (tables_.b ? changed_b_ : changed_a_).holds(pair.b);
   };
@@ -116,11 +116,11 @@ void Settlement::query_due_pairs() {
     if (!pair.held && pair.t > clock_ && pair.t < horizon_end_)
       new_.push_back({pair.a, pair.b, pair.t, pair.t, pair.t, true});
     else
-      queried.push_back({pair.a, pair.b});
+      uncertain.push_back({pair.a, pair.b});
   };
   for (const StoredPair& pair : rows_.due_pairs(true, clock_)) read_pair(pair);
   for (const StoredPair& pair : rows_.due_pairs(false, horizon_end_)) read_pair(pair);
-  take(contacts_of(connection_, tables_, question(queried_horizon()), queried));
+  take(contacts_of(connection_, tables_, question(queried_horizon()), uncertain));
 }
 
 void Settlement::search_changed() {

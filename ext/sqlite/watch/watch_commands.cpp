@@ -49,11 +49,11 @@ std::string watch_fault(WatchTable& table) {
     if (pair.held) held.push_back({pair.a, pair.b, std::max(pair.t, state.now())});
   std::sort(held.begin(), held.end());
   const std::vector<ShownPair> joined = joined_pairs(connection, tables, state);
-  const auto [kept, queried] = std::mismatch(held.begin(), held.end(), joined.begin(), joined.end());
-  if (kept == held.end() && queried == joined.end()) return "";
-  if (queried == joined.end() || (kept != held.end() && *kept < *queried))
-    return name_of(*kept) + " is stored, but predictive_join does not return it with this time";
-  return name_of(*queried) + " is a row of predictive_join, but is not stored with this time";
+  const auto [stored, expected] = std::mismatch(held.begin(), held.end(), joined.begin(), joined.end());
+  if (stored == held.end() && expected == joined.end()) return "";
+  if (expected == joined.end() || (stored != held.end() && *stored < *expected))
+    return name_of(*stored) + " is stored, but predictive_join does not return it with this time";
+  return name_of(*expected) + " is a row of predictive_join, but is not stored with this time";
 }
 
 void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value* now) {

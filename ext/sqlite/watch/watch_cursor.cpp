@@ -115,11 +115,11 @@ bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const W
 void WatchCursor::give(std::span<const ShownPair> pairs, const WatchState& state,
                        const WatchedTables& tables) {
   if ((plan_ & (WatchPlan::times | WatchPlan::approach)) != 0) {
-    std::vector<PairIds> queried;
-    for (const ShownPair& pair : pairs) queried.push_back({pair.a, pair.b});
+    std::vector<PairIds> ids;
+    for (const ShownPair& pair : pairs) ids.push_back({pair.a, pair.b});
     JoinQuestion question = question_of(tables, state, {now_, state.horizon});
     question.wants.approach = (plan_ & WatchPlan::approach) != 0;
-    stored_ = contacts_of(*table_.connection, tables, question, queried);
+    stored_ = contacts_of(*table_.connection, tables, question, ids);
   } else {
     for (const ShownPair& pair : pairs) {
       JoinRow& row = stored_.emplace_back();

@@ -12,12 +12,12 @@ namespace {
 constexpr std::size_t pairs_at_once = 8192;
 
 Connection::OpenTable find_table(Connection& connection, const std::string& schema, const std::string& name) {
-  const QueriedTable queried{name, schema};
-  if (const auto number = connection.lookups().kept_number(queried))
+  const TableName table{name, schema};
+  if (const auto number = connection.lookups().kept_number(table))
     if (const Connection::OpenTable* open = connection.find(*number)) return *open;
   // A damaged file may name a watch, or a view of one: a query of it would recurse into this function.
   require_moving_objects(connection.db(), name, schema);
-  return open_table(connection, queried);
+  return open_table(connection, table);
 }
 
 std::shared_ptr<Scene> empty_scene(const Connection::OpenTable& table) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shape/layout.h"
+#include "shape/row_layout.h"
 
 namespace foresee {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "shape/form.h"
+#include "shape/shared_form.h"
 
 namespace foresee {
 

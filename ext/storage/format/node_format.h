@@ -19,7 +19,7 @@
 #include <cstring>
 #include <span>
 
-#include "shape/layout.h"
+#include "shape/row_layout.h"
 
 namespace foresee {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "storage/rows/ascending_rows.h"
-#include "storage/rows/map_rows.h"
+#include "storage/rows/id_map_rows.h"
 #include "storage/rows/shadow_schema.h"
 #include "storage/rows/statement.h"
 

@@ -4,7 +4,7 @@
 
 #include "shape/shapes.h"
 #include "storage/format/features.h"
-#include "storage/rows/map_rows.h"
+#include "storage/rows/id_map_rows.h"
 #include "storage/rows/shape_rows.h"
 #include "storage/rows/store_error.h"
 #include "storage/rows/value_text.h"

@@ -13,7 +13,7 @@
 #include <optional>
 #include <span>
 
-#include "shape/form.h"
+#include "shape/shared_form.h"
 #include "storage/rows/ascending_rows.h"
 #include "storage/rows/shadow_tables.h"
 

@@ -110,7 +110,6 @@ class Statement::Run {
 //
 // A connection cannot be closed while a statement exists. The owner calls finalize() before that, at the
 // latest when SQLite disconnects its table.
-
 class StatementInterrupt final : public Interrupt {
  public:
   explicit StatementInterrupt(sqlite3* db) : db_(db) {}

@@ -36,7 +36,6 @@ struct StatementReadState {
 //
 // For the query planner: it never causes a read, and no result depends on it. Small enough for every
 // savepoint to keep a copy.
-
 struct ObjectCount {
   /// The count in `_meta`; nothing if version 0.1 of foresee wrote the table, or if it is out of range.
   std::optional<std::int64_t> stored = std::nullopt;

@@ -15,7 +15,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "shape/form.h"
+#include "shape/shared_form.h"
 #include "storage/rows/shape_rows.h"
 
 namespace foresee {

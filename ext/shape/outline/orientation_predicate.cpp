@@ -1,4 +1,4 @@
-#include "shape/outline/orientation.h"
+#include "shape/outline/orientation_predicate.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Rotated vectors and quotients are rounded once; the quick sine and cosine keep their error bound.
-#include "numbers/turned_vector.h"
+#include "numbers/correct_rounding.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,19 @@ TEST(RoundedQuotient, TakesTiesToEven) {
   EXPECT_EQ(rounded_quotient((one + half + Dyadic(0x1p-600)) * Dyadic(3.0), Dyadic(3.0)), 1 + 0x1p-52);
   EXPECT_EQ(rounded_quotient(Dyadic(-1.0), Dyadic(3.0)), -1.0 / 3.0);
   EXPECT_FALSE(std::signbit(rounded_quotient(Dyadic(0.0), Dyadic(3.0))));
+}
+
+TEST(RoundedRoot, TakesTiesToEven) {
   EXPECT_EQ(rounded_root(Dyadic(2.0)), std::sqrt(2.0));
+  EXPECT_EQ(rounded_root(Dyadic(0x1p-1074)), 0x1p-537);
+  EXPECT_EQ(rounded_root(Dyadic(0.0)), 0);
+  EXPECT_EQ(rounded_root(Dyadic(-1.0)), 0);
+  const Dyadic one(1.0), ulp(0x1p-52), half(0x1p-53), little(0x1p-900);
+  const auto square = [](const Dyadic& root) { return root * root; };
+  EXPECT_EQ(rounded_root(square(one + half)), 1);
+  EXPECT_EQ(rounded_root(square(one + ulp + half)), 1 + 0x1p-51);
+  EXPECT_EQ(rounded_root(square(one + half) + little), 1 + 0x1p-52);
+  EXPECT_EQ(rounded_root(square(one + ulp + half) - little), 1 + 0x1p-52);
 }
 
 TEST(QuickSineCosine, IsWithinItsErrorBound) {

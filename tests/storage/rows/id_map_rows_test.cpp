@@ -1,6 +1,6 @@
 // Stored id map: blocks and the rows of version 0.1 give the same answers, also mixed, and damage is
 // reported.
-#include "storage/rows/map_rows.h"
+#include "storage/rows/id_map_rows.h"
 
 #include <map>
 #include <random>

@@ -1,4 +1,4 @@
-#include "storage/rows/map_rows.h"
+#include "storage/rows/id_map_rows.h"
 
 #include <algorithm>
 

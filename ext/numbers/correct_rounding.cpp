@@ -1,4 +1,4 @@
-#include "numbers/turned_vector.h"
+#include "numbers/correct_rounding.h"
 
 #include <array>
 #include <cmath>
@@ -94,10 +94,18 @@ double rounded_quotient(const Dyadic& a, const Dyadic& b) {
   return (side < 0 ? low : side > 0 ? high : rounded(between)) + 0.0;
 }
 
-double rounded_root(const Dyadic& a) {
-  if (a.sign() == 0) return 0;
-  if (const auto known = rounded_if_known(sqrt(Midrad128(a)))) return *known;
-  return rounded_in_the_end([&](int bits) { return sqrt(Midrad(a, bits)); });
+double rounded_root(const Dyadic& square) {
+  if (square.sign() <= 0) return 0;
+  // 128 bits or one less, so that the exponent is even. Of the bits cut off only their presence matters.
+  const int bits = bit_length(square.mantissa());
+  int shift = 128 - bits;
+  if ((square.exponent() - shift) % 2 != 0) --shift;
+  const Integer head =
+      shift >= 0 ? Integer(square.mantissa() << shift) : Integer(square.mantissa() >> -shift);
+  Integer rest;
+  const Integer root = sqrt(head, rest);
+  const bool more = !rest.is_zero() || (shift < 0 && Integer(head << -shift) != square.mantissa());
+  return rounded(Dyadic((root << 1) + (more ? 1 : 0), (square.exponent() - shift) / 2 - 1));
 }
 
 SineCosine<double> quick_sine_cosine(double degrees) {

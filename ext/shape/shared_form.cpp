@@ -1,4 +1,4 @@
-#include "shape/form.h"
+#include "shape/shared_form.h"
 
 #include "shape/mesh/mesh_text.h"
 #include "shape/mesh/shared_mesh.h"

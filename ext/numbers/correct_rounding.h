@@ -24,8 +24,8 @@ Turned turned_clockwise(double x, double y, double degrees);
 /// a / b to the nearest double, ties to even. Requires: b > 0.
 double rounded_quotient(const Dyadic& a, const Dyadic& b);
 
-/// The square root of a to the nearest double. Requires: a >= 0.
-double rounded_root(const Dyadic& a);
+/// The square root to the nearest double, ties to even; 0 for a negative number.
+double rounded_root(const Dyadic& square);
 
 /// Error bound of quick_sine_cosine().
 inline constexpr double quick_sine_error = 0x1p-49;

@@ -13,8 +13,8 @@
 #include <string>
 #include <string_view>
 
-#include "motion/box.h"
-#include "shape/layout.h"
+#include "motion/axis_aligned_box.h"
+#include "shape/row_layout.h"
 
 namespace foresee {
 

@@ -1,4 +1,4 @@
-#include "shape/layout.h"
+#include "shape/row_layout.h"
 
 #include <algorithm>
 
