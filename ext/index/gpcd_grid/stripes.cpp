@@ -48,12 +48,14 @@ Stripes<D>::Stripes(const MovingSource<D>& source, const Frame<D>& frame, const 
   if (memory.parts.size() < parts.size()) memory.parts.resize(parts.size());
   const std::size_t count = source.count();
   run_together(helpers, interrupt, [&](std::size_t part, std::size_t of, Interrupt& own_interrupt) {
-    read(source, frame, part * count / of, (part + 1) * count / of, memory.parts[part], parts[part], own_interrupt);
+    read(source, frame, part * count / of, (part + 1) * count / of, memory.parts[part], parts[part],
+         own_interrupt);
   });
   add_up(parts);
   keys_ = memory.keys.room(entry_count_);
-  run_together(helpers, interrupt,
-               [&](std::size_t part, std::size_t, Interrupt& own_interrupt) { place(parts[part], own_interrupt); });
+  run_together(helpers, interrupt, [&](std::size_t part, std::size_t, Interrupt& own_interrupt) {
+    place(parts[part], own_interrupt);
+  });
 }
 
 template <int D>

@@ -1,7 +1,7 @@
 // Schema of the shadow tables of a moving_objects table, and what their `_meta` says about the format.
 //
 //   <name>_node(nodeno INTEGER PRIMARY KEY, data BLOB)                 leaves and inner nodes
-//   <name>_map(id INTEGER PRIMARY KEY, leaf INTEGER)                   the leaves of 64 ids per row (map_rows.h)
+//   <name>_map(id INTEGER PRIMARY KEY, leaf INTEGER)                   the leaves of 64 ids per row (id_map_rows.h)
 //   <name>_aux(id INTEGER PRIMARY KEY, a0, a1, …)                      only with auxiliary columns
 //   <name>_shape(number INTEGER PRIMARY KEY, hash, data BLOB)          only with outlines or meshes (shape_rows.h)
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
