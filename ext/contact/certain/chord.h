@@ -43,8 +43,7 @@ class Chord {
   /// The part of `span` in which the pair may be between all `faces`, for example those of a hull. At no
   /// other time of `span` is it between them.
   template <class Lengths>
-  Interval<Real> between(const Faces* faces, int count, const Lengths& lengths,
-                         Interval<Real> span) const {
+  Interval<Real> between(const Faces* faces, int count, const Lengths& lengths, Interval<Real> span) const {
     for (int i = 0; i < count; ++i) {
       const Real below = crossing(faces[i].axis, -1, faces[i].has_below, faces[i].below, lengths);
       const Real above = crossing(faces[i].axis, 1, faces[i].has_above, faces[i].above, lengths);
