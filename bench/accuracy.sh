@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# The report on accuracy, error against run time: raw CSV and pictures into docs/accuracy/ (Debian).
+# The report on accuracy, error against run time: raw CSV and pictures into docs/explanation/accuracy/ (Debian).
 #
 #   bash bench/accuracy.sh            # a few minutes
 #   bash bench/accuracy.sh --quick    # less than half a minute, into build/accuracy/: docs/ stays as it is
 #
-# docs/accuracy.md explains what comes out.
+# docs/explanation/accuracy.md explains what comes out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . sql/packages.sh
 
 need_packages "${build_packages[@]}" "gnuplot-nox: command gnuplot"
 
-out=docs/accuracy
+out=docs/explanation/accuracy
 [ "${1:-}" != --quick ] || out=build/accuracy
 mkdir -p $out build/accuracy
 

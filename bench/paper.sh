@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# The paper's experiments: raw CSV and pictures into docs/benchmarks/ (Debian).
+# The paper's experiments: raw CSV and pictures into docs/developers/benchmarks/ (Debian).
 #
 #   bash bench/paper.sh            # a few minutes
 #   bash bench/paper.sh --quick    # less than two minutes, into build/benchmarks/: docs/ stays as it is
 #
-# docs/benchmarks.md explains what comes out.
+# docs/developers/benchmarks.md explains what comes out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . sql/packages.sh
 
 need_packages "${build_packages[@]}" "gnuplot-nox: command gnuplot"
 
-out=docs/benchmarks
+out=docs/developers/benchmarks
 [ "${1:-}" != --quick ] || out=build/benchmarks
 mkdir -p $out
 

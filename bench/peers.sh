@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# The join beside its peers, with and without SQL, and how it grows: raw CSV and pictures into docs/benchmarks/ (Debian).
+# The join beside its peers, with and without SQL, and how it grows: raw CSV and pictures into docs/developers/benchmarks/ (Debian).
 #
 #   bash bench/peers.sh            # half an hour, most of it the peers'
 #   bash bench/peers.sh --quick    # less than two minutes, into build/benchmarks/: docs/ stays as it is
 #
-# CGAL takes part where it is installed (libcgal-dev). docs/benchmarks.md explains what comes out.
+# CGAL takes part where it is installed (libcgal-dev). docs/developers/benchmarks.md explains what comes out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . sql/packages.sh
 
 need_packages "${build_packages[@]}" "gnuplot-nox: command gnuplot"
 
-out=docs/benchmarks
+out=docs/developers/benchmarks
 growth=(S-1000 S-10000 S-100000 S-1000000 L-1 L-3 L-10 L-30 L-100 L-300 G-0.01 G-0.03 G-0.1 G-0.3 G-1)
 if [ "${1:-}" = --quick ]; then
   out=build/benchmarks

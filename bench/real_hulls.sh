@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Hulls of real ships in a database, by the recipe of docs/shapes.md, for bench_sql_outlines --real:
+# Hulls of real ships in a database, by the recipe of docs/how-to/hulls.md, for bench_sql_outlines --real:
 #
 #   bash bench/real_hulls.sh ../shared/data/ships_us_20220103.csv.gz build/benchmarks/hulls.db
 #
@@ -16,6 +16,6 @@ rm -f "$hulls"
   echo "CREATE TABLE ais_parameters(name TEXT PRIMARY KEY, value REAL);"
   echo "INSERT INTO ais_parameters VALUES ('moment', 1641168600), ('centre_lat', 30), ('centre_lon', -90.5);"
   echo ".read sql/import_ais.sql"
-  awk '/^```/ { if (text ~ /TABLE ais_hulls/) printf "%s", text; text = ""; next } { text = text $0 "\n" }' docs/shapes.md
+  awk '/^```/ { if (text ~ /TABLE ais_hulls/) printf "%s", text; text = ""; next } { text = text $0 "\n" }' docs/how-to/hulls.md
   echo "SELECT count(*) || ' ships, ' || count(shape) || ' hulls' FROM ais_hulls;"
 } | sqlite3 -bail "$hulls"

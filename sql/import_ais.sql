@@ -10,7 +10,7 @@
 -- left out. The result is the table ais_ships: id = MMSI, t as reported, metres and metres per second. Reading the file
 -- again makes it anew.
 --
--- The plane is that of geo_to_plane (docs/geography.md): every ship has its true distance and bearing from the centre, on the
+-- The plane is that of geo_to_plane (docs/how-to/latitude_and_longitude.md): every ship has its true distance and bearing from the centre, on the
 -- ellipsoid; at 150 km from there other distances are wrong by up to 0.01 %. A ship is taken to follow its geodesic, so its
 -- velocity is the one that it has on the plane at the moment of the report.
 

@@ -77,9 +77,9 @@ class Contact {
   Contact& operator=(const Contact&) = delete;
 
   /// Appends to `hits` the pairs that touch, in the order of `pairs`. The answer is that of the real numbers
-  /// which the stored doubles are, without a tolerance, whichever stage decides (docs/exactness.md). Cost:
+  /// which the stored doubles are, without a tolerance, whichever stage decides (docs/explanation/exactness.md). Cost:
   /// some tens of nanoseconds for most pairs; microseconds, rarely more, for pairs that doubles cannot decide
-  /// (docs/accuracy.md). No interrupt is polled unless set_interrupt() says so: pass some hundred pairs per
+  /// (docs/explanation/accuracy.md). No interrupt is polled unless set_interrupt() says so: pass some hundred pairs per
   /// call.
   virtual void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) = 0;
 
@@ -108,8 +108,8 @@ class Contact {
 };
 
 /// The contact of two tables. `name_a` and `name_b` are their names in messages. The table of
-/// docs/semantics.md says which distance decides. Throws Error for pairs without a distance
-/// (docs/sql_reference.md). These are a cylinder and a ball of any r; within_z on fewer than three axes;
+/// docs/explanation/semantics.md says which distance decides. Throws Error for pairs without a distance
+/// (docs/reference/moving_objects.md). These are a cylinder and a ball of any r; within_z on fewer than three axes;
 /// within_z if neither table has points, cylinders or prisms. Requires: a and b have the same number of axes
 /// and outlive the contact.
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,

@@ -14,7 +14,7 @@
 //
 // Outlines and meshes have classes of their own, because their contact sets depend on the pair. They are made
 // from the pieces of both objects, not from a few lengths in the rows. A table without outlines and meshes
-// pays nothing for them. The stages of a pair (docs/exactness.md) are trees of boxes, then pieces or
+// pays nothing for them. The stages of a pair (docs/explanation/exactness.md) are trees of boxes, then pieces or
 // triangles in doubles with error bounds. The crossing follows in DoubleDouble, and exact numbers decide the
 // pieces that are left.
 #pragma once

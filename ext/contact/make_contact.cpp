@@ -1,5 +1,5 @@
 // make_contact() and make_window_contact(): select the distance of a pair of shapes, and the class that
-// decides it, once per statement. The table of docs/semantics.md#contact lists the distances.
+// decides it, once per statement. The table of docs/explanation/semantics.md#contact lists the distances.
 #include "base/error.h"
 #include "contact/contact.h"
 #include "contact/contact_factories.h"

@@ -14,7 +14,7 @@
 // other two times and the bounds may be wider than necessary. An infinite bound is no bound.
 //
 // Validity. Pages validate each node separately: keys and values fit together, sizes are within the
-// capacities, and no value is NaN. Times and records are finite where docs/sql_reference.md#values requires
+// capacities, and no value is NaN. Times and records are finite where docs/reference/moving_objects.md#values requires
 // it.
 //
 // Lifetimes. read() returns a shared pointer to a node that never changes while it is held. modify() returns

@@ -1,4 +1,4 @@
-// Every row of the table of distances (docs/semantics.md#contact), by cases whose answer is known without
+// Every row of the table of distances (docs/explanation/semantics.md#contact), by cases whose answer is known without
 // computation.
 #include <gtest/gtest.h>
 

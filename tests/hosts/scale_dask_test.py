@@ -1,4 +1,4 @@
-"""docs/scale_dask.md and the loop of docs/scale.md do what they say, and sql/scale_demo.sh finds no row that differs."""
+"""docs/how-to/tiles_on_dask.md and the loop of docs/how-to/many_files.md do what they say, and sql/scale_demo.sh finds no row that differs."""
 import os
 import re
 import subprocess
@@ -7,7 +7,7 @@ import sys
 from fleet import EXTENSION, PACKAGE, Fleet, main, skip
 from hosts import ROOT, fenced_and_hidden, need_commands
 
-PAGE = (ROOT / "docs/scale_dask.md").read_text()
+PAGE = (ROOT / "docs/how-to/tiles_on_dask.md").read_text()
 
 
 def need_dask(what):
@@ -58,7 +58,7 @@ class Pages(Fleet):
             self.assertIn(option + " ", told)
 
     def test_the_loop_of_scale(self):
-        page = fenced_and_hidden((ROOT / "docs/scale.md").read_text())
+        page = fenced_and_hidden((ROOT / "docs/how-to/many_files.md").read_text())
         table = next(block.text for block in page if block.kind == "sql").split(";\n\n")[0]
         self.said_by("sqlite3", "ships.db", ".load build/release/foresee", table)
         loop = [block.text for block in page if block.kind == "bash"]

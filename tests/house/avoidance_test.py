@@ -1,4 +1,4 @@
-"""The picture of docs/avoidance.md is what its script draws, and its program makes traffic keep clear."""
+"""The picture of docs/explanation/avoidance.md is what its script draws, and its program makes traffic keep clear."""
 import os
 import subprocess
 import tempfile
@@ -8,7 +8,7 @@ from pathlib import Path
 from house import EXTENSION, ROOT, main
 
 PYTHON = "/usr/bin/python3"
-PICTURE = ROOT / "docs/avoidance/traffic"
+PICTURE = ROOT / "docs/pictures/traffic"
 
 
 class WithPython(unittest.TestCase):

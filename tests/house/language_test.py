@@ -1,7 +1,7 @@
 """Plain technical English: comments, messages, names and pages without the words of dialect.py, sentences and lines not too long.
 
     python3 language_test.py                              # what ctest runs: the paths of ENFORCED and ENFORCED_NAMES are clean
-    python3 language_test.py --list ext/query docs/recipes.md    # all findings in these paths, then counts per module; status 1 if any
+    python3 language_test.py --list ext/query docs/developers/recipes.md    # all findings in these paths, then counts per module; status 1 if any
     python3 language_test.py ext/query                    # the counts alone
     python3 language_test.py --prose ext/query            # --prose: leave out identifiers and file names
 
@@ -26,10 +26,10 @@ ENFORCED = (
     "tests/",
     "CONTRIBUTING.md",
     "bench/README.md",
-    "docs/architecture.md",
-    "docs/exactness.md",
-    "docs/recipes.md",
-    "docs/storage_format.md",
+    "docs/developers/architecture.md",
+    "docs/explanation/exactness.md",
+    "docs/developers/recipes.md",
+    "docs/developers/storage_format.md",
 )
 ENFORCED_NAMES = (
     "ext/",
@@ -95,7 +95,7 @@ ENFORCED_NAMES = (
     "tests/index/",
     "tests/storage/",
 )
-PAGES = ("docs/architecture.md", "docs/recipes.md", "docs/exactness.md", "docs/storage_format.md", "CONTRIBUTING.md", "bench/README.md")
+PAGES = ("docs/developers/architecture.md", "docs/developers/recipes.md", "docs/explanation/exactness.md", "docs/developers/storage_format.md", "CONTRIBUTING.md", "bench/README.md")
 GROUPS = ("ext", "tests", "bench")  # read with --list and no paths; tests and bench are not enforced yet
 
 LONGEST_SENTENCE = 30  # words; 25 is the aim

@@ -1,4 +1,4 @@
-"""Checks the order of modules: reads the #include lines under ext/ and reports those that break docs/architecture.md.
+"""Checks the order of modules: reads the #include lines under ext/ and reports those that break docs/developers/architecture.md.
 
     python3 modules.py ext tests        # prints one line a violation; status 1 if there is any
 

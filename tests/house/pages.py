@@ -1,6 +1,6 @@
 """What the pages say about the sources, and whether it is so: paths, links, and which files name a word.
 
-    complaints_about_page(ROOT / "docs/recipes.md", files_of(ROOT))      # a sentence for each path or link that leads nowhere
+    complaints_about_page(ROOT / "docs/developers/recipes.md", files_of(ROOT))      # a sentence for each path or link that leads nowhere
     complaints_about_source(ROOT / "ext/base/simd.h", ROOT, files)       # the same for comments
     complaints_about_lists(page, ROOT)                                   # and for each list of files that is not the true one
 
@@ -22,7 +22,7 @@ FOLDER = re.compile(r"`((?:[\w.-]+/)+)`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 ADDRESS = re.compile(r"\bhttps?://\S+")
 ROOTED = re.compile(rf"(?<![\w./-])(?:{'|'.join(FOLDERS)})/[\w./-]+\.(?:{SUFFIXES})\b")
-ANCHORED = re.compile(r"(docs/\w+\.md)#([\w-]+)")
+ANCHORED = re.compile(r"(docs/[\w/-]+\.md)#([\w-]+)")
 LIST = re.compile(r"^<!-- files that name (\S+) -->$")
 ELSEWHERE = ("build/", "FOLDER/", "sqlite3.c", "sqlite3.h", "sqlite3ext.h")
 

@@ -1,4 +1,4 @@
-"""What docs/pictures.md shows beyond its examples: the files that its recipes print are what maps and charts read, and the picture
+"""What docs/how-to/maps_and_pictures.md shows beyond its examples: the files that its recipes print are what maps and charts read, and the picture
 of the harbour is what its script draws."""
 import csv
 import json
@@ -14,7 +14,7 @@ from house import EXTENSION, ROOT, main
 
 PYTHON = "/usr/bin/python3"
 PICTURE = ROOT / "docs/pictures/harbour"
-PAGE = ROOT / "docs/pictures.md"
+PAGE = ROOT / "docs/how-to/maps_and_pictures.md"
 SVG = "{http://www.w3.org/2000/svg}"
 
 

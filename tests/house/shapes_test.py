@@ -1,4 +1,4 @@
-"""What docs/shapes.md shows beyond its examples: the picture is what its script draws, and the recipe makes hulls of real ships."""
+"""What docs/how-to/hulls.md shows beyond its examples: the picture is what its script draws, and the recipe makes hulls of real ships."""
 import csv
 import functools
 import os
@@ -10,7 +10,7 @@ from documents import examples
 from house import EXTENSION, ROOT, SHARED_DATA, main, shell
 
 PYTHON = "/usr/bin/python3"
-PICTURE = ROOT / "docs/shapes/boxes_and_hulls"
+PICTURE = ROOT / "docs/pictures/boxes_and_hulls"
 MOMENT = 1641168600  # 2022-01-03 00:10:00
 
 
@@ -29,7 +29,7 @@ class Picture(unittest.TestCase):
 
 def recipe():
     """The block of the page that makes ais_hulls of ais_reports and ais_ships."""
-    blocks = [block.text for block in examples((ROOT / "docs/shapes.md").read_text()) if "TABLE ais_hulls" in block.text]
+    blocks = [block.text for block in examples((ROOT / "docs/how-to/hulls.md").read_text()) if "TABLE ais_hulls" in block.text]
     assert len(blocks) == 1
     return blocks[0]
 

@@ -1,5 +1,6 @@
 """The docs site of ext/hosts/docs/: it builds with --strict, holds every page and what pages link to, and asks no other host for
 anything; a link that leads nowhere fails. Where mkdocs is missing the pages are laid out all the same."""
+import posixpath
 import re
 import shutil
 import subprocess
@@ -9,9 +10,11 @@ import unittest
 from pathlib import Path
 
 from house import ROOT, main
+from pages import anchors
 
 sys.path.insert(0, str(ROOT / "ext/hosts/docs"))
 sys.dont_write_bytecode = True
+import moved  # noqa: E402
 import stage  # noqa: E402
 
 THEME = Path("/usr/share/mkdocs/themes/material")
@@ -34,24 +37,39 @@ class Staged(unittest.TestCase):
         names = [name for entry in site.nav() for names in entry.values() for name in names]
         self.assertEqual(sorted(names), sorted(set(site.names.values())))
         self.assertEqual(names[0], "index.md")
-        self.assertLessEqual({"sql_reference.md", "pictures.md", "changelog.md"}, set(names))
+        self.assertLessEqual({"reference/moving_objects.md", "how-to/maps_and_pictures.md", "changelog.md"}, set(names))
         for name in names:
             self.assertTrue((site.pages / name).exists(), name)
 
     def test_links_lead_to_pages_pictures_and_copies_of_sources(self):
         index = (self.site().pages / "index.md").read_text()
-        for wanted in ("(sql_reference.md)", "(pictures/harbour.svg)", "(sources/sql/import_ais.sql.txt)", "(contributing.md)"):
+        for wanted in ("(reference/moving_objects.md)", "(pictures/harbour.svg)", "(sources/sql/import_ais.sql.txt)", "(contributing.md)"):
             self.assertIn(wanted, index)
         self.assertNotIn("](docs/", index)
-        self.assertNotIn("```sql error", (self.folder / "site/pages/sql_reference.md").read_text())
+        self.assertNotIn("```sql error", (self.folder / "site/pages/reference/moving_objects.md").read_text())
         self.assertTrue((self.folder / "site/pages/sources/sql/import_ais.sql.txt").exists())
 
     def test_a_link_that_leads_nowhere_is_told(self):
         site = stage.Site(self.folder / "site")
         site.linked(ROOT / "README.md", "", "gone", "docs/gone.md")
-        site.linked(ROOT / "docs/shapes.md", "", "out", "../../etc/passwd")
+        site.linked(ROOT / "docs/how-to/hulls.md", "", "out", "../../../etc/passwd")
         self.assertEqual(site.wrong, ["README.md: the link to docs/gone.md leads nowhere",
-                                      "docs/shapes.md: the link to ../../etc/passwd leads nowhere"])
+                                      "docs/how-to/hulls.md: the link to ../../../etc/passwd leads nowhere"])
+
+    def test_old_addresses_lead_to_pages_and_headings_that_exist(self):
+        site = self.site()
+        pages = {name[:-3]: (site.pages / name).read_text() for name in site.names.values()}
+        places = [*moved.MOVED.values(), *(place for headings in moved.ANCHORS.values() for place in headings.values())]
+        for place in places:
+            page, _, heading = place.partition("#")
+            self.assertIn(page, pages)
+            if heading:
+                self.assertIn(heading, anchors(pages[page]), place)
+        for old in moved.MOVED:
+            self.assertNotIn(old, pages)
+            self.assertIn(posixpath.relpath(moved.MOVED[old], posixpath.dirname(old) or ".") + ".html",
+                          (site.pages / (old + ".html")).read_text())
+        self.assertLessEqual(set(moved.ANCHORS), set(moved.MOVED))
 
     def test_it_builds_and_asks_no_other_host(self):
         if not shutil.which("mkdocs") or not THEME.exists():

@@ -6,7 +6,7 @@
 // The filter in plain doubles comes first. Trees of boxes, pieces in doubles with error bounds and crossings
 // in DoubleDouble follow (union_pair.h). Exact arithmetic decides the rest, from the pieces that may touch
 // around a time. Between those times it decides, for solids, whether one object is inside the other
-// (docs/exactness.md).
+// (docs/explanation/exactness.md).
 #pragma once
 
 #include <algorithm>

@@ -4,7 +4,8 @@
     python3 ext/hosts/docs/stage.py FOLDER      # writes FOLDER/mkdocs.yml and FOLDER/pages/
 
 A link to a source file leads to a copy of it in the site, as text; one to a folder of sources becomes plain words. A link that leads
-nowhere ends the program with a message. Pages that NAV does not name come last in it: a new page needs no line here.
+nowhere ends the program with a message. Pages that NAV does not name come last in it: a new page needs no line here. Pages that have
+moved leave a page at their old address that leads on (moved.py).
 """
 import json
 import os
@@ -13,14 +14,16 @@ import shutil
 import sys
 from pathlib import Path
 
+from moved import redirects
+
 ROOT = Path(__file__).resolve().parents[3]
 BESIDE = {"README.md": "index.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md", "bench/README.md": "bench.md"}
-NAV = [("Start", ["index"]),
-       ("Hosts", ["hosts/*"]),
-       ("Use", ["sql_reference", "semantics", "shapes", "geography", "watches", "scale", "scale_dask", "pictures", "unexpected"]),
-       ("How it works", ["architecture", "gpcd", "exactness", "storage_format"]),
-       ("Measured", ["accuracy", "benchmarks", "bench"]),
-       ("Project", ["recipes", "contributing", "changelog"])]
+NAV = [("Start", ["index", "tutorials/*", "faq"]),
+       ("Install", ["hosts/*"]),
+       ("How to", ["how-to/*"]),
+       ("Reference", ["reference/index", "reference/moving_objects", "reference/predictive_*", "reference/*"]),
+       ("Explanation", ["explanation/semantics", "explanation/*"]),
+       ("Developers", ["contributing", "developers/*", "bench", "changelog"])]
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^(```.*?^```)$", re.M | re.S)
 COMMENT = re.compile(r"^<!--.*?-->\n", re.M | re.S)
@@ -88,6 +91,8 @@ class Site:
             place = self.pages / name
             place.parent.mkdir(parents=True, exist_ok=True)
             place.write_text(self.text_of(page))
+        for name, text in redirects().items():
+            (self.pages / name).write_text(text)
         if self.wrong:
             sys.exit("\n".join(self.wrong))
         shutil.copyfile(Path(__file__).parent / "extra.css", self.pages / "extra.css")

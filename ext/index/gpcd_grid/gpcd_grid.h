@@ -1,4 +1,4 @@
-// The production grid for collision candidates: GPCD (Yu and Wong, steps 1 to 5c of docs/gpcd.md), laid out
+// The production grid for collision candidates: GPCD (Yu and Wong, steps 1 to 5c of docs/explanation/gpcd.md), laid out
 // as stripes.
 //
 //   auto candidates = make_gpcd_grid<2>({ships, horizon, margin}, nullptr, interrupt);

@@ -58,7 +58,7 @@ class TprTree {
  public:
   virtual ~TprTree() = default;
 
-  /// Requires: no object has this id; the record is valid by docs/sql_reference.md#values.
+  /// Requires: no object has this id; the record is valid by docs/reference/moving_objects.md#values.
   virtual void insert(std::int64_t id, std::span<const double> record) = 0;
   /// Returns false if the tree does not have the object.
   virtual bool update(std::int64_t id, std::span<const double> record) = 0;

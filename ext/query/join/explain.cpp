@@ -137,7 +137,7 @@ class Explanation {
     refinement_count_.seconds += thread_seconds() - begin;
   }
 
-  /// `step`: the name of the step in docs/gpcd.md.
+  /// `step`: the name of the step in docs/explanation/gpcd.md.
   static ExplainRow row(const char* stage, const char* step, const StageCount& count,
                         const std::string& detail) {
     return {stage, count.before, count.after, count.seconds, detail.empty() ? step : detail + "; " + step};

@@ -5,7 +5,7 @@
 //     use(row.stage, row.before, row.after, row.seconds, row.detail);
 //
 // The stages, in this order: candidates, projection overlap, centre point, time interval, trajectory
-// intersection, exact time, refinement (docs/gpcd.md). The pairs that one stage keeps are the input of the
+// intersection, exact time, refinement (docs/explanation/gpcd.md). The pairs that one stage keeps are the input of the
 // next. The input of the first is all queried pairs; the last keeps those that touch. Where a side has
 // outlines or meshes, exact time decides on the smallest boxes around them, and refinement on the shapes;
 // elsewhere refinement is left out. With method gpcd this is the join itself. The other methods go from

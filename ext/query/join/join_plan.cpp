@@ -9,7 +9,7 @@
 namespace foresee {
 namespace {
 
-// Nanoseconds, on the machine of docs/benchmarks.md; only their ratios matter.
+// Nanoseconds, on the machine of docs/developers/benchmarks.md; only their ratios matter.
 constexpr double scan_pair = 25;        // the exact stage for a pair far apart
 constexpr double grid_setup = 3000;     // an empty grid
 constexpr double grid_object = 80;      // its box, its places in the grid, and comparisons with a few others

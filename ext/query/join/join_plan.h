@@ -1,6 +1,6 @@
 // Cost-based plan of a join: the method that 'auto' selects, and the number of time slabs of the grid.
 //
-// The cost of each method, in nanoseconds, follows from a few numbers (docs/architecture.md). These are the
+// The cost of each method, in nanoseconds, follows from a few numbers (docs/developers/architecture.md). These are the
 // objects, the pairs, and the pairs whose swept boxes intersect, at one instant and during a slab. The last
 // two are counted in a sample of some dozen to some hundred objects, so they reflect crowds, giants and fast
 // objects. The plan changes no row, only the time to compute the rows.

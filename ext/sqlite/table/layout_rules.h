@@ -1,6 +1,6 @@
 // Layout rules of declared motion columns: the layout that a set of columns yields, and the invalid sets.
 //
-// Throws Error for every combination that no table can have (docs/sql_reference.md#columns). The message
+// Throws Error for every combination that no table can have (docs/reference/moving_objects.md#columns). The message
 // quotes an argument and says what to add or to leave out.
 #pragma once
 

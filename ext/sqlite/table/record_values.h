@@ -3,7 +3,7 @@
 //   Values values(declaration, "ships");
 //   store.insert(id, values.record(id, argv + 3, store), auxiliaries);
 //
-// The rules (docs/sql_reference.md#values): integers and wholly numeric text convert, and '' is NULL. A NULL
+// The rules (docs/reference/moving_objects.md#values): integers and wholly numeric text convert, and '' is NULL. A NULL
 // velocity, acceleration, extent or heading is 0, a NULL shape means no shape, a NULL until means no end. A
 // value that breaks a rule throws Refusal (SQLITE_CONSTRAINT) with a message that names table, column, row id
 // and value, and says what to write instead.
@@ -28,7 +28,7 @@ namespace foresee {
 //   FormValues forms(layout);
 //   forms.fill(record, value, old_record, store);
 //
-// The rules (docs/sql_reference.md#outlines): NULL and '' mean no shape; anything else is well-known text. A
+// The rules (docs/reference/moving_objects.md#outlines): NULL and '' mean no shape; anything else is well-known text. A
 // column that an UPDATE does not name arrives without a value and is neither printed nor parsed. If the
 // heading is unchanged as well, the stored bounds are copied.
 class FormValues {

@@ -4,7 +4,7 @@
 //
 // The id comes first, then the motion columns in any order, then auxiliary columns, as in SQLite's R*Tree.
 // Options (`horizon = 60`) may occur anywhere after the id. An invalid declaration
-// (docs/sql_reference.md#columns) throws Error. The message names the table, quotes the argument and says
+// (docs/reference/moving_objects.md#columns) throws Error. The message names the table, quotes the argument and says
 // what to write instead.
 #pragma once
 

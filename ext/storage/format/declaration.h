@@ -12,8 +12,8 @@ namespace foresee {
 
 /// A declared motion column (the id is not one of them) and its place in the stored record.
 struct MotionColumn {
-  std::string name;      ///< as in docs/sql_reference.md#columns: t, x, vy, fz, m, hx, r, shape, until
-  int place;             ///< index of its double in the record
+  std::string name;  ///< as in docs/reference/moving_objects.md#columns: t, x, vy, fz, m, hx, r, shape, until
+  int place;         ///< index of its double in the record
   bool is_form = false;  ///< the double is the number of an outline or mesh
 };
 

@@ -9,7 +9,7 @@
 //   inner (level > 0): epoch at byte 16; entries[inner_capacity] from byte 24
 //
 // Little-endian; every number of 8 bytes is aligned to 8. The checksum is the CRC-32C of the bytes before it
-// and the node number, so a node that is stored under another number is detected too. docs/storage_format.md
+// and the node number, so a node that is stored under another number is detected too. docs/developers/storage_format.md
 // has the details.
 #pragma once
 

@@ -74,7 +74,7 @@ std::vector<double> sample(double from, double to, Random& random) {
 }
 
 /// Whether many changes of a row only graze, as along a path at exactly the distance that both reach. Narrow
-/// ranges near it are given up (docs/avoidance.md, "Limits").
+/// ranges near it are given up (docs/explanation/avoidance.md, "Limits").
 bool grazes(const Judge& judge, const AvoidRow& row, Random& random) {
   int touching = 0, grazing = 0;
   for (int i = 0; i < 400; ++i) {
@@ -146,7 +146,7 @@ TEST(AvoidJudge, FindsEveryClearRangeAndNamesItsEnds) {
     ++lost;
     std::cout << "scene " << i << ": " << described(scene, question) << loss;
   }
-  // The limits of docs/avoidance.md: bent paths that nearly touch for many changes at once.
+  // The limits of docs/explanation/avoidance.md: bent paths that nearly touch for many changes at once.
   EXPECT_LE(lost * 500, scenes);
 }
 

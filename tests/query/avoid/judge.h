@@ -5,7 +5,7 @@
 //   judge.is_surely_clear(12.5)
 //
 // Every clear interval wider than 10^-6 of the range must be in a clear row, if velocities within 64 units in
-// the last place leave it clear (docs/avoidance.md, "Tight").
+// the last place leave it clear (docs/explanation/avoidance.md, "Tight").
 #pragma once
 
 #include "query/avoid/avoid_cases.h"

@@ -68,7 +68,7 @@ TEST_F(TableInsert, ReturningEchoesTheRow) {
       "3|2.5|Argo");
 }
 
-// The statements that SQLite refuses on every virtual table, as in docs/sql_reference.md.
+// The statements that SQLite refuses on every virtual table, as in docs/reference/moving_objects.md.
 TEST_F(TableInsert, SQLiteRefusesReturningOfOthersAndUpserts) {
   db.exec("INSERT INTO ships(id, t, x, y) VALUES(3, 0, 1, 2.5)");
   EXPECT_EQ(db.error_of("UPDATE ships SET x = 2 RETURNING x"),

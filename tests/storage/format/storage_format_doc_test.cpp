@@ -1,4 +1,4 @@
-// docs/storage_format.md has the constants, sizes and tables of the code.
+// docs/developers/storage_format.md has the constants, sizes and tables of the code.
 #include <fstream>
 #include <map>
 #include <regex>
@@ -11,7 +11,7 @@ namespace foresee {
 namespace {
 
 std::string page() {
-  std::ifstream file(FORESEE_SOURCE_DIR "/docs/storage_format.md");
+  std::ifstream file(FORESEE_SOURCE_DIR "/docs/developers/storage_format.md");
   std::stringstream text;
   text << file.rdbuf();
   return text.str();

@@ -3,7 +3,7 @@
     python3 -m foresee_dask join --extension build/release/foresee.so --table ships --horizon 600 --out pairs/ ships-*.db
     python3 -m foresee_dask merge pairs/ pairs.db
 
-docs/scale_dask.md tells the rest. Only run.py knows Dask.
+docs/how-to/tiles_on_dask.md tells the rest. Only run.py knows Dask.
 """
 
 

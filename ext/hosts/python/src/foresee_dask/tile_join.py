@@ -3,7 +3,7 @@
     python3 -m foresee_dask.tile_join pairs/ 00017       # tile 00017 of pairs/plan.json; all of them without a name
 
 A tile that is done is left alone; two at once write the same bytes. Of one shard nothing is shipped: the file itself is asked, read-only.
-A tile over twice its share is not joined but cut. Cost: docs/scale_dask.md.
+A tile over twice its share is not joined but cut. Cost: docs/how-to/tiles_on_dask.md.
 """
 import json
 import socket

@@ -11,7 +11,7 @@ from typing import NamedTuple, Optional
 SAMPLE = 20_000
 LOOKS = 1_000_000       # pairs of sampled boxes compared at most: about a second
 COPIES_NOTHING = 1.8    # of a part's boxes in its two halves together: a cut beyond separates nothing
-PAIR_SHIPPED = 0.1      # what a pair costs beside an object that is shipped; docs/scale_dask.md
+PAIR_SHIPPED = 0.1      # what a pair costs beside an object that is shipped; docs/how-to/tiles_on_dask.md
 PAIR_IN_PLACE = 1.0     # and beside one that is read where it is
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Why do boxes meet where hulls do not? Draws boxes_and_hulls.svg; the moments are those that the extension says.
 
-    python3 docs/shapes/boxes_and_hulls.py > docs/shapes/boxes_and_hulls.svg      # from the root, with build/release/foresee.so
+    python3 docs/pictures/boxes_and_hulls.py > docs/pictures/boxes_and_hulls.svg      # from the root, with build/release/foresee.so
 
 FORESEE_EXTENSION names another build. Lengths in metres, moments in seconds. The ships and the quay are those of
 sql/tour/07_hulls.sql.

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """What do advices change? Draws traffic.svg: the ways of a minute before and after, as sql/tour/09_avoid.sql makes them.
 
-    python3 docs/avoidance/traffic.py > docs/avoidance/traffic.svg      # from the root, with build/release/foresee.so
+    python3 docs/pictures/traffic.py > docs/pictures/traffic.svg      # from the root, with build/release/foresee.so
 
 FORESEE_EXTENSION names another build. The objects, and the statement that advises them one after another, are those of the tour's step;
 each object is drawn with half of the distance that is kept, 25 m beyond its radius, at the moment of its nearest approach.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws what bench_outline_cost and bench_mesh_cost print: nanoseconds a pair until the first moment is known.
 
-    (build/release/bench/bench_outline_cost; build/release/bench/bench_mesh_cost) | python3 docs/benchmarks/pairs.py > docs/benchmarks/pairs.svg
+    (build/release/bench/bench_outline_cost; build/release/bench/bench_mesh_cost) | python3 docs/developers/benchmarks/pairs.py > docs/developers/benchmarks/pairs.svg
 """
 import math
 import re
