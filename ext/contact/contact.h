@@ -109,9 +109,9 @@ class Contact {
 
 /// The contact of two tables. `name_a` and `name_b` are their names in messages. The table of
 /// docs/explanation/semantics.md says which distance decides. Throws Error for pairs without a distance
-/// (docs/reference/moving_objects.md). These are a cylinder and a ball of any r; within_z on fewer than three axes;
-/// within_z if neither table has points, cylinders or prisms. Requires: a and b have the same number of axes
-/// and outlive the contact.
+/// (docs/reference/predictive_join.md#distances). These are a cylinder and a ball of any r; within_z on fewer
+/// than three axes; within_z if neither table has points, cylinders or prisms. Requires: a and b have the
+/// same number of axes and outlive the contact.
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b);
 

@@ -70,7 +70,8 @@ class Site:
             if part.startswith("```"):
                 parts[number] = re.sub(r"\A```(\w*).*", r"```\1", part)  # what follows the language is for our tests
             else:
-                parts[number] = LINK.sub(lambda link: self.linked(page, *link.groups()), COMMENT.sub("", part))
+                text = COMMENT.sub("", part).replace("<details>", '<details markdown="1">')
+                parts[number] = LINK.sub(lambda link: self.linked(page, *link.groups()), text)
         return "".join(parts)
 
     def nav(self):

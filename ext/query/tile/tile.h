@@ -9,7 +9,7 @@
 // owns a pair.
 //
 // A tile needs the objects whose closed boxes intersect it. Both objects of an owned pair are among them,
-// since their boxes share the reference point. Proof in docs/how-to/many_files.md. After Tsitsigkos, Lampropoulos,
+// since their boxes share the reference point. Proof in docs/explanation/tiles.md. After Tsitsigkos, Lampropoulos,
 // Bouros, Mamoulis, Terrovitis: A Two-layer Partitioning for Non-point Spatial Data (ICDE 2021).
 #pragma once
 

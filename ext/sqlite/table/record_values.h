@@ -28,7 +28,7 @@ namespace foresee {
 //   FormValues forms(layout);
 //   forms.fill(record, value, old_record, store);
 //
-// The rules (docs/reference/moving_objects.md#outlines): NULL and '' mean no shape; anything else is well-known text. A
+// The rules (docs/reference/shape.md#outlines): NULL and '' mean no shape; anything else is well-known text. A
 // column that an UPDATE does not name arrives without a value and is neither printed nor parsed. If the
 // heading is unchanged as well, the stored bounds are copied.
 class FormValues {
