@@ -81,7 +81,7 @@ Flight from_globe(const OnGlobe& point) {
   const double x = point.x[0] + 0.0, y = point.x[1] + 0.0, z = point.x[2] + 0.0, p = std::hypot(x, y);
   if (!(std::hypot(p, z) >= min_radius))
     throw Error("x, y, z are " + shown(std::hypot(p, z)) +
-                " m from the centre of the Earth: heights are meant from 100 km on");
+                " m from the centre of the Earth, closer than 100 km: write metres, not degrees");
   // Start of the iteration: the reduced latitude, tan = z / p.
   const double squashed = semi_minor / semi_major;
   const double second = eccentricity_squared / (1 - eccentricity_squared);

@@ -9,6 +9,7 @@ namespace foresee {
 std::optional<std::string> as_unixepoch(sqlite3_value* value) {
   if (sqlite3_value_type(value) != SQLITE_TEXT) return std::nullopt;
   const std::string text = text_of(value);
+  if (sqlite3_stricmp(text.c_str(), "now") == 0) return "unixepoch('now')";
   constexpr std::string_view date = "dddd-dd-dd";
   if (text.size() < date.size() || text.size() > 40) return std::nullopt;
   for (std::size_t i = 0; i < date.size(); ++i) {

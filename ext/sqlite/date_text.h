@@ -8,7 +8,7 @@
 
 namespace foresee {
 
-/// "unixepoch('2026-11-21 12:00')" for a text that starts with a date; nothing for another value.
+/// "unixepoch('2026-11-21 12:00')" for a text that starts with a date, or is 'now'; nothing for another value.
 std::optional<std::string> as_unixepoch(sqlite3_value* value);
 
 }  // namespace foresee

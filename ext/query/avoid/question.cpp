@@ -61,7 +61,7 @@ void require_columns(const AvoidQuestion& question) {
     require_range_given(question, "'delay', 0, 600");
     if (!layout.has_t) throw Error("'delay' changes t: declare t in " + name);
     if (!question.now_given)
-      throw Error("'delay' needs now: the newest t stored, which is its default, may be a start to come");
+      throw Error("'delay' needs an explicit now, before which nothing can start; write now = ...");
   }
 }
 
@@ -93,8 +93,8 @@ void require_start_to_come(const AvoidQuestion& question, const OwnMotion& store
         "'delay' cannot make an object start before now: lo must not be less than now - t, which is " +
         shown(question.now - stored.t) + "; lo is " + shown(lo));
   if (lo < 0 && grows(question.own->layout))
-    throw Error("'delay' makes what grows start later, not earlier: lo must not be less than 0 in " +
-                question.own->name + "; lo is " + shown(lo));
+    throw Error("'delay' with lo = " + shown(lo) +
+                " is not supported for objects that grow; write lo >= 0 for " + question.own->name);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "base/integer_of.h"
 #include "sqlite/date_text.h"
@@ -30,6 +31,13 @@ bool is_applied(const TableFunction& function, const sqlite3_index_info& info, i
   return !probed || constraint.op == SQLITE_INDEX_CONSTRAINT_EQ;
 }
 
+/// The input that a message names as an example: within, or the first one.
+std::string example_input(const TableFunction& function) {
+  for (const std::string_view name : function.inputs)
+    if (name == "within") return "within";
+  return function.inputs.front();
+}
+
 }  // namespace
 
 void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments) {
@@ -51,9 +59,14 @@ bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit) 
 
 void FunctionCall::reject(int input, const char* kind) const {
   const auto place = static_cast<std::size_t>(input);
-  const auto seconds = as_unixepoch(inputs_[place]);
-  throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " + shown(inputs_[place]) +
-              (seconds ? ": write " + *seconds : ""));
+  const std::string name = function_.inputs[place];
+  const int type = sqlite3_value_type(inputs_[place]);
+  std::string advice;
+  if (const auto seconds = as_unixepoch(inputs_[place])) advice = ": write " + *seconds;
+  // f(300, within = 60) passes the result of a comparison, a number, in the place of the table.
+  if (name == "tbl" && (type == SQLITE_INTEGER || type == SQLITE_FLOAT))
+    advice = "; to give an input by its name, write WHERE " + example_input(function_) + " = 60";
+  throw Error(name + " must be " + kind + ", not " + shown(inputs_[place]) + advice);
 }
 
 const char* FunctionCall::name_of(int input) const {

@@ -133,8 +133,7 @@ std::optional<Tile> read_tile(const FunctionCall& call) {
   bound(in_own_y0, tile.y0), bound(in_own_y1, tile.y1);
   if (!first) return {};
   if (!call.number(in_now))
-    throw Error(std::string(first) +
-                " needs now: the newest t of a part is not that of the whole; write now = ...");
+    throw Error(std::string(first) + " needs an explicit now, the same for all tiles; write now = ...");
   return tile;
 }
 

@@ -99,8 +99,8 @@ void step(FunctionCursor& cursor) {
 
 [[noreturn]] void refuse_null(const TableFunction& function, int input) {
   const std::string name = function.inputs[static_cast<std::size_t>(input)];
-  throw Error(name + " is NULL, which SQLite compares again and so loses every row; leave " + name +
-              " out, write fewer conditions, or two queries with UNION ALL for a = ... OR b = ...");
+  throw Error(name + " is NULL, which OR and more than sixteen conditions do not allow; leave " + name +
+              " out, or write two queries with UNION ALL");
 }
 
 /// The arguments of xFilter, by their use.

@@ -42,8 +42,7 @@ TableName only_table(sqlite3* db, const std::optional<std::string>& schema) {
   for (const VisibleTable& table : tables) {
     if (!table.holds_moving_objects || !in_schema(table, schema)) continue;
     if (only)
-      throw Error("tbl is missing, and there is more than one table to query" +
-                  list_tables(tables, schema.has_value()));
+      throw Error("tbl is missing; write the name of one table" + list_tables(tables, schema.has_value()));
     only = &table;
   }
   if (!only) throw Error("there is no table to query" + list_tables(tables, schema.has_value()));

@@ -140,7 +140,7 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
   if (number < 0 && quantity == Quantity::radius)
     refuse(column.name, id, shown(value), "a radius is never negative; write 0 or more");
   if (number < 0 && quantity == Quantity::growth)
-    refuse(column.name, id, shown(value), "what is known gets less certain with time; write 0 or more");
+    refuse(column.name, id, shown(value), "a growth is never negative; write 0 or more");
   if (std::abs(number) > 360 && quantity == Quantity::heading)
     refuse(column.name, id, shown(value),
            number == 511
@@ -167,8 +167,7 @@ void Values::require_finite_acceleration(std::int64_t id) const {
     const double force = record_[static_cast<std::size_t>(at_.force + axis)];
     if (!std::isfinite(force / mass))
       refuse(std::string(word_for(Quantity::force, axis)), id, shown(force),
-             "no double holds its quotient by the mass " + shown(mass) +
-                 "; write a smaller force or a greater mass");
+             "divided by the mass " + shown(mass) + " it overflows; write a smaller force or a greater mass");
   }
 }
 

@@ -25,21 +25,23 @@ bool is_one_of(std::string_view type, std::initializer_list<std::string_view> ty
 
 void require_id(const Argument& argument) {
   if (argument.kind != Argument::Kind::column || !same_name(argument.name, "id"))
-    refuse(argument, "the first column must be id; write moving_objects(id, ...)");
+    refuse(argument,
+           hint_for(argument.name) == hint_for("mmsi")
+               ? "the first column is the key and must be called id; write id in place of " + argument.name
+               : "the first column must be id; write moving_objects(id, ...)");
   if (!is_one_of(argument.detail, {"", "INT", "INTEGER", "BIGINT", "INT PRIMARY KEY", "INTEGER PRIMARY KEY"}))
     refuse(argument, "the id is an INTEGER PRIMARY KEY; write id");
 }
 
 const Word& motion_word(const Argument& argument) {
   if (const Word* word = find_word(argument.name)) return *word;
-  std::string why = "no such column";
+  const std::string why = "no such column; ";
+  const std::string own = "a column of your own is written +" + argument.name;
   const std::string_view hint = hint_for(argument.name), near = nearest_word(argument.name);
-  if (!hint.empty())
-    why += "; " + std::string(hint);
-  else if (!near.empty())
-    why += "; did you mean " + std::string(near) + "?";
-  refuse(argument,
-         why + "; known are " + known_words() + "; a column of your own is written +" + argument.name);
+  if (hint.ends_with('?')) refuse(argument, why + std::string(hint) + " " + own);
+  if (!hint.empty()) refuse(argument, why + std::string(hint));  // +lat would lead nowhere
+  if (!near.empty()) refuse(argument, why + "did you mean " + std::string(near) + "? " + own);
+  refuse(argument, why + "known are " + known_words() + "; " + own);
 }
 
 void require_text(const Argument& argument) {

@@ -107,8 +107,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   if (since < 0) throw Error("since must be a whole number >= 0, not " + std::to_string(since));
   if (since == 0) return std::make_unique<ChangeRows>(whole_watch(*rows, state));
   if (since > state.seq)
-    throw Error(watch.table + " is at " + std::to_string(state.seq) + ": position " + std::to_string(since) +
-                " is from another copy; read predictive_changes('" + watch.table + "', 0)");
+    throw Error("since = " + std::to_string(since) + " is beyond the last change of " + watch.table + ", " +
+                std::to_string(state.seq) + ": was the file restored? Read again with since = 0");
   const std::int64_t oldest = rows->oldest().value_or(state.seq);
   if (since < oldest) refuse_trimmed(watch.table, oldest);
   return std::make_unique<ChangeRows>(rows, since, state.seq);

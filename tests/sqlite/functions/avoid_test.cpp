@@ -161,7 +161,7 @@ TEST_F(AvoidInSql, SaysWhatToWrite) {
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'accelerate', -1, 1)"),
             name + ": 'accelerate' changes an acceleration or a force: declare ax … or fx … with m in ships");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'delay', 0, 1)"),
-            name + ": 'delay' needs now: the newest t stored, which is its default, may be a start to come");
+            name + ": 'delay' needs an explicit now, before which nothing can start; write now = ...");
   EXPECT_EQ(
       error(name + "(60, 'ships', 1, 0, 'delay', -1, 1, 0)"),
       name +
@@ -187,11 +187,8 @@ TEST_F(AvoidInSql, RefusesWhatATableCannotHold) {
   db.exec(
       "CREATE VIRTUAL TABLE parcels USING moving_objects(id, t, x, y, r, growth);"
       "INSERT INTO parcels VALUES (1, 9, 0, 0, 1, 0.5)");
-  EXPECT_EQ(
-      error("predictive_avoid(60, 'parcels', 1, 0, 'delay', -1, 1, 0)"),
-      name +
-          "'delay' makes what grows start later, not earlier: lo must not be less than 0 in parcels; lo "
-          "is -1");
+  EXPECT_EQ(error("predictive_avoid(60, 'parcels', 1, 0, 'delay', -1, 1, 0)"),
+            name + "'delay' with lo = -1 is not supported for objects that grow; write lo >= 0 for parcels");
 }
 
 TEST_F(AvoidInSql, ClearsNothingWhereSpeedsHaveNoSquares) {

@@ -27,11 +27,18 @@ TEST_F(JoinErrors, QuoteTheWrongInput) {
   EXPECT_EQ(error("predictive_join(1, 'ships', 'near')"),
             "predictive_join: within must be a number, not 'near'");
   EXPECT_EQ(error("predictive_join(1, 926)"),
-            "predictive_join: tbl must be a name in quotes, or NULL to leave it out, not 926");
+            "predictive_join: tbl must be a name in quotes, or NULL to leave it out, not 926; to give an "
+            "input by its name, write WHERE within = 60");
+  EXPECT_EQ(error("ships, predictive_join(1, r >= 0)"),
+            "predictive_join: tbl must be a name in quotes, or NULL to leave it out, not 1; to give an input "
+            "by its name, write WHERE within = 60");
+  EXPECT_EQ(error("predictive_position(1, 2.5)"),
+            "predictive_position: tbl must be a name in quotes, or NULL to leave it out, not 2.5; to give an "
+            "input by its name, write WHERE at = 60");
   EXPECT_EQ(error("predictive_join(1) WHERE now = -9e999"),
             "predictive_join: now must be a finite number, not -inf");
   EXPECT_EQ(error("predictive_join(1) WHERE now = 'now'"),
-            "predictive_join: now must be a number, not 'now'");
+            "predictive_join: now must be a number, not 'now': write unixepoch('now')");
   EXPECT_EQ(error("predictive_join(1) WHERE method = 'quick'"),
             "predictive_join: method must be 'auto', 'grid', 'tree', 'scan' or 'gpcd', not 'quick'");
   EXPECT_EQ(error("predictive_join(1) WHERE method = 2"),

@@ -23,8 +23,8 @@ TEST_F(JoinTables, MayBeLeftOutWhereThereIsOne) {
   build_crates(db);
   EXPECT_EQ(
       pairs("predictive_join(20)"),
-      "error: predictive_join: tbl is missing, and there is more than one table to query (moving_objects "
-      "tables here: 'ships', 'crates')");
+      "error: predictive_join: tbl is missing; write the name of one table (moving_objects tables here: "
+      "'ships', 'crates')");
 }
 
 TEST_F(JoinTables, AreFoundInTempAndAttachedSchemas) {

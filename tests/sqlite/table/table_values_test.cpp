@@ -157,7 +157,7 @@ TEST_F(TableValues, AMassIsPositive) {
 
 TEST_F(TableValues, TheQuotientOfForceAndMassIsFinite) {
   EXPECT_EQ(db.error_of("INSERT INTO rockets VALUES(1, 0, 0, 1e300, 1e-300)"),
-            "rockets.fx of row 1 is 1e+300: no double holds its quotient by the mass 1e-300;"
+            "rockets.fx of row 1 is 1e+300: divided by the mass 1e-300 it overflows;"
             " write a smaller force or a greater mass");
   db.exec("INSERT INTO rockets VALUES(1, 0, 0, 1e-300, 1e300)");
   EXPECT_EQ(db.rows("SELECT fx, m FROM rockets"), "1e-300|1e+300");

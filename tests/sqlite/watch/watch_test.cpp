@@ -139,8 +139,8 @@ TEST_F(Watch, TheNumberOfStoredChangesIsLimited) {
       "error: predictive_changes: alerts: changes up to 2 are no longer kept; read the whole watch with "
       "since = 0");
   EXPECT_EQ(changes(9),
-            "error: predictive_changes: alerts is at 4: position 9 is from another copy; read "
-            "predictive_changes('alerts', 0)");
+            "error: predictive_changes: since = 9 is beyond the last change of alerts, 4: was the file "
+            "restored? Read again with since = 0");
 }
 
 TEST_F(Watch, TablesAndWatchesMayBeRenamed) {
