@@ -17,13 +17,15 @@ from pathlib import Path
 from moved import redirects
 
 ROOT = Path(__file__).resolve().parents[3]
-BESIDE = {"README.md": "index.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md", "bench/README.md": "bench.md"}
+BESIDE = {"README.md": "index.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md", "bench/README.md": "bench.md",
+          "SECURITY.md": "security.md"}
 NAV = [("Start", ["index", "tutorials/*", "faq"]),
        ("Install", ["hosts/*"]),
        ("How to", ["how-to/*"]),
        ("Reference", ["reference/index", "reference/moving_objects", "reference/predictive_*", "reference/*"]),
        ("Explanation", ["explanation/semantics", "explanation/*"]),
-       ("Developers", ["contributing", "developers/*", "bench", "changelog"])]
+       ("Trust", ["stability", "upgrading", "security", "changelog"]),
+       ("Developers", ["contributing", "developers/*", "bench"])]
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^(```.*?^```)$", re.M | re.S)
 COMMENT = re.compile(r"^<!--.*?-->\n", re.M | re.S)
