@@ -80,6 +80,14 @@ ANCHORS = {
         "tiles": "reference/predictive_join#tiles",
         "what-is-noticed-of-tampering": "reference/integrity",
     },
+    "unexpected": {
+        "after-dump-and-read-no-such-table": "faq#why-is-a-table-missing-after-dump-and-read",
+        "no-rows-an-input-by-its-name": "faq#why-does-an-input-by-its-name-return-no-rows",
+        "no-such-module-moving_objects": "faq#why-does-sqlite-say-no-such-module-moving_objects",
+        "the-wrong-order-of-magnitude-units": "faq#why-are-the-distances-wrong-by-orders-of-magnitude",
+        "too-few-rows-now-is-later-than-it-seems": "faq#why-are-there-too-few-rows",
+        "too-many-rows-ships-that-went-silent": "faq#why-do-ships-that-have-gone-silent-still-appear",
+    },
     "watches": {
         "a-live-feed": "how-to/follow_a_watch#a-live-feed",
         "a-reader-that-remembers-its-position": "how-to/follow_a_watch#a-reader-that-remembers-its-position",
