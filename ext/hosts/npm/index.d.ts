@@ -4,10 +4,10 @@ export interface Loadable {
   enableLoadExtension?(allow: boolean): void;
 }
 
-/** Where the module is, as loadExtension() takes it. */
+/** The module's path, as loadExtension() takes it: without its ending. Throws if no package of this target is installed. */
 export declare function getLoadablePath(): string;
 
-/** Brings foresee into an open connection, and gives it back. Where the host can, loading is off afterwards. */
+/** Loads foresee into an open connection, and returns the connection. Where the host can, loading is off afterwards. */
 export declare function load<Database extends Loadable>(db: Database): Database;
 
 declare const foresee: { getLoadablePath: typeof getLoadablePath; load: typeof load };

@@ -1,13 +1,13 @@
 """Puts the module into the wheel, and says for which machines it is good. The rest is pyproject.toml.
 
     FORESEE_MODULE=…/foresee.so FORESEE_VERSION=0.2.0 python3 -m build --wheel --no-isolation
+    FORESEE_TARGET=win32-x64 FORESEE_MODULE=…/foresee.dll …     # the tag of a target, which the module must suit
 
-ext/hosts/pack.sh does so with the release build's module.
+ext/hosts/pack.sh does so with the module of the release build, or with one that it is given.
 """
 import os
-import platform
-import re
 import shutil
+import sys
 from pathlib import Path
 
 from setuptools import setup
@@ -15,21 +15,11 @@ from setuptools.command.build_py import build_py
 from setuptools.dist import Distribution
 from wheel.bdist_wheel import bdist_wheel
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from machine import wheel_tag  # noqa: E402
+
 MODULE = Path(os.environ["FORESEE_MODULE"]).resolve()
-# The glibc of the distributions that came with such a libstdc++, as the manylinux policies have it.
-GLIBC_OF_GLIBCXX = {29: 34, 30: 35}
-
-
-def newest(symbol):
-    """The largest n of the versions `symbol`n that the module asks for."""
-    return max((int(n) for n in re.findall(symbol.encode() + rb"(\d+)\0", MODULE.read_bytes())), default=0)
-
-
-def platform_tag():
-    glibcxx = newest(r"GLIBCXX_3\.4\.")
-    here = int(platform.libc_ver()[1].split(".")[1])
-    of_library = GLIBC_OF_GLIBCXX.get(glibcxx, 34 if glibcxx < 29 else here)
-    return f"manylinux_2_{max(newest('GLIBC_2[.]'), of_library)}_{platform.machine()}"
+TAG = wheel_tag(MODULE, os.environ.get("FORESEE_TARGET") or None)
 
 
 class BuildWithModule(build_py):
@@ -37,14 +27,14 @@ class BuildWithModule(build_py):
         super().run()
         target = Path(self.build_lib) / "foresee"
         target.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(MODULE, target / "foresee.so")
+        shutil.copyfile(MODULE, target / f"foresee{MODULE.suffix}")
 
 
 class AnyPython(bdist_wheel):
     """The module is SQLite's, not Python's: one wheel serves all versions of Python."""
 
     def get_tag(self):
-        return "py3", "none", platform_tag()
+        return "py3", "none", TAG
 
 
 class WithMachineCode(Distribution):
