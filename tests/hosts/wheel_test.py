@@ -1,4 +1,7 @@
-"""Python's wheel in a fresh venv: the examples of docs/hosts/python.md, and what a Python without extensions is told."""
+"""Python's wheel in a fresh venv: the examples of docs/hosts/python.md, and the message of a Python without extensions.
+
+Wheels of other targets, around a stand-in: each has its tag and its module, and pip refuses it by name.
+"""
 import os
 import re
 import shutil
@@ -8,22 +11,30 @@ import zipfile
 from pathlib import Path
 
 from hosts import ROOT, Host, fenced_and_hidden, main, packed, run, skip, version
+from stand_ins import HERE, pack, table
 
 PYTHON = "/usr/bin/python3"
+
+
+def need_venv():
+    if not Path(PYTHON).exists() or subprocess.run([PYTHON, "-c", "import ensurepip"], capture_output=True).returncode != 0:
+        skip("the wheel", f"there is no {PYTHON} with python3-venv")
+
+
+def pip_install(python, *arguments, fails=False):
+    return run(python, "-m", "pip", "install", "--no-index", "--quiet", "--disable-pip-version-check", "--no-deps", *arguments, fails=fails)
 
 
 class Wheel(Host):
     @classmethod
     def setUpClass(cls):
         cls.wheel = packed("the wheel", "foresee-*.whl")
-        if not Path(PYTHON).exists() or subprocess.run([PYTHON, "-c", "import ensurepip"], capture_output=True).returncode != 0:
-            skip("the wheel", f"there is no {PYTHON} with python3-venv")
-
+        need_venv()
         venv = Path(tempfile.mkdtemp(prefix="foresee-hosts-"))
         cls.addClassCleanup(shutil.rmtree, venv)
         cls.python = venv / "bin/python"
         run(PYTHON, "-m", "venv", venv)
-        run(cls.python, "-m", "pip", "install", "--no-index", "--quiet", "--disable-pip-version-check", "--no-deps", cls.wheel)
+        pip_install(cls.python, cls.wheel)
 
     def say(self, program, python=None, **environment):
         return run(python or self.python, "-c", program, folder=self.folder, **environment)
@@ -99,6 +110,34 @@ except RuntimeError as error:
         self.assertEqual([name for name in sources if f"foresee_dask/{name}" not in names], [])
         self.assertTrue(any(name.endswith("LICENSE") for name in names), names)
         self.assertEqual([name for name in names if os.path.basename(name) in ("setup.py", "pyproject.toml")], [])
+
+
+class Targets(Host):
+    def wheel(self, target, **options):
+        pack("wheel", target, self.folder, **options)
+        return next(self.folder.glob(f"*-{table()[target]['wheel']}.whl"))
+
+    def test_pip_refuses_the_wheel_of_another_target_by_name(self):
+        need_venv()
+        for target, row in table().items():
+            wheel = self.wheel(target)
+            self.assertEqual(wheel.name, f"foresee-{version()}-py3-none-{row['wheel']}.whl")
+            with zipfile.ZipFile(wheel) as files:
+                self.assertEqual([name for name in files.namelist() if re.match(r"foresee/foresee\.", name)], [f"foresee/{row['module']}"])
+            installed = self.folder / f"installed-{target}"
+            said = pip_install(PYTHON, "--target", installed, wheel, fails=target != HERE)
+            if target != HERE:
+                self.assertIn(f"{wheel.name} is not a supported wheel on this platform", said)
+            self.assertEqual((installed / "foresee" / row["module"]).exists(), target == HERE)
+
+    def test_a_module_that_does_not_suit_its_tag_is_not_packed(self):
+        for target, module_of, oldest, reason in (
+                ("linux-x64-gnu", None, "2_35", "needs 2.35, newer than manylinux_2_17_x86_64"),
+                ("darwin-arm64", None, "14_2", "needs 14.2, newer than macosx_13_0_arm64"),
+                ("linux-x64-gnu", "linux-x64-musl", None, "built for linux-x64-musl, not for linux-x64-gnu"),
+                ("win32-x64", "darwin-x64", None, "built for darwin-x64, not for win32-x64")):
+            self.assertIn(reason, pack("wheel", target, self.folder, module_of=module_of, oldest=oldest, fails=True))
+        self.assertEqual(list(self.folder.glob("*.whl")), [])
 
 
 if __name__ == "__main__":
