@@ -31,6 +31,11 @@ host_packages=(
   "groff-base: command groff"
   "chromium: command chromium"
   "python3-distributed: python distributed"
+  "cargo: file /usr/bin/cargo"
+  "librust-rusqlite-dev: file /usr/share/cargo/registry/rusqlite-*/Cargo.toml"
+  "golang-go: file /usr/bin/go"
+  "golang-github-mattn-go-sqlite3-dev: file /usr/share/gocode/src/github.com/mattn/go-sqlite3/go.mod"
+  "sqlite-utils: file /usr/bin/sqlite-utils"
 )
 
 # Is one of the headers found by the C++ compiler?
@@ -52,6 +57,7 @@ is_there() {
   shift
   case $kind in
     command) command -v "$1" >/dev/null 2>&1 ;;
+    file) [ -e "$1" ] ;;
     header) has_header "$@" ;;
     sanitizers) has_sanitizers ;;
     python) (cd / && /usr/bin/python3 -c "import $1") >/dev/null 2>&1 ;;  # a folder build/ here is a module too

@@ -1,7 +1,10 @@
 """`cmake --install` into a prefix that is then moved: what programs that use it begin with."""
 import shutil
+from pathlib import Path
 
 from hosts import BUILD, MEETING, ROOT, Host, blocks, need_commands, run, skip
+
+MODULES_OF_THE_SYSTEM = sorted(Path("/usr/lib").glob("*/foresee.so"))    # those of an installed Debian package
 
 
 class Installed(Host):

@@ -4,6 +4,7 @@
 #   LIBDIR/libforesee.a, include/foresee.h  for programs that carry their own SQLite
 #   LIBDIR/libforesee_core.a, include/foresee/   the join without SQLite
 #   LIBDIR/cmake/foresee/, LIBDIR/pkgconfig/, MANDIR/man3/foresee.3
+#   DATADIR/foresee/rust/, DATADIR/foresee/go/   packages in source form over libforesee.a
 #
 # Nothing that is installed names the prefix: a folder that was moved works where it is. A build with sanitizers has no
 # module and installs nothing.
@@ -51,6 +52,8 @@ endforeach()
 configure_file(${hosts}/man/foresee.3.in ${made}/foresee.3 @ONLY)
 install(FILES ${made}/foresee.3 DESTINATION ${CMAKE_INSTALL_MANDIR}/man3 COMPONENT module)
 install(FILES ext/sqlite/foresee.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+install(DIRECTORY ${hosts}/rust ${hosts}/go DESTINATION ${CMAKE_INSTALL_DATADIR}/foresee COMPONENT dev
+  PATTERN target EXCLUDE PATTERN Cargo.lock EXCLUDE)
 
 # The core's headers are found when they are installed: no list to keep.
 install(CODE "set(ext \"${CMAKE_CURRENT_SOURCE_DIR}/ext\")

@@ -1,0 +1,3 @@
+module foresee
+
+go 1.18
