@@ -45,6 +45,11 @@ class Packages(unittest.TestCase):
         self.assertTrue(calls[0].startswith("apt-get update"))
         self.assertRegex(calls[1], r"^apt-get install -y .* frob-tools \(noninteractive\)$")
 
+    def test_a_file_may_be_the_sign_of_a_package(self):
+        self.assertEqual(self.need("bash: file /bin/ba*", apt=True), (0, "ready\n", []))
+        _, _, calls = self.need("crates: file /nowhere/crate-*/Cargo.toml", apt=True)
+        self.assertRegex(calls[1], " crates ")
+
     def test_without_apt_it_says_what_is_missing(self):
         status, output, _ = self.need("frob-tools: command frobnicate", "bash: command bash", "libx: command x", apt=False)
         self.assertEqual(status, 1)
