@@ -27,7 +27,31 @@ class Failure {
   std::exception_ptr failure_;
 };
 
+constexpr std::chrono::milliseconds usual_pause{1};
+constexpr std::int64_t long_pause = std::chrono::nanoseconds(10 * usual_pause).count();
+
+std::int64_t steady_ticks() {
+  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 }  // namespace
+
+void WakingInterrupt::check() {
+  HelperInterrupt::check();
+  const std::int64_t since = paused_since_.load(std::memory_order_relaxed);
+  if (since != no_pause && steady_ticks() - since > long_pause) changed_.notify_all();
+}
+
+void WakingInterrupt::pause(std::unique_lock<std::mutex>& lock) {
+  pause_until(lock, std::chrono::system_clock::now() + usual_pause);
+}
+
+void WakingInterrupt::pause_until(std::unique_lock<std::mutex>& lock,
+                                  std::chrono::system_clock::time_point end) {
+  paused_since_.store(steady_ticks(), std::memory_order_relaxed);
+  changed_.wait_until(lock, end);
+  paused_since_.store(no_pause, std::memory_order_relaxed);
+}
 
 void run_together(std::size_t helpers, Interrupt& interrupt, const PartOfWork& work) {
   if (helpers == 0) return work(0, 1, interrupt);

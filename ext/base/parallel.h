@@ -10,15 +10,19 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <mutex>
 
 #include "base/error.h"
 
 namespace foresee {
 
 /// The interrupt that a helper thread polls in place of the connection's.
-class HelperInterrupt final : public Interrupt {
+class HelperInterrupt : public Interrupt {
  public:
   void check() override {
     if (stopped()) throw Interrupted();
@@ -28,6 +32,27 @@ class HelperInterrupt final : public Interrupt {
 
  private:
   std::atomic<bool> stop_ = false;
+};
+
+/// The interrupt of helpers whose reader pauses about a millisecond at a time, between two checks of its own.
+///
+/// The pause ends by the system clock: a wait by the steady clock needs glibc 2.30. If that clock is set back
+/// meanwhile, the next check of a helper ends the pause.
+class WakingInterrupt final : public HelperInterrupt {
+ public:
+  explicit WakingInterrupt(std::condition_variable& changed) : changed_(changed) {}
+
+  void check() override;
+  /// Waits until `changed` is notified, a millisecond has passed, or a helper finds that it has.
+  void pause(std::unique_lock<std::mutex>& lock);
+  /// The same, until a given time of the system clock.
+  void pause_until(std::unique_lock<std::mutex>& lock, std::chrono::system_clock::time_point end);
+
+ private:
+  static constexpr std::int64_t no_pause = 0;
+
+  std::condition_variable& changed_;
+  std::atomic<std::int64_t> paused_since_ = no_pause;  // ticks of the steady clock
 };
 
 using PartOfWork = std::function<void(std::size_t part, std::size_t parts, Interrupt& interrupt)>;

@@ -5,6 +5,13 @@
 #include "sqlite/modules.h"
 #include "storage/rows/statement.h"
 
+// The one name that the module exports. Windows exports every name of a DLL unless one is marked.
+#ifdef _WIN32
+#define FORESEE_EXPORT __declspec(dllexport)
+#else
+#define FORESEE_EXPORT __attribute__((visibility("default")))
+#endif
+
 namespace foresee {
 namespace {
 
@@ -18,8 +25,8 @@ bool is_registered(sqlite3* db) {
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlite3* db, char** message,
-                                                                           const sqlite3_api_routines* api) {
+extern "C" FORESEE_EXPORT int sqlite3_foresee_init(sqlite3* db, char** message,
+                                                   const sqlite3_api_routines* api) {
   if (api != nullptr) sqlite3_api = api;
   return guarded(message, [db] {
     require_version(sqlite3_libversion_number(), sqlite3_libversion());

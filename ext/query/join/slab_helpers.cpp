@@ -1,6 +1,5 @@
 #include "query/join/slab_helpers.h"
 
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -19,7 +18,6 @@ constexpr std::size_t parts_ahead_per_thread = 16;
 constexpr std::size_t bytes_enough = 1 << 18;          // of a batch: handing one over costs microseconds
 constexpr std::size_t bytes_at_once = 1 << 12;         // of a batch that the reader waits for
 constexpr std::size_t bytes_ahead = 3 * bytes_enough;  // of a partition
-constexpr std::chrono::milliseconds between_checks{1};
 
 }  // namespace
 
@@ -138,7 +136,7 @@ struct SlabHelpers::Shared {
         continue;
       }
       const bool works = own.part ? has_room(own.number) : may_take();
-      if (!works) changed.wait_for(lock, between_checks);
+      if (!works) stop.pause(lock);
       if (works && !own.part) own.number = taken++;
       lock.unlock();
       interrupt.check();
@@ -166,10 +164,10 @@ struct SlabHelpers::Shared {
   Interrupt& interrupt;
   std::unique_ptr<DividedCandidates> candidates;
   std::size_t ahead = 0;
-  HelperInterrupt stop;
+  std::condition_variable changed;
+  WakingInterrupt stop{changed};
 
   std::mutex mutex;  // guards what follows
-  std::condition_variable changed;
   std::vector<Part> parts;
   std::size_t taken = 0, read = 0;
   std::vector<SlabBatch> spares;

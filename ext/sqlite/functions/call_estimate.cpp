@@ -55,6 +55,13 @@ class WrittenInputs {
   std::uint32_t given_;
 };
 
+/// The binary logarithm of x > 0, linear between powers of two. A plan must not depend on a C library's log2.
+double about_log2(double x) {
+  int exponent;
+  const double mantissa = std::frexp(x, &exponent);
+  return exponent - 2 + 2 * mantissa;
+}
+
 }  // namespace
 
 CallEstimate estimate_positions(const CallSizes& sizes) {
@@ -97,7 +104,7 @@ CallEstimate estimate_pairs_of_one(const CallSizes& sizes, bool by_a) {
   const CallEstimate whole = estimate_join(sizes);
   const double others = sizes.others.value_or(sizes.objects), one_side = by_a ? sizes.objects : others,
                searched = by_a ? others : sizes.objects;
-  return {probe + probed_level * std::log2(1 + searched), whole.rows / std::max(1.0, one_side)};
+  return {probe + probed_level * about_log2(1 + searched), whole.rows / std::max(1.0, one_side)};
 }
 
 CallEstimate estimate_stages(const CallSizes& sizes) {
