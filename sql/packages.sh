@@ -38,6 +38,22 @@ host_packages=(
   "sqlite-utils: file /usr/bin/sqlite-utils"
 )
 
+# What builds and asks the modules for other machines; zig comes by npm (ext/hosts/release/fetch_roots.sh).
+windows_packages=(
+  "g++-mingw-w64-x86-64-posix: command x86_64-w64-mingw32-g++-posix"
+  "wine64: command /usr/lib/wine/wine64"
+)
+release_packages=(
+  "${windows_packages[@]}"
+  "qemu-user-static: command qemu-aarch64-static"
+  "npm: command npm"
+  "binutils: command readelf"
+  "python3-build: python build"
+  "python3-wheel: python wheel"
+  "python3-setuptools: python setuptools"
+  "python3-venv: python ensurepip"
+)
+
 # Is one of the headers found by the C++ compiler?
 has_header() {
   local header

@@ -5,6 +5,8 @@
 #   bash tests/run.sh release    # one of them
 #   bash tests/run.sh dev
 #   bash tests/run.sh hosts      # packs foresee for its hosts (ext/hosts/pack.sh) and tests what was packed
+#   bash tests/run.sh targets    # builds, asks and packs the modules for all other machines, by hand before a release
+#   bash tests/run.sh target     # builds and asks one of them, the next with every commit; 6 minutes at most
 #
 # Ends with ctest's summary; the status is 0 only if every test of every build passed.
 set -euo pipefail
@@ -16,9 +18,9 @@ presets=("$@")
 [ ${#presets[@]} -gt 0 ] || presets=(release dev)
 for preset in "${presets[@]}"; do
   case $preset in
-    release | dev | hosts) ;;
+    release | dev | hosts | targets | target) ;;
     *)
-      echo "usage: bash tests/run.sh [release] [dev] [hosts]" >&2
+      echo "usage: bash tests/run.sh [release] [dev] [hosts] [targets|target]" >&2
       exit 2
       ;;
   esac
@@ -45,11 +47,32 @@ test_hosts() {
   return $status
 }
 
+# Every target that something here runs, and those that are only built; then what was packed.
+test_targets() {
+  FORESEE_UNTESTED=1 bash ext/hosts/pack.sh release
+  /usr/bin/python3 -B tests/hosts/release_test.py
+}
+
+# The time of a build without its compilers' caches: some three minutes of one processor. What was built stays for the next.
+test_one_target() {
+  local foreign target status=0
+  mapfile -t foreign < <(awk 'NR > 1 && $5 != "native" && $5 != "none" { print $1 }' ext/hosts/release/targets)
+  target=${foreign[$(($(git rev-list --count HEAD) % ${#foreign[@]}))]}
+  timeout 360 bash tests/release/one_target.sh "$target" || status=$?
+  case $status in
+    75) echo "SKIPPED: $target, because npm or apt could not fetch what it needs" ;;
+    124) echo "SKIPPED: $target, because six minutes did not suffice (build/targets/$target/build.log)" ;;
+    *) return $status ;;
+  esac
+}
+
 for preset in "${presets[@]}"; do
-  if [ "$preset" = hosts ]; then
-    test_hosts
-    continue
-  fi
+  case $preset in
+    hosts) test_hosts ;;
+    targets) test_targets ;;
+    target) test_one_target ;;
+  esac
+  case $preset in hosts | targets | target) continue ;; esac
   started=$SECONDS
   cmake --preset "$preset" -DFORESEE_TESTS=ON -DFORESEE_SQLITE_AMALGAMATION="$amalgamation"
   cmake --build --preset "$preset"

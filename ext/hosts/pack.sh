@@ -7,6 +7,7 @@
 #   bash ext/hosts/pack.sh page     # SQLite and foresee in one HTML file for browsers (installs emscripten, 800 MB)
 #   bash ext/hosts/pack.sh docs     # the pages as a site
 #   bash ext/hosts/pack.sh all      # each of them
+#   bash ext/hosts/pack.sh release [TARGET...]   # archives and packages for every target, each asked there: release/pack_release.sh
 #   bash ext/hosts/pack.sh wheel TARGET MODULE   # Python's for a target of ext/hosts/release/targets, around a finished module
 #   bash ext/hosts/pack.sh npm TARGET MODULE     # Node's: the package of that target, and foresee, which is the same for all
 #
@@ -17,10 +18,16 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 . sql/packages.sh
 
+if [ "${1:-}" = release ]; then
+  shift
+  exec bash ext/hosts/release/pack_release.sh "$@"
+fi
+
 everything=(deb wheel npm page docs)
 usage() {
   {
     echo "usage: bash ext/hosts/pack.sh $(IFS='|' && echo "${everything[*]}")|all"
+    echo "       bash ext/hosts/pack.sh release [TARGET...]"
     echo "       bash ext/hosts/pack.sh wheel|npm TARGET MODULE, TARGET being one of $(targets | xargs)"
   } >&2
   exit 2
