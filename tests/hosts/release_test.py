@@ -205,6 +205,15 @@ class Answers(Release):
             Native(module=ROOT / "build/nothing.so").ask(self.folder / "a.db", SCRIPTS / "check.sql")
 
 
+class Table(Host):
+    def test_every_target_is_in_the_page_and_foreign_ones_have_a_preset(self):
+        page, presets = (ROOT / "docs/hosts/archives.md").read_text(), (ROOT / "CMakePresets.json").read_text()
+        for name, line in table().items():
+            self.assertIn(f"`{name}`", page)
+            if line["toolchain"] != "gcc":
+                self.assertIn(f'{{"FORESEE_TARGET": "{name}"}}', presets)
+
+
 class MachO(Release):
     def test_macos_modules_need_the_system_alone_and_are_signed(self):
         names = [name for name in self.packed if name.startswith("darwin")]
