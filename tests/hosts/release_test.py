@@ -6,6 +6,7 @@ by tests/release/ask.c. Files are written by each target, changed by another and
 import hashlib
 import itertools
 import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -14,7 +15,7 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-from hosts import PACKAGES, ROOT, Host, main, skip, version
+from hosts import PACKAGES, ROOT, Host, main, need_commands, skip, version
 
 sys.path.insert(0, str(ROOT / "tests/release"))
 sys.dont_write_bytecode = True
@@ -212,6 +213,19 @@ class Table(Host):
             self.assertIn(f"`{name}`", page)
             if line["toolchain"] != "gcc":
                 self.assertIn(f'{{"FORESEE_TARGET": "{name}"}}', presets)
+
+
+class Roots(Host):
+    def test_packages_with_other_sums_are_not_unpacked(self):
+        need_commands("the roots of a release", "apt-get", "dpkg-deb", "sha256sum")
+        shutil.copytree(ROOT / "ext/hosts/release", self.folder / "ext/hosts/release")
+        for line in (ROOT / "ext/hosts/release/debian11.sha256").read_text().splitlines():
+            self.write(f"debs/debian11/{line.split()[1]}", "another package")
+        done = subprocess.run(["bash", "ext/hosts/release/fetch_roots.sh", "debian11"], cwd=self.folder, text=True, capture_output=True,
+                              env={**os.environ, "FORESEE_DEBS": str(self.folder / "debs"), "FORESEE_DEBIAN_MIRROR": "http://127.0.0.1:9/none"})
+        self.assertEqual(done.returncode, 75, done.stderr)
+        self.assertIn("apt could not fetch the packages of debian11", done.stderr)
+        self.assertFalse((self.folder / "build/roots/debian11").exists())
 
 
 class MachO(Release):

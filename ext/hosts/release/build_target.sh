@@ -30,9 +30,7 @@ build_zig() {
 build_mingw() {
   build_zig "$@"
 }
-needs_gcc=debian11
-needs_zig="zig include"
-needs_mingw=include
+declare -A roots_of=([gcc]=debian11 [zig]="zig include" [mingw]=include)
 
 [ $# -gt 0 ] || {
   echo "usage: bash $release/build_target.sh TARGET..." >&2
@@ -44,9 +42,8 @@ for target in "$@"; do
   [ -n "$toolchain" ] || { echo "build_target.sh: there is no target $target in $release/targets" >&2; exit 2; }
   folder=build/targets/$target
   mkdir -p "$folder"
-  needs=needs_$toolchain
   # shellcheck disable=SC2086  # a few words
-  bash $release/fetch_roots.sh ${!needs}
+  bash $release/fetch_roots.sh ${roots_of[$toolchain]}
   [ "$toolchain" != mingw ] || need_packages "${windows_packages[@]}"
   "build_$toolchain" "$target" "$folder/$(column "$target" module)" >"$folder/build.log" 2>&1 || {
     tail -n 20 "$folder/build.log" >&2

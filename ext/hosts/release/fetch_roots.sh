@@ -12,6 +12,7 @@
 #
 # Debian's packages come by apt with folders of its own, so the machine's lists and architectures stay as they are. The
 # sums of Debian 11's packages are in debian11.sha256: they will not change any more. FORESEE_DEBS keeps what was fetched.
+# The status is 75 if apt or npm cannot fetch something, and 1 if what came is not what is expected.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 release=$PWD/ext/hosts/release
@@ -51,7 +52,7 @@ fetch_debs() {
     apt-get "${apt_options[@]}" update >"$debs/$name.log" 2>&1 &&
       (cd "$debs/$name" && rm -f ./*.deb && apt-get "${apt_options[@]}" download "$@") >>"$debs/$name.log" 2>&1 || {
       echo "fetch_roots.sh: apt could not fetch the packages of $name ($debs/$name.log)" >&2
-      return 1
+      return 75
     }
     check_debs "$name" "$@" || {
       echo "fetch_roots.sh: the packages in $debs/$name are not those of ext/hosts/release/$name.sha256" >&2
@@ -93,7 +94,8 @@ fetch_zig() {
   cp "$release"/zig/package*.json "$roots/zig"
   (cd "$roots/zig" && timeout 300 npm ci --no-audit --no-fund --fetch-retries=1 >npm.log 2>&1) || {
     echo "fetch_roots.sh: npm could not fetch zig ($roots/zig/npm.log)" >&2
-    return 1
+    grep -q EINTEGRITY "$roots/zig/npm.log" && return 1
+    return 75
   }
   # CMake wants programs of one word. What zig compiles for itself stays in the folder too.
   local tool
@@ -110,7 +112,7 @@ fetch_sqlite() {
   . sql/newest_sqlite.sh
   fetch_newest_sqlite || {
     echo "fetch_roots.sh: npm could not fetch the newest SQLite ($newest_sqlite/npm.log)" >&2
-    return 1
+    return 75
   }
 }
 
