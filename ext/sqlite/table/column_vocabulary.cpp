@@ -22,30 +22,23 @@ constexpr std::array words = {
     Word{"hz", Quantity::half_extent, 2},   Word{"r", Quantity::radius, 0},
     Word{"shape", Quantity::form, 0},       Word{"heading", Quantity::heading, 0},
     Word{"growth", Quantity::growth, 0},    Word{"growth_z", Quantity::growth, 2},
-    Word{"until", Quantity::until, 0},
+    Word{"until", Quantity::until, 0},      Word{"lat", Quantity::centre, 0},
+    Word{"lon", Quantity::centre, 1},       Word{"speed", Quantity::velocity, 0},
+    Word{"course", Quantity::velocity, 1},
 };
-
-constexpr std::string_view metric_place =
-    "positions are metres, x and y: geo_to_plane(lat, lon, speed, course, lat0, lon0) makes them of degrees";
-constexpr std::string_view metric_velocity =
-    "velocities are vx and vy: geo_to_plane(lat, lon, speed, course, lat0, lon0) makes them of speed and "
-    "course";
 
 /// A column name of other data formats.
 struct ForeignWord {
   std::string_view name, hint;
 };
 constexpr ForeignWord foreign_words[] = {
-    {"lat", metric_place},
-    {"latitude", metric_place},
-    {"lon", metric_place},
-    {"lng", metric_place},
-    {"long", metric_place},
-    {"longitude", metric_place},
-    {"sog", metric_velocity},
-    {"cog", metric_velocity},
-    {"speed", metric_velocity},
-    {"course", metric_velocity},
+    {"latitude", "did you mean lat?"},
+    {"lng", "did you mean lon?"},
+    {"long", "did you mean lon?"},
+    {"longitude", "did you mean lon?"},
+    {"sog", "did you mean speed, with speed_unit = knots?"},
+    {"cog", "did you mean course?"},
+    {"velocity", "did you mean speed and course, or vx and vy?"},
     {"radius", "did you mean r?"},
     {"time", "did you mean t?"},
     {"timestamp", "did you mean t?"},
@@ -80,11 +73,18 @@ const Word* find_word(std::string_view name) {
   return found == words.end() ? nullptr : found;
 }
 
-std::string_view word_for(Quantity quantity, int axis) {
-  const auto* found = std::find_if(words.begin(), words.end(), [&](const Word& word) {
-    return word.quantity == quantity && word.axis == axis;
-  });
-  return found == words.end() ? "" : found->name;
+std::string_view word_for(Quantity quantity, int axis, bool in_degrees) {
+  std::string_view name;
+  for (const Word& word : words)
+    if (word.quantity == quantity && word.axis == axis && (name.empty() || in_degrees)) name = word.name;
+  return name;
+}
+
+GeoColumn geo_column(std::string_view name) {
+  constexpr std::array<std::string_view, 5> names{"", "lat", "lon", "speed", "course"};
+  for (std::size_t i = 1; i < names.size(); ++i)
+    if (same_name(names[i], name)) return static_cast<GeoColumn>(i);
+  return GeoColumn::none;
 }
 
 std::string known_words() {

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "storage/format/declaration.h"
+
 namespace foresee {
 
 /// The physical quantity that a column holds.
@@ -37,8 +39,11 @@ struct Word {
 /// The word with this name, compared without case, or null.
 const Word* find_word(std::string_view name);
 
-/// The word for a quantity along an axis, e.g. "vy".
-std::string_view word_for(Quantity quantity, int axis);
+/// The word for a quantity along an axis: "vy", or "course" in a table in degrees.
+std::string_view word_for(Quantity quantity, int axis, bool in_degrees = false);
+
+/// lat, lon, speed or course; `none` for all other words.
+GeoColumn geo_column(std::string_view name);
 
 /// "id" and all words as one comma-separated list for messages: "id, t, x, …".
 std::string known_words();

@@ -9,7 +9,10 @@ namespace {
 class WordTable {
  public:
   explicit WordTable(const std::vector<DeclaredWord>& words) {
-    for (const DeclaredWord& declared : words) slot(declared.word.quantity, declared.word.axis) = &declared;
+    for (const DeclaredWord& declared : words) {
+      slot(declared.word.quantity, declared.word.axis) = &declared;
+      in_degrees_ |= geo_column(declared.word.name) != GeoColumn::none;
+    }
     while (axes_ < 3 && has(Quantity::centre, axes_)) ++axes_;
   }
 
@@ -50,7 +53,7 @@ class WordTable {
     for (int axis = 0; axis < axes_; ++axis) {
       if (missing_only && has(quantity, axis)) continue;
       if (!names.empty()) names += ", ";
-      names += word_for(quantity, axis);
+      names += word_for(quantity, axis, in_degrees_);
     }
     return names;
   }
@@ -156,6 +159,7 @@ class WordTable {
 
   const DeclaredWord* slots_[quantity_count][3] = {};
   int axes_ = 0;
+  bool in_degrees_ = false;
 };
 
 }  // namespace

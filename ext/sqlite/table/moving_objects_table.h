@@ -58,6 +58,12 @@ struct MovingObjectsTable : sqlite3_vtab {
     return first_auxiliary_column() + static_cast<int>(declaration().auxiliaries.size());
   }
 
+  /// In a table in degrees x, y, vx, vy follow the command column (hidden_columns()): their places in a record.
+  std::size_t hidden_place(std::size_t hidden) const {
+    const Offsets at = record_offsets(declaration().layout);
+    return static_cast<std::size_t>(hidden < 2 ? at.x : at.v) + hidden % 2;
+  }
+
   void rename(const std::string& new_name);
 
   std::shared_ptr<Connection> connection;

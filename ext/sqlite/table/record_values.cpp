@@ -83,9 +83,16 @@ const char* rule_for_infinity(Quantity quantity) {
 }  // namespace
 
 Values::Values(const Declaration& declaration, const std::string& table)
-    : table_(table), layout_(declaration.layout), at_(record_offsets(layout_)), forms_(layout_) {
+    : table_(table),
+      layout_(declaration.layout),
+      at_(record_offsets(layout_)),
+      forms_(layout_),
+      unit_(declaration.frame.unit) {
   for (const MotionColumn& column : declaration.columns)
-    columns_.push_back({column.name, find_word(column.name)->quantity, column.place});
+    columns_.push_back({column.name, find_word(column.name)->quantity, column.place, column.geo});
+  for (const GeoColumn which : {GeoColumn::lat, GeoColumn::lon, GeoColumn::speed, GeoColumn::course})
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (columns_[i].geo == which) degrees_.push_back(i);
   record_.assign(static_cast<std::size_t>(at_.size), 0.0);
 }
 
@@ -95,8 +102,9 @@ std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion, 
   for (std::size_t i = 0; i < columns_.size(); ++i)
     if (columns_[i].quantity == Quantity::form)
       shape = motion[i];
-    else
+    else if (columns_[i].geo == GeoColumn::none)
       record_[static_cast<std::size_t>(columns_[i].place)] = stored(columns_[i], id, motion[i]);
+  if (!degrees_.empty()) fill_degrees(id, motion, store, updated);
   if (layout_.has_until) require_motion_to_last(id);
   if (layout_.law == Law::forced) require_finite_acceleration(id);
   if (shape) fill_form(id, shape, store, updated);

@@ -58,6 +58,9 @@ class Values {
   std::span<const double> record(std::int64_t id, sqlite3_value** motion, Store& store,
                                  std::optional<std::int64_t> updated = {});
 
+  /// The origin that the last record() needs: of the first position of a table that has none yet.
+  const std::optional<LatLon>& new_origin() const { return new_origin_; }
+
   /// The id in this value; nothing for NULL and ''. Throws Refusal (SQLITE_MISMATCH) for a value that is not
   /// an integer.
   std::optional<std::int64_t> id(sqlite3_value* value) const;
@@ -67,7 +70,19 @@ class Values {
     std::string name;
     Quantity quantity;
     int place;
+    GeoColumn geo;
   };
+
+  // tables in degrees (degrees_values.cpp)
+  void fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
+                    std::optional<std::int64_t> updated);
+  std::optional<double> degrees_number(const Column& column, std::int64_t id, sqlite3_value* value) const;
+  double latitude_or_longitude(const Column& column, std::int64_t id, sqlite3_value* value) const;
+  std::optional<double> speed_or_course(const Column& column, std::int64_t id, sqlite3_value* value) const;
+  std::optional<Course> course_of_row(std::int64_t id, const std::optional<double>& speed,
+                                      const std::optional<double>& course) const;
+  OnPlane on_plane(std::int64_t id, const Fix& fix, const LatLon& origin) const;
+  void copy_degrees(const std::vector<double>& before, bool place, bool motion);
 
   void fill_form(std::int64_t id, sqlite3_value* shape, Store& store, std::optional<std::int64_t> updated);
   double stored(const Column& column, std::int64_t id, sqlite3_value* value) const;
@@ -82,6 +97,10 @@ class Values {
   std::vector<Column> columns_;
   FormValues forms_;
   std::vector<double> record_;
+  std::vector<std::size_t>
+      degrees_;  ///< indices of lat, lon, speed, course in columns_; empty: a plain table
+  SpeedUnit unit_;
+  std::optional<LatLon> new_origin_;
 };
 
 }  // namespace foresee

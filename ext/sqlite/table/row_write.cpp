@@ -6,6 +6,7 @@
 #include "sqlite/callback.h"
 #include "sqlite/table/table_commands.h"
 #include "sqlite/table/table_cursor.h"
+#include "sqlite/table/table_declaration.h"
 
 namespace foresee {
 namespace {
@@ -17,13 +18,15 @@ struct NewRow {
         id(arguments[2 + MovingObjectsTable::id_column]),
         motion(arguments + 2 + MovingObjectsTable::first_motion_column),
         auxiliaries(arguments + 2 + table.first_auxiliary_column(), table.declaration().auxiliaries.size()),
-        command(arguments[2 + table.command_column()]) {}
+        command(arguments[2 + table.command_column()]),
+        hidden(arguments + 3 + table.command_column(), hidden_columns(table.declaration()).size()) {}
 
   sqlite3_value* rowid;
   sqlite3_value* id;
   sqlite3_value** motion;
   std::span<sqlite3_value*> auxiliaries;
   sqlite3_value* command;
+  std::span<sqlite3_value*> hidden;  ///< x, y, vx, vy of a table in degrees
 };
 
 bool is_null(sqlite3_value* value) {
@@ -38,6 +41,19 @@ bool replaces(MovingObjectsTable& table, std::int64_t id) {
   throw Refusal(SQLITE_CONSTRAINT, "UNIQUE constraint failed: " + table.name + ".id");
 }
 
+/// The columns of the plane follow from lat, lon, speed, course: refuses a value that is not the stored one.
+void require_unwritten(MovingObjectsTable& table, const NewRow& row, std::optional<std::int64_t> updated) {
+  for (std::size_t i = 0; i < row.hidden.size(); ++i) {
+    sqlite3_value* value = row.hidden[i];
+    if (sqlite3_value_nochange(value) || (!updated && is_null(value))) continue;
+    if (updated && sqlite3_value_type(value) == SQLITE_FLOAT)
+      if (const auto before = table.store().read(*updated))
+        if ((*before)[table.hidden_place(i)] == sqlite3_value_double(value)) continue;
+    throw Refusal(SQLITE_CONSTRAINT, table.name + "." + std::string(hidden_columns(table.declaration())[i]) +
+                                         " follows from lat, lon, speed, course; write these");
+  }
+}
+
 std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   if (!is_null(row.command)) {
     run_command(table, row.command);
@@ -47,12 +63,13 @@ std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   std::optional<std::int64_t> id = table.values.id(row.id);
   if (!id) id = table.values.id(row.rowid);
   const bool assigned = !id;
+  require_unwritten(table, row, {});
   if (assigned) id = table.store().find_next_id();
   const std::span<const double> record = table.values.record(*id, row.motion, table.store());
   if (!assigned && replaces(table, *id)) {
     table.store().update(*id, *id, record, row.auxiliaries);
   } else {
-    table.store().insert(*id, record, row.auxiliaries);
+    table.store().insert(*id, record, row.auxiliaries, table.values.new_origin());
   }
   return *id;
 }
@@ -67,6 +84,7 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
   if (!id)
     throw Refusal(SQLITE_MISMATCH, table.name + ".id of row " + std::to_string(old_id) +
                                        " would become NULL: every object has an id; write an INTEGER");
+  require_unwritten(table, row, old_id);
   const std::span<const double> record = table.values.record(*id, row.motion, table.store(), old_id);
   if (*id != old_id) replaces(table, *id);  // throws, or the update replaces it
   table.store().update(old_id, *id, record, row.auxiliaries);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sqlite/table/degrees_columns.h"
 #include "storage/rows/value_text.h"
 
 namespace foresee {
@@ -21,6 +22,7 @@ void TableCursor::clear() {
   position_ = 0;
   leaf_ = 0;
   found_ = 0;
+  fix_of_ = nullptr;
   by_leaf_ = handle_ = aborted_ = false;
 }
 
@@ -78,6 +80,7 @@ void TableCursor::next_leaf() {
 void TableCursor::next() {
   if (aborted_) throw StoreError(SQLITE_ABORT, table_.name + ": a rollback ended the scan");
   ++position_;
+  fix_of_ = nullptr;
   if (by_leaf_) {
     if (position_ == ids_.size()) next_leaf();
   } else {
@@ -114,6 +117,7 @@ void TableCursor::keep_ids() {
   ids_ = std::move(rest);
   records_ = std::move(records);
   position_ = 0;
+  fix_of_ = nullptr;
   by_leaf_ = false;
 }
 
@@ -122,6 +126,13 @@ void TableCursor::result_form(sqlite3_context* context, double number) const {
   if (number == 0 || sqlite3_vtab_nochange(context)) return;
   const std::string text = table_.store().form(static_cast<std::int64_t>(number), statement_state_)->text();
   sqlite3_result_text(context, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
+}
+
+/// An UPDATE that does not change the column gets no value.
+void TableCursor::result_degrees(sqlite3_context* context, GeoColumn column) const {
+  if (sqlite3_vtab_nochange(context)) return;
+  if (fix_of_ != record()) fix_ = shown_fix(table_.store(), rowid(), record()), fix_of_ = record();
+  if (const auto number = shown_number(column, fix_)) sqlite3_result_double(context, *number);
 }
 
 void TableCursor::column(sqlite3_context* context, int column) const {
@@ -136,10 +147,14 @@ void TableCursor::column(sqlite3_context* context, int column) const {
     const auto& motion =
         table_.declaration()
             .columns[static_cast<std::size_t>(column - MovingObjectsTable::first_motion_column)];
-    const std::size_t first = by_leaf_ ? position_ * (records_.size() / ids_.size()) : 0;
-    const double number = records_[first + static_cast<std::size_t>(motion.place)];
+    if (motion.geo != GeoColumn::none) return result_degrees(context, motion.geo);
+    const double number = record()[motion.place];
     if (motion.is_form) return result_form(context, number);
     if (std::isfinite(number)) sqlite3_result_double(context, number);  // an infinite until reads as NULL
+  } else if (column > table_.command_column()) {
+    const auto hidden = static_cast<std::size_t>(column - table_.command_column() - 1);
+    if (!sqlite3_vtab_nochange(context))
+      sqlite3_result_double(context, record()[table_.hidden_place(hidden)]);
   } else if (column < table_.command_column() && !sqlite3_vtab_nochange(context)) {
     table_.store().result_auxiliary(context, rowid(), auxiliary);
   }

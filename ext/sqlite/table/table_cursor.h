@@ -38,6 +38,11 @@ class TableCursor : public sqlite3_vtab_cursor {
   void require_handle_word(sqlite3_value* word) const;
   void next_leaf();
   void seek_existing();
+  /// The record of the current row.
+  const double* record() const {
+    return records_.data() + (by_leaf_ ? position_ * (records_.size() / ids_.size()) : 0);
+  }
+  void result_degrees(sqlite3_context* context, GeoColumn column) const;
   void result_form(sqlite3_context* context, double number) const;
 
   MovingObjectsTable& table_;
@@ -48,6 +53,8 @@ class TableCursor : public sqlite3_vtab_cursor {
   std::size_t found_ = 0;  ///< objects in all leaves so far
   bool by_leaf_ = false;   ///< more leaves may follow
   mutable StatementReadState statement_state_;
+  mutable Fix fix_ = {};                    ///< of the current row, in a table in degrees
+  mutable const double* fix_of_ = nullptr;  ///< … if this is its record
   RisingIds rising_;
   bool handle_ = false;  ///< the only row has the table's number
   bool aborted_ = false;

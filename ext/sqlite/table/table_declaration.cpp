@@ -1,11 +1,13 @@
 #include "sqlite/table/table_declaration.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 
 #include "base/error.h"
 #include "sqlite/sql_tokens.h"
 #include "sqlite/table/column_vocabulary.h"
+#include "sqlite/table/frame_options.h"
 #include "sqlite/table/layout_rules.h"
 #include "sqlite/table/table_arguments.h"
 #include "storage/rows/statement.h"
@@ -74,11 +76,14 @@ class Declarer {
   }
 
   Declaration finish() {
+    declaration_.frame = frame_.frame(words_);
     declaration_.layout = layout_of(words_);
     const Offsets at = record_offsets(declaration_.layout);
     for (const DeclaredWord& declared : words_)
       declaration_.columns.push_back({std::string(declared.word.name), offset_of(at, declared.word),
-                                      declared.word.quantity == Quantity::form});
+                                      declared.word.quantity == Quantity::form,
+                                      geo_column(declared.word.name)});
+    if (declaration_.frame.in_degrees()) require_no_hidden_names();
     return std::move(declaration_);
   }
 
@@ -105,8 +110,9 @@ class Declarer {
   }
 
   void add_option(const Argument& argument) {
+    if (frame_.take(argument)) return;
     if (!same_name(argument.name, "horizon"))
-      refuse(argument, "no such option; known is horizon, as in horizon = 60");
+      refuse(argument, "no such option; known are horizon, origin, speed_unit and frame, as in horizon = 60");
     if (has_horizon_) refuse(argument, "horizon is given twice; leave one out");
     has_horizon_ = true;
     declaration_.horizon = positive_number(argument);
@@ -121,7 +127,16 @@ class Declarer {
       refuse(argument, "a column named " + argument.name + " is declared already; choose another name");
   }
 
+  void require_no_hidden_names() const {
+    for (const AuxiliaryColumn& column : declaration_.auxiliaries)
+      for (const std::string_view hidden : hidden_columns(declaration_))
+        if (same_name(column.name, hidden))
+          throw Error("\"+" + column.name + "\": a table with lat, lon has a hidden column " + column.name +
+                      " already; choose another name");
+  }
+
   std::vector<DeclaredWord> words_;
+  FrameOptions frame_;
   Declaration declaration_;
   bool has_horizon_ = false;
 };
@@ -141,10 +156,17 @@ Declaration parse_declaration(std::string_view table, const std::vector<std::str
   throw Error(std::string(table) + ": " + error.what());
 }
 
+std::span<const std::string_view> hidden_columns(const Declaration& declaration) {
+  static constexpr std::array<std::string_view, 4> names{"x", "y", "vx", "vy"};
+  if (!declaration.frame.in_degrees()) return {};
+  return std::span(names).first(declaration.layout.law == Law::rest ? 2 : 4);
+}
+
 void require_table_name(const Declaration& declaration, std::string_view table) {
   bool taken = same_name("id", table);
   for (const MotionColumn& column : declaration.columns) taken |= same_name(column.name, table);
   for (const AuxiliaryColumn& column : declaration.auxiliaries) taken |= same_name(column.name, table);
+  for (const std::string_view hidden : hidden_columns(declaration)) taken |= same_name(hidden, table);
   if (taken)
     throw Error(
         "a table cannot be named like one of its columns (commands go to a column named like the table);"
@@ -158,7 +180,10 @@ std::string declared_schema(const Declaration& declaration, std::string_view tab
     sql += ", " + quoted_name(column.name) + (column.is_form ? " TEXT" : " REAL");
   for (const AuxiliaryColumn& column : declaration.auxiliaries)
     sql += ", " + quoted_name(column.name) + " " + column.type;
-  return sql + ", " + quoted_name(std::string(table)) + " HIDDEN)";
+  sql += ", " + quoted_name(std::string(table)) + " HIDDEN";
+  for (const std::string_view hidden : hidden_columns(declaration))
+    sql += ", " + std::string(hidden) + " REAL HIDDEN";
+  return sql + ")";
 }
 
 }  // namespace foresee

@@ -8,6 +8,7 @@
 // what to write instead.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +22,11 @@ Declaration parse_declaration(std::string_view table, const std::vector<std::str
 /// Throws Error if `table` is also a column's name, because the command column has the name of the table.
 void require_table_name(const Declaration& declaration, std::string_view table);
 
-/// The CREATE TABLE statement for sqlite3_declare_vtab: id, the declared columns in their order, and the
-/// hidden command column, which has the name of the table.
+/// The columns of the plane in a table in degrees, which can be read only: x, y and, if its objects move, vx, vy.
+std::span<const std::string_view> hidden_columns(const Declaration& declaration);
+
+/// The CREATE TABLE statement for sqlite3_declare_vtab: id, the declared columns in their order, the hidden
+/// command column, which has the name of the table, and the other hidden_columns().
 std::string declared_schema(const Declaration& declaration, std::string_view table);
 
 }  // namespace foresee

@@ -6,15 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "geography/frame.h"
 #include "shape/row_layout.h"
 
 namespace foresee {
+
+/// In a table that takes degrees: what is computed from the plane when the column is read.
+enum class GeoColumn : std::uint8_t { none, lat, lon, speed, course };
 
 /// A declared motion column (the id is not one of them) and its place in the stored record.
 struct MotionColumn {
   std::string name;  ///< as in docs/reference/moving_objects.md#columns: t, x, vy, fz, m, hx, r, shape, until
   int place;         ///< index of its double in the record
   bool is_form = false;  ///< the double is the number of an outline or mesh
+  GeoColumn geo = GeoColumn::none;  ///< `place` is then that of x, y, vx or vy
 };
 
 /// `+name TYPE`: a value that is stored with each object and not interpreted.
@@ -28,6 +33,7 @@ struct Declaration {
   std::vector<MotionColumn> columns = {};  ///< in declaration order
   std::vector<AuxiliaryColumn> auxiliaries = {};
   double horizon = 60;  ///< look-ahead that the tree is optimized for
+  Frame frame = {};  ///< as declared: without an origin, the first position stored chooses it (Store::frame)
 };
 
 }  // namespace foresee

@@ -34,6 +34,12 @@ constexpr std::string_view stored_meshes = "meshes";
 /// Shapes grow, so bounds move even in tables at rest. Tables with `growth` or `growth_z` have this feature.
 constexpr std::string_view stored_growth = "growth";
 
+/// Columns lat, lon are stored on the plane about an origin in `_meta`. Tables in degrees have this feature.
+constexpr std::string_view stored_degrees = "degrees";
+
+/// The declaration names the frame of the coordinates. Tables with the option `frame` have this feature.
+constexpr std::string_view named_frame = "frame";
+
 /// Maximum length in bytes of the list that is read.
 constexpr std::size_t max_features = 1000;
 

@@ -32,6 +32,15 @@ void require_known_features(MetaRows& meta, const QualifiedName& name) {
            "written with '" + without_nul(unknown) + "', which this foresee does not know: use a newer one");
 }
 
+/// Coordinates are metres from the origin, so another one in the declaration would move every object.
+void require_declared_origin(MetaRows& meta, const QualifiedName& name, const Frame& declared) {
+  if (!declared.origin) return;
+  const std::string stored = meta.read("origin"), expected = origin_text(*declared.origin);
+  if (stored != expected)
+    refuse(SQLITE_CORRUPT_VTAB, name,
+           "stored with the origin '" + without_nul(stored) + "' but declared with '" + expected + "'");
+}
+
 }  // namespace
 
 bool is_shadow_suffix(std::string_view suffix) {
@@ -53,12 +62,16 @@ ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declara
 std::string describe_columns(const Declaration& declaration) {
   const Layout& layout = declaration.layout;
   std::string text = "id";
-  auto on_all_axes = [&](const char* prefix) {
-    for (int axis = 0; axis < layout.axes; ++axis) text += std::string(", ") + prefix + "xyz"[axis];
+  auto on_all_axes = [&](const char* prefix, int first = 0) {
+    for (int axis = first; axis < layout.axes; ++axis) text += std::string(", ") + prefix + "xyz"[axis];
   };
+  const bool in_degrees = declaration.frame.in_degrees();
+  const int first = in_degrees ? 2 : 0;
   if (layout.has_t) text += ", t";
-  on_all_axes("");
-  if (layout.law != Law::rest) on_all_axes("v");
+  if (in_degrees) text += ", lat, lon";
+  on_all_axes("", first);
+  if (in_degrees && layout.law != Law::rest) text += ", speed, course";
+  if (layout.law != Law::rest) on_all_axes("v", first);
   if (layout.law == Law::accelerated) on_all_axes("a");
   if (layout.law == Law::forced) {
     on_all_axes("f");
@@ -90,6 +103,7 @@ NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const De
   meta.write("stamp", stamp);
   meta.write("objects", std::int64_t{0});
   meta.write("features", features_of(declaration));
+  if (declaration.frame.origin) meta.write("origin", origin_text(*declaration.frame.origin));
   return format;
 }
 
@@ -120,6 +134,7 @@ NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const De
   if (const std::string columns = meta.read("columns", 2 * declared.size() + 1000); columns != declared)
     refuse(SQLITE_CORRUPT_VTAB, name,
            "stored with the columns (" + columns + ") but declared with (" + declared + ")");
+  require_declared_origin(meta, name, declaration.frame);
   const std::string stored = meta.read("node_size");
   constexpr std::size_t largest_page = 65536;
   for (std::size_t page = 512; page <= largest_page; page *= 2)

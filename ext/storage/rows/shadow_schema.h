@@ -9,7 +9,8 @@
 // `format` in _meta is the version of the format, `columns` the columns as declared, `root` is 0 in an empty
 // table. `stamp` is a random number that every write transaction replaces. `objects` is the number of
 // objects, `features` a list of what version 0.1 does not know (format/features.h); version 0.1 has neither
-// key. The others are `node_size` and `horizon`.
+// key. `origin` is the origin of a table in degrees, once it has one: its latitude and longitude as text. The
+// others are `node_size` and `horizon`.
 #pragma once
 
 #include <cstdint>

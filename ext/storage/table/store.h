@@ -50,6 +50,12 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
 
   const Declaration& declaration() const { return declaration_; }
   const NodeFormat& format() const { return format_; }
+  /// The declared frame with the origin as this connection sees it now: empty if no position has been stored yet in
+  /// a table in degrees without a declared one. SQLITE_CORRUPT_VTAB for a damaged origin. Cost: nothing for a plain
+  /// table or a declared origin, else as read_version().
+  const Frame& frame();
+  /// The same for a table that holds objects: SQLITE_CORRUPT_VTAB for a table in degrees without an origin.
+  const Frame& frame_of_objects();
 
   // --- reading
   /// The version of the contents that this connection sees now. Cost: one look-up.
@@ -93,8 +99,10 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Finds or stores the outline or mesh of a well-known text, for a record to refer to by number. Throws
   /// Error for an invalid text. Requires: a layout with `shape`.
   StoredForms::Known find_or_add_form(std::string_view text);
-  /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column.
-  void insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries);
+  /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column. `origin`: the origin that the
+  /// table has from now on; requires: frame() has none.
+  void insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries,
+              const std::optional<LatLon>& origin = {});
   /// Requires: `id` exists. Auxiliary values that are sqlite3_value_nochange stay. Another object with
   /// `new_id` is replaced, so INSERT OR REPLACE of an existing id is update(id, id, …).
   void update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
@@ -155,6 +163,9 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// True if the table was dropped, or its creation was rolled back: then every callback does nothing.
   bool is_gone() const { return gone_; }
 
+  /// Throws SQLITE_CORRUPT_VTAB: what is wrong with the stored bytes.
+  [[noreturn]] void damaged(const std::string& what) const;
+
   // For open().
   bool is_named(const std::string& table) const { return !gone_ && name_.table == table; }
   /// True if SQLite has rolled back all that this transaction wrote, without a callback.
@@ -177,7 +188,6 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// is gone, so that SQLite prepares the statement again.
   ShadowRows& shadow_rows();
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
-  [[noreturn]] void damaged(const std::string& what) const;
   template <class Body>
   auto with_sound_tree(Body body);
   /// Empties the cache if another connection has committed meanwhile. Cost: at most one look-up.
@@ -200,6 +210,9 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Reads the names of the watches unless they are known.
   void load_watches();
   void write_stamp_of_watches();
+
+  // the origin that the first position chooses (frame())
+  bool chooses_origin() const { return declaration_.frame.in_degrees() && !declaration_.frame.origin; }
 
   // writing (store_write.cpp)
   /// Checks the record, starts the transaction, writes its stamp, frees memory. Throws before any change.
@@ -239,7 +252,9 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
 
   // transactions (store_transactions.cpp)
   /// True if something is unwritten.
-  bool has_unwritten() const { return cache_.has_unwritten() || pending_->count() > 0 || count_.added != 0; }
+  bool has_unwritten() const {
+    return cache_.has_unwritten() || pending_->count() > 0 || count_.added != 0 || origin_.unwritten;
+  }
   void restore(const StoreSavepoint& savepoint);
   void undo_transaction() noexcept;
   void set_table_name(const std::string& table);
@@ -268,6 +283,8 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   bool changes_unknown_ = false;      ///< objects beyond object_changes_ may have changed
   std::vector<std::string> watches_;  ///< valid if watches_known_
   bool watches_known_ = false;
+  Frame frame_;          ///< what frame() returns
+  ChosenOrigin origin_;  ///< of a table that chooses_origin()
 
   bool in_transaction_;
   bool is_new_;               ///< this transaction has created the table

@@ -33,7 +33,7 @@ class Store::OwnStatements {
 };
 
 /// One change, including its own statements. Unless it is done(), its end restores all state in memory:
-/// nodes, map, pending objects, the log of changed objects, the largest id, the count. If rows were written
+/// nodes, map, pending objects, the log of changed objects, the largest id, the count, the origin. If rows were written
 /// during the change, the store is torn and refuses everything until SQLite rolls back. Cost: a few
 /// positions; a node is copied when it is changed, not before.
 class Store::AtomicChange {
@@ -45,7 +45,8 @@ class Store::AtomicChange {
         pending_position_(store.pending_->position()),
         changes_position_(store.object_changes_.position()),
         largest_(store.largest_),
-        count_(store.count_) {
+        count_(store.count_),
+        origin_(store.origin_) {
     store_.cache_.begin_change();
   }
   ~AtomicChange() {
@@ -57,6 +58,7 @@ class Store::AtomicChange {
     store_.object_changes_.rewind(changes_position_);
     store_.largest_ = largest_;
     store_.count_ = count_;
+    store_.origin_ = origin_;
   }
 
   /// The change is valid. Only a savepoint or the start of the transaction can be restored from now on.
@@ -74,6 +76,7 @@ class Store::AtomicChange {
   std::size_t pending_position_, changes_position_;
   LargestId largest_;
   ObjectCount count_;
+  ChosenOrigin origin_;
   bool done_ = false;
 };
 

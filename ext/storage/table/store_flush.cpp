@@ -101,6 +101,10 @@ void Store::flush() {
     const std::optional<std::int64_t> sum = count_.sum();
     write_count(sum ? *sum : shadow_rows().map().count_ids());
   }
+  if (origin_.unwritten) {
+    shadow_rows().meta().write("origin", origin_text(*origin_.value));
+    origin_.unwritten = false;
+  }
   const std::int64_t before = shown(own_stamp_.value_or(0));
   write_new_stamp();
   same_contents_ = {own_stamp_, before};

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "storage/format/leaf_node.h"
+#include "storage/rows/value_text.h"
 #include "storage/table/integrity_check.h"
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
@@ -40,7 +41,29 @@ void Store::revalidate_cache() {
   cached_stamp_.reset();
   count_.stored = shadow_rows().read_objects();
   watches_known_ = false;
+  origin_ = {};
   cached_stamp_ = stamp;
+}
+
+const Frame& Store::frame() {
+  if (!chooses_origin()) return frame_;
+  revalidate_cache();
+  if (!origin_.known) {
+    const std::string stored = shadow_rows().meta().read("origin");
+    origin_ = {.known = true, .value = parse_origin(stored)};
+    if (!origin_.value && !stored.empty())
+      damaged("the origin '" + without_nul(stored) + "' in _meta is no latitude and longitude");
+    if (!origin_.value && shadow_rows().read_root().value_or(0) != 0)
+      damaged("the origin is missing in _meta");
+  }
+  frame_.origin = origin_.value;
+  return frame_;
+}
+
+const Frame& Store::frame_of_objects() {
+  const Frame& seen = frame();
+  if (seen.in_degrees() && !seen.origin) damaged("the origin is missing in _meta");
+  return seen;
 }
 
 ContentVersion Store::read_version() {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "geography/geodesic.h"
 #include "storage/nodes/pending_objects.h"
 #include "storage/nodes/undo_log.h"
 
@@ -63,6 +64,13 @@ struct LargestId {
   std::optional<std::int64_t> id = {};
 };
 
+/// The origin that the first position of a table in degrees has chosen, as far as it is known.
+struct ChosenOrigin {
+  bool known = false;
+  bool unwritten = false;  ///< by this transaction, and not in `_meta` yet
+  std::optional<LatLon> value = {};
+};
+
 /// State that a savepoint restores: positions in logs; no objects are copied.
 struct StoreSavepoint {
   int level;
@@ -73,6 +81,7 @@ struct StoreSavepoint {
   std::size_t changes_position;
   LargestId largest;
   ObjectCount count;
+  ChosenOrigin origin;
   std::uint64_t undo_position;
   std::optional<std::int64_t> own_stamp;
   std::string table;

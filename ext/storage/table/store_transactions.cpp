@@ -11,7 +11,7 @@ namespace foresee {
 namespace {
 
 bool same_columns(const Declaration& a, const Declaration& b) {
-  return a.horizon == b.horizon && describe_columns(a) == describe_columns(b);
+  return a.horizon == b.horizon && a.frame == b.frame && describe_columns(a) == describe_columns(b);
 }
 
 }  // namespace
@@ -60,6 +60,7 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       cache_(format_, name_, share_),
       tree_(make_tpr_tree(cache_, declaration_.horizon)),
       pending_(std::make_shared<PendingObjects>(static_cast<std::size_t>(format_.at.size))),
+      frame_(declaration_.frame),
       in_transaction_(is_new),
       is_new_(is_new),
       table_at_begin_(name_.table) {
@@ -179,6 +180,7 @@ void Store::undo_transaction() noexcept {
   cache_.roll_back();
   if (forms_) forms_->forget_texts();
   if (writing_) count_ = count_before_;
+  origin_ = {};
   if (!savepoints_.empty()) pending_ = savepoints_.front().pending;
   pending_->clear();
   object_changes_.clear();
@@ -197,7 +199,7 @@ void Store::savepoint(int level) {
     savepoints_.reserve(std::max<std::size_t>(8, 2 * savepoints_.size()));
   std::string table = name_.table;
   savepoints_.push_back({level, cache_.set_mark(false), cache_.map_position(), pending_, pending_->position(),
-                         object_changes_.position(), largest_, count_, undo_position_, own_stamp_,
+                         object_changes_.position(), largest_, count_, origin_, undo_position_, own_stamp_,
                          std::move(table), has_unwritten() || object_changes_.count() > 0});
 }
 
@@ -257,6 +259,7 @@ void Store::restore(const StoreSavepoint& savepoint) {
   object_changes_.rewind(savepoint.changes_position);
   largest_ = savepoint.largest;
   count_ = savepoint.count;
+  origin_ = savepoint.origin;
   stamped_ = torn_ = false;
   note_change();
 }

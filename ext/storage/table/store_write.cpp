@@ -115,9 +115,11 @@ void Store::remove(std::int64_t id) {
   if (largest_.id == id) largest_.exact = false;
 }
 
-void Store::insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries) {
+void Store::insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries,
+                   const std::optional<LatLon>& origin) {
   start_change(record);
   AtomicChange atomic_change(*this);
+  if (origin) origin_ = {.known = true, .unwritten = true, .value = origin};
   if (keeps_changes_ && !object_changes_.knows(id)) object_changes_.add(id, {});
   add(id, record);
   if (has_auxiliaries()) shadow_rows().insert_auxiliaries(id, auxiliaries);

@@ -1,0 +1,119 @@
+#include "geography/frame.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "base/number_text.h"
+
+namespace foresee {
+namespace {
+
+constexpr std::array<std::string_view, 3> unit_names{"mps", "knots", "kmh"};
+
+/// To so many decimals, given as a power of ten; unchanged where a double has fewer.
+double rounded(double number, double decimals) {
+  constexpr double max_scaled = 1e15;
+  return std::abs(number) * decimals < max_scaled ? std::round(number * decimals) / decimals + 0.0 : number;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (stop != text.data() + text.size() || error != std::errc()) return std::nullopt;
+  return number;
+}
+
+/// A text in SQL quotes, as CREATE takes it.
+std::string in_quotes(const std::string& text) {
+  std::string quoted = "'";
+  for (const char letter : text) quoted += letter == '\'' ? "''" : std::string(1, letter);
+  return quoted + "'";
+}
+
+std::string declared_origin(const Frame& frame) {
+  return frame.origin ? "origin = " + in_quotes(origin_text(*frame.origin)) : "an origin";
+}
+
+}  // namespace
+
+std::string_view name_of(SpeedUnit unit) {
+  return unit_names[static_cast<std::size_t>(unit)];
+}
+
+std::optional<SpeedUnit> speed_unit_of(std::string_view name) {
+  for (std::size_t i = 0; i < unit_names.size(); ++i)
+    if (unit_names[i] == name) return static_cast<SpeedUnit>(i);
+  return std::nullopt;
+}
+
+OnPlane Frame::to_plane(const Fix& fix) const {
+  if (!fix.course) return foresee::to_plane(fix, *origin);
+  return foresee::to_plane({fix.place, Course{to_mps(fix.course->speed, unit), fix.course->degrees}},
+                           *origin);
+}
+
+Fix Frame::from_plane(const OnPlane& point) const {
+  Fix fix = foresee::from_plane(point, *origin);
+  if (fix.course) fix.course->speed = from_mps(fix.course->speed, unit);
+  return fix;
+}
+
+std::string Frame::name() const {
+  if (in_degrees()) return "degrees";
+  return text.empty() ? "plane" : text;
+}
+
+Fix rounded(const Fix& fix) {
+  constexpr double place_decimals = 1e11, course_decimals = 1e10;
+  Fix result{{rounded(fix.place.lat, place_decimals), rounded(fix.place.lon, place_decimals)}, {}};
+  if (result.place.lon <= -180) result.place.lon = 180;
+  if (!fix.course) return result;
+  // An object that moves is not shown at rest.
+  const double speed = rounded(fix.course->speed, place_decimals);
+  const double degrees = rounded(fix.course->degrees, course_decimals);
+  result.course = Course{speed == 0 ? fix.course->speed : speed, degrees >= 360 ? 0 : degrees};
+  return result;
+}
+
+std::string origin_text(const LatLon& origin) {
+  return shown(origin.lat) + " " + shown(origin.lon);
+}
+
+std::optional<LatLon> parse_origin(std::string_view text) {
+  const std::size_t space = text.find(' ');
+  if (space == std::string_view::npos) return std::nullopt;
+  const auto lat = parse_number(text.substr(0, space)), lon = parse_number(text.substr(space + 1));
+  if (!lat || !lon || !(std::abs(*lat) <= 90) || !(std::abs(*lon) <= 180)) return std::nullopt;
+  return LatLon{*lat + 0.0, *lon + 0.0};
+}
+
+LatLon origin_near(const LatLon& place) {
+  return {std::round(place.lat * 10) / 10 + 0.0, std::round(place.lon * 10) / 10 + 0.0};
+}
+
+std::string frame_conflict(const std::string& table, const Frame& frame, const std::string& other,
+                           const Frame& frame_of_other) {
+  const Frame &a = frame, &b = frame_of_other;
+  if (a.in_degrees() != b.in_degrees()) {
+    const bool first = a.in_degrees();
+    const std::string &geo = first ? table : other, &plain = first ? other : table;
+    return geo + " has lat, lon, " + plain + " has x, y: their metres differ; create " + plain +
+           " with lat, lon and " + declared_origin(first ? a : b);
+  }
+  if (a.in_degrees()) {
+    if (!a.origin || !b.origin || same_origin(a, b)) return "";
+    return table + " has origin '" + origin_text(*a.origin) + "', " + other + " has '" +
+           origin_text(*b.origin) + "': their metres differ; create " + other + " with " + declared_origin(a);
+  }
+  if (a.text == b.text) return "";
+  const auto described = [](const Frame& one) {
+    return one.text.empty() ? std::string("none") : in_quotes(one.text);
+  };
+  const bool from_first = !a.text.empty();
+  return table + " has frame " + described(a) + ", " + other + " has " + described(b) +
+         ": their metres differ; create " + (from_first ? other : table) +
+         " with frame = " + described(from_first ? a : b);
+}
+
+}  // namespace foresee

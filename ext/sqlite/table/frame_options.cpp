@@ -1,0 +1,123 @@
+#include "sqlite/table/frame_options.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "sqlite/sql_tokens.h"
+
+namespace foresee {
+namespace {
+
+[[noreturn]] void refuse(const std::string& argument, const std::string& why) {
+  throw Error("\"" + argument + "\": " + why);
+}
+
+LatLon declared_origin(const Argument& argument) {
+  if (same_name(argument.detail, "globe"))
+    refuse(
+        argument.text,
+        "this version has no frame globe; write origin = 'LAT LON', or geo_to_globe and a table of x, y, z");
+  if (const auto origin = parse_origin(argument.detail)) return *origin;
+  refuse(argument.text,
+         "an origin is a latitude within 90 and a longitude within 180 degrees; write for example origin = "
+         "'53.9 7.9'");
+}
+
+SpeedUnit declared_unit(const Argument& argument) {
+  for (const SpeedUnit unit : {SpeedUnit::mps, SpeedUnit::knots, SpeedUnit::kmh})
+    if (same_name(name_of(unit), argument.detail)) return unit;
+  refuse(argument.text, "no such unit; known are mps (the default), knots and kmh, as in speed_unit = knots");
+}
+
+std::string declared_text(const Argument& argument) {
+  if (argument.detail.empty())
+    refuse(argument.text, "the text is empty; write for example frame = 'harbour'");
+  for (const char* own : {"plane", "degrees", "globe"})
+    if (same_name(own, argument.detail))
+      refuse(argument.text, "plane, degrees and globe are foresee's own frames; write another text");
+  return argument.detail;
+}
+
+using Words = std::vector<DeclaredWord>;
+
+const DeclaredWord* find(const Words& words, std::string_view name) {
+  const auto found = std::find_if(words.begin(), words.end(),
+                                  [&](const DeclaredWord& one) { return one.word.name == name; });
+  return found == words.end() ? nullptr : &*found;
+}
+
+/// `first` and `second`, both or neither, in this order.
+void require_pair(const Words& words, const char* first, const char* second) {
+  const DeclaredWord *one = find(words, first), *two = find(words, second);
+  const std::string both = std::string(first) + ", " + second;
+  if (one && two && two < one)
+    refuse(two->argument, std::string(first) + " comes before " + second + "; write " + both);
+  if (!one != !two)
+    refuse((one ? one : two)->argument, both + " go together; add " + std::string(one ? second : first));
+}
+
+/// The column that a table in degrees has in place of this one; "" if it takes the column itself.
+std::string_view geographic_for(const Word& word) {
+  if (geo_column(word.name) != GeoColumn::none || word.axis > 1) return "";
+  if (word.quantity == Quantity::centre) return word.axis == 0 ? "lat" : "lon";
+  if (word.quantity == Quantity::velocity) return word.axis == 0 ? "speed" : "course";
+  return "";
+}
+
+void require_geographic(const Words& words) {
+  require_pair(words, "lat", "lon");
+  require_pair(words, "speed", "course");
+  if (const DeclaredWord* speed = find(words, "speed"); speed && !find(words, "lat"))
+    refuse(speed->argument,
+           "speed, course go with lat, lon; write lat, lon, or vx, vy in place of these two");
+  for (const auto& [word, argument] : words) {
+    if (const std::string_view other = geographic_for(word); !other.empty())
+      refuse(argument, "a table with lat, lon has " + std::string(other) + " in its place, and " +
+                           std::string(word.name) + " as a hidden column to read; leave it out");
+    if (word.quantity == Quantity::acceleration || word.quantity == Quantity::force ||
+        word.quantity == Quantity::mass)
+      refuse(argument,
+             "its axes would be the plane's, not east and north; leave it out, or use x, y and geo_to_plane");
+  }
+}
+
+}  // namespace
+
+bool FrameOptions::take(const Argument& argument) {
+  std::optional<Argument>* option = nullptr;
+  if (same_name(argument.name, "origin")) option = &origin_;
+  if (same_name(argument.name, "speed_unit")) option = &unit_;
+  if (same_name(argument.name, "frame")) option = &text_;
+  if (option == nullptr) return false;
+  if (*option) refuse(argument.text, argument.name + " is given twice; leave one out");
+  if (option == &origin_) given_.origin = declared_origin(argument);
+  if (option == &unit_) given_.unit = declared_unit(argument);
+  if (option == &text_) given_.text = declared_text(argument);
+  *option = argument;
+  return true;
+}
+
+void FrameOptions::require_plane() const {
+  for (const auto* option : {&origin_, &unit_})
+    if (*option)
+      refuse((*option)->text, (*option)->name +
+                                  " is for tables in degrees; write lat, lon in place of x, y, or leave "
+                                  "it out");
+}
+
+Frame FrameOptions::frame(const Words& words) const {
+  Frame frame = given_;
+  const bool in_degrees = std::any_of(words.begin(), words.end(), [](const DeclaredWord& one) {
+    return geo_column(one.word.name) != GeoColumn::none;
+  });
+  if (!in_degrees) {
+    require_plane();
+    return frame;
+  }
+  require_geographic(words);
+  if (text_) refuse(text_->text, "the frame of a table with lat, lon is its origin; leave frame out");
+  frame.kind = FrameKind::degrees;
+  return frame;
+}
+
+}  // namespace foresee

@@ -1,0 +1,36 @@
+// Frame of a moving_objects table as its declaration says it: columns lat, lon, speed, course, and the options
+// origin, speed_unit and frame.
+//
+//   FrameOptions options;
+//   options.take(parse_argument("speed_unit = knots"));      // true: an option of the frame
+//   const Frame frame = options.frame(words);                // of all declared columns
+//
+// Throws Error for what no table can have (docs/sql_reference.md#degrees): plane and geographic columns together,
+// one of lat, lon alone, an acceleration in degrees, an option that does not go with the columns.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geography/frame.h"
+#include "sqlite/table/layout_rules.h"
+#include "sqlite/table/table_arguments.h"
+
+namespace foresee {
+
+class FrameOptions {
+ public:
+  /// Whether the option is one of the frame; then its value is checked and kept.
+  bool take(const Argument& argument);
+
+  /// Requires: no word occurs twice.
+  Frame frame(const std::vector<DeclaredWord>& words) const;
+
+ private:
+  void require_plane() const;
+
+  std::optional<Argument> origin_, unit_, text_;
+  Frame given_;
+};
+
+}  // namespace foresee
