@@ -8,6 +8,7 @@
 namespace foresee {
 
 class Connection;
+struct Frame;
 
 class WatchUpkeep {
  public:
@@ -20,6 +21,8 @@ class WatchUpkeep {
   virtual void rename_table(Connection& connection, std::int64_t table, const std::string& old_name) = 0;
   /// Throws StoreError (SQLITE_LOCKED) if a watch needs the table, which is about to be dropped.
   virtual void require_unwatched(Connection& connection, std::int64_t table) = 0;
+  /// Throws Refusal if another table of a watch has another frame than `frame`, which the table has from now on.
+  virtual void require_frame(Connection& connection, std::int64_t table, const Frame& frame) = 0;
   /// Releases all statements.
   virtual void finalize() noexcept = 0;
 };

@@ -37,10 +37,11 @@ struct JoinedTables {
   bool are_one() const { return b && b->store == a.store; }
 };
 
-/// Both tables by open_table(). Throws its Error.
+/// Both tables by open_table(), of one frame. Throws Error.
 JoinedTables open_tables(Connection& connection, const JoinInputs& inputs) {
   JoinedTables tables{open_table(connection, inputs.tbl)};
   if (inputs.other) tables.b = open_table(connection, {inputs.other, inputs.tbl.schema});
+  if (tables.b) require_one_frame(tables.a, *tables.b);
   return tables;
 }
 

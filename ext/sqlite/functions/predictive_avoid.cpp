@@ -149,6 +149,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   double newest = read_newest_t(*question.others.tree);
   if (const auto also = call.text(in_also)) {
     const auto second = open_table(connection, {also, tbl.schema});
+    require_one_frame(table, second);
     question.also = searched(second);
     tables[1] = second.table;
     newest = std::max(newest, read_newest_t(*question.also->tree));

@@ -5,7 +5,8 @@
 
 namespace foresee {
 
-const TableFunction& geo_to_plane();  // geo_plane.cpp
+const TableFunction& foresee_tables();  // foresee_tables.cpp
+const TableFunction& geo_to_plane();    // geo_plane.cpp
 const TableFunction& plane_to_geo();
 const TableFunction& geo_to_globe();  // geo_globe.cpp
 const TableFunction& globe_to_geo();

@@ -89,6 +89,11 @@ std::optional<Connection::OpenTable> find_open(Connection& connection, const Tab
 
 }  // namespace
 
+void require_one_frame(const Connection::OpenTable& a, const Connection::OpenTable& b) {
+  const std::string conflict = frame_conflict(a.table, a.store->frame(), b.table, b.store->frame());
+  if (!conflict.empty()) throw Error(conflict);
+}
+
 std::string quoted(const std::string& name) {
   return std::string("'") + without_nul(name) + "'";
 }

@@ -19,6 +19,9 @@ namespace foresee {
 /// lists the tables.
 Connection::OpenTable open_table(Connection& connection, const TableName& name);
 
+/// Throws Error if metres of one table are not those of the other (frame_conflict()).
+void require_one_frame(const Connection::OpenTable& a, const Connection::OpenTable& b);
+
 /// 'name', as messages show it.
 std::string quoted(const std::string& name);
 

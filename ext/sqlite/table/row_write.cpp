@@ -54,6 +54,15 @@ void require_unwritten(MovingObjectsTable& table, const NewRow& row, std::option
   }
 }
 
+/// The first position of a table may choose an origin that is not that of a table it is watched with.
+void require_frame_of_watches(MovingObjectsTable& table) {
+  if (!table.values.new_origin()) return;
+  Frame frame = table.declaration().frame;
+  frame.origin = table.values.new_origin();
+  if (WatchUpkeep* watches = table.connection->watches())
+    watches->require_frame(*table.connection, table.number, frame);
+}
+
 std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   if (!is_null(row.command)) {
     run_command(table, row.command);
@@ -69,6 +78,7 @@ std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   if (!assigned && replaces(table, *id)) {
     table.store().update(*id, *id, record, row.auxiliaries);
   } else {
+    require_frame_of_watches(table);
     table.store().insert(*id, record, row.auxiliaries, table.values.new_origin());
   }
   return *id;

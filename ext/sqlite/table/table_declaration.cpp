@@ -40,8 +40,7 @@ const Word& motion_word(const Argument& argument) {
   const std::string why = "no such column; ";
   const std::string own = "a column of your own is written +" + argument.name;
   const std::string_view hint = hint_for(argument.name), near = nearest_word(argument.name);
-  if (hint.ends_with('?')) refuse(argument, why + std::string(hint) + " " + own);
-  if (!hint.empty()) refuse(argument, why + std::string(hint));  // +lat would lead nowhere
+  if (!hint.empty()) refuse(argument, why + std::string(hint) + " " + own);
   if (!near.empty()) refuse(argument, why + "did you mean " + std::string(near) + "? " + own);
   refuse(argument, why + "known are " + known_words() + "; " + own);
 }

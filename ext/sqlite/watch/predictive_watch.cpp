@@ -5,6 +5,7 @@
 
 #include "sqlite/callback.h"
 #include "sqlite/modules.h"
+#include "sqlite/names/open_table.h"
 #include "sqlite/watch/declare_watch.h"
 #include "sqlite/watch/settlement.h"
 #include "sqlite/watch/watch_functions.h"
@@ -31,11 +32,12 @@ std::unique_ptr<WatchTable> declare(sqlite3* db, void* aux, const char* const* a
   return std::make_unique<WatchTable>(*static_cast<Holder*>(aux), QualifiedName{argv[1], argv[2]});
 }
 
-/// Validates the join query of the watch: throws for shapes without a distance and for different axes.
+/// Validates the join query of the watch: throws for shapes without a distance, for different axes and frames.
 void require_valid_query(Connection& connection, const QualifiedName& name,
                          const WatchDeclaration& declaration) try {
   require_tables(connection.db(), name, declaration);
   const WatchedTables tables = watched_tables(connection, name.schema, declaration);
+  if (tables.b) require_one_frame(tables.a, *tables.b);
   const JoinQuestion question = question_of(tables, declaration, {0, declaration.horizon});
   require_valid(question);
   contact_of(question);

@@ -1,5 +1,6 @@
 #include "sqlite/watch/watches.h"
 
+#include "sqlite/callback.h"
 #include "sqlite/sql_tokens.h"
 #include "sqlite/watch/settlement.h"
 #include "storage/rows/store_error.h"
@@ -131,6 +132,27 @@ void Watches::rename_table(Connection& connection, std::int64_t number, const st
     if (same_name(state->tbl, old_name)) state->tbl = table.table;
     if (state->other && same_name(*state->other, old_name)) state->other = table.table;
     rows(connection, {table.schema, name})->write_tables(*state);
+  }
+}
+
+void Watches::require_frame(Connection& connection, std::int64_t number, const Frame& frame) {
+  const Connection::OpenTable* open = connection.find(number);
+  if (!open) return;
+  const Connection::OpenTable table = *open;
+  for (const std::string& name : std::vector(table.store->watches())) {
+    std::string conflict;
+    try {
+      const auto state = known_state(connection, {table.schema, name});
+      if (!state || !state->other) continue;
+      const WatchedTables tables = watched_tables(connection, table.schema, *state);
+      const Connection::OpenTable& other = tables.a.store == table.store ? *tables.b : tables.a;
+      if (other.store != table.store)
+        conflict = frame_conflict(other.table, other.store->frame(), table.table, frame);
+    } catch (const StoreError& error) {
+      if (!is_of_watch(error)) throw;
+    } catch (const Error&) {  // the other table is missing or damaged; a read of the watch reports that
+    }
+    if (!conflict.empty()) throw Refusal(SQLITE_CONSTRAINT, name + ": " + conflict);
   }
 }
 

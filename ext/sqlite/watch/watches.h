@@ -36,6 +36,7 @@ class Watches final : public WatchUpkeep {
   void settle_table(Connection& connection, std::int64_t table) override;
   void rename_table(Connection& connection, std::int64_t table, const std::string& old_name) override;
   void require_unwatched(Connection& connection, std::int64_t table) override;
+  void require_frame(Connection& connection, std::int64_t table, const Frame& frame) override;
   void finalize() noexcept override { rows_.clear(); }
 
  private:

@@ -50,11 +50,10 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
 
   const Declaration& declaration() const { return declaration_; }
   const NodeFormat& format() const { return format_; }
-  /// The declared frame with the origin as this connection sees it now: empty if no position has been stored yet in
-  /// a table in degrees without a declared one. SQLITE_CORRUPT_VTAB for a damaged origin. Cost: nothing for a plain
-  /// table or a declared origin, else as read_version().
+  /// The declared frame. Without a declared origin, with the one that the first position has chosen, as this
+  /// connection sees it now (empty: none yet); that costs as much as read_version().
   const Frame& frame();
-  /// The same for a table that holds objects: SQLITE_CORRUPT_VTAB for a table in degrees without an origin.
+  /// The same for a table that holds objects: SQLITE_CORRUPT_VTAB for degrees without an origin.
   const Frame& frame_of_objects();
 
   // --- reading
@@ -82,7 +81,6 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   double read_newest_t();
   /// The outlines or meshes, by the number in a record; null in a table without.
   FormSource* forms() { return forms_ ? this : nullptr; }
-  /// One of them, as this connection sees them now.
   std::shared_ptr<const Form> form(std::int64_t number) override;
   /// The same for a statement that reads the table repeatedly.
   std::shared_ptr<const Form> form(std::int64_t number, StatementReadState& statement_state);
@@ -92,6 +90,8 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   void expect_objects(std::size_t found);
   /// Estimated number of objects, without reading: the last known count plus changes of this transaction.
   std::int64_t likely_objects() const noexcept { return count_.likely(); }
+  /// The number of objects at the last read_version(); nothing if only version 0.1 has written the table.
+  std::optional<std::int64_t> known_objects() const noexcept { return count_.sum(); }
 
   // --- writing: each call is atomic
   /// The id that SQLite gives to a row without one: the largest plus one.
@@ -99,21 +99,19 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Finds or stores the outline or mesh of a well-known text, for a record to refer to by number. Throws
   /// Error for an invalid text. Requires: a layout with `shape`.
   StoredForms::Known find_or_add_form(std::string_view text);
-  /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column. `origin`: the origin that the
-  /// table has from now on; requires: frame() has none.
+  /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column. `origin`: from now on
+  /// that of a table whose frame() has none.
   void insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries,
               const std::optional<LatLon>& origin = {});
   /// Requires: `id` exists. Auxiliary values that are sqlite3_value_nochange stay. Another object with
   /// `new_id` is replaced, so INSERT OR REPLACE of an existing id is update(id, id, …).
   void update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
               std::span<sqlite3_value*> auxiliaries);
-  /// Requires: `id` exists.
-  void erase(std::int64_t id);
+  void erase(std::int64_t id);  ///< requires: `id` exists
 
   // --- changes of a transaction
-  /// Enables for_each_change() from now on. Disabling takes effect at the end of the transaction. After a
-  /// schema change SQLite may open another store of the table, but never while this one has changes, so the
-  /// caller enables it again at each begin().
+  /// Enables for_each_change() from now on. Disabling takes effect at the end of the transaction. SQLite may
+  /// open another store after a schema change, so the caller enables it again at each begin().
   void keep_changes(bool wanted);
   /// Calls each(id, before, after) for every object whose record differs, bit for bit, from the start of the
   /// transaction or from keep_changes(); in the order of first changes. An empty record: no such object.
@@ -162,16 +160,13 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
 
   /// True if the table was dropped, or its creation was rolled back: then every callback does nothing.
   bool is_gone() const { return gone_; }
-
-  /// Throws SQLITE_CORRUPT_VTAB: what is wrong with the stored bytes.
+  /// Throws SQLITE_CORRUPT_VTAB.
   [[noreturn]] void damaged(const std::string& what) const;
 
-  // For open().
+  // For open() and for snapshots.
   bool is_named(const std::string& table) const { return !gone_ && name_.table == table; }
   /// True if SQLite has rolled back all that this transaction wrote, without a callback.
   bool was_rolled_back();
-
-  // For snapshots.
   NodeCache& nodes();
   void give_up(UndoLog::Handle mark) noexcept { cache_.give_up(mark); }
 
@@ -181,7 +176,6 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
 
   void write_out() override;
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
-  /// Reports the memory in use to the budget.
   void note_memory() noexcept;
 
   /// The rows. Throws SQLITE_ABORT if the store is torn, until SQLite rolls back; SQLITE_SCHEMA if the table
@@ -211,9 +205,6 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   void load_watches();
   void write_stamp_of_watches();
 
-  // the origin that the first position chooses (frame())
-  bool chooses_origin() const { return declaration_.frame.in_degrees() && !declaration_.frame.origin; }
-
   // writing (store_write.cpp)
   /// Checks the record, starts the transaction, writes its stamp, frees memory. Throws before any change.
   void start_change(std::span<const double> record);
@@ -225,7 +216,6 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   [[noreturn]] void throw_missing(std::int64_t id) const;
   void remove(std::int64_t id);
   void add(std::int64_t id, std::span<const double> record);
-  /// Reads the map once per transaction.
   const LargestId& read_largest();
   void write_count(std::int64_t objects);
 
@@ -251,19 +241,14 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   void keep_only_forms(const std::unordered_set<std::int64_t>& used);
 
   // transactions (store_transactions.cpp)
-  /// True if something is unwritten.
-  bool has_unwritten() const {
-    return cache_.has_unwritten() || pending_->count() > 0 || count_.added != 0 || origin_.unwritten;
-  }
+  bool has_unwritten() const;
   void restore(const StoreSavepoint& savepoint);
   void undo_transaction() noexcept;
   void set_table_name(const std::string& table);
   std::size_t savepoints_before(int level) const noexcept;
   void give_up_savepoints(std::size_t from) noexcept;
-  /// Resets the state of the transaction: savepoints, pending objects, torn_.
   void end_transaction() noexcept;
-  /// The table does not exist any more. SQLite reports the end of a transaction only to existing tables,
-  /// while an old prepared statement may keep this store: so it forgets everything at once.
+  /// The table is gone. An old prepared statement may keep this store, so it forgets everything at once.
   void close() noexcept;
   void note_change() noexcept { ++undo_position_, differs_from_version_ = true; }
 
@@ -284,7 +269,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   std::vector<std::string> watches_;  ///< valid if watches_known_
   bool watches_known_ = false;
   Frame frame_;          ///< what frame() returns
-  ChosenOrigin origin_;  ///< of a table that chooses_origin()
+  ChosenOrigin origin_;  ///< of a table in degrees without a declared origin
 
   bool in_transaction_;
   bool is_new_;               ///< this transaction has created the table
@@ -300,10 +285,8 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   std::optional<std::int64_t> cached_stamp_;  ///< the stamp under which the cache is valid
   std::optional<std::int64_t> stamp_before_;  ///< … before this transaction
   std::optional<std::int64_t> own_stamp_;     ///< the last stamp of this transaction, unless rolled back
-  /// After a flush, which changes no object: read_version() still returns the stamp before it.
-  SameContents same_contents_;
+  SameContents same_contents_;  ///< after a flush: read_version() still returns the stamp before it
   std::string table_at_begin_;  ///< name at begin(), restored by a rollback
-
   LargestId largest_;
   ObjectCount count_;         ///< under cached_stamp_
   ObjectCount count_before_;  ///< … before this transaction

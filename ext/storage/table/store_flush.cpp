@@ -16,6 +16,10 @@ constexpr double min_reload_ratio = 1.0 / 8;
 
 }  // namespace
 
+bool Store::has_unwritten() const {
+  return cache_.has_unwritten() || pending_->count() > 0 || count_.added != 0 || origin_.unwritten;
+}
+
 void Store::merge_pending() {
   if (pending_->count() == 0) return;
   shadow_rows();

@@ -46,7 +46,7 @@ void Store::revalidate_cache() {
 }
 
 const Frame& Store::frame() {
-  if (!chooses_origin()) return frame_;
+  if (!declaration_.frame.in_degrees() || declaration_.frame.origin) return frame_;
   revalidate_cache();
   if (!origin_.known) {
     const std::string stored = shadow_rows().meta().read("origin");
@@ -249,10 +249,18 @@ std::shared_ptr<const Form> Store::form(std::int64_t number, StatementReadState&
 std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
   flush();
   cache_.forget_clean();
-  return with_sound_tree([&] {
+  std::vector<std::string> faults = with_sound_tree([&] {
     return check_integrity(shadow_rows(), cache_, format_, name_, has_auxiliaries(),
                            forms_ ? &forms_->rows() : nullptr, interrupt);
   });
+  origin_ = {};
+  try {
+    frame();
+  } catch (const StoreError& error) {
+    if ((error.code & 0xff) != SQLITE_CORRUPT) throw;
+    faults.push_back(std::string(error.what()).substr(name_.table.size() + 2));
+  }
+  return faults;
 }
 
 }  // namespace foresee

@@ -205,7 +205,7 @@ TEST(DeclareErrors, Growth) {
 TEST(DeclareErrors, UnknownNamesSuggestTheNearest) {
   const std::string known =
       "; known are id, t, x, y, z, vx, vy, vz, ax, ay, az, fx, fy, fz, m, hx, hy, hz, r, shape, heading, "
-      "growth, growth_z, until;"
+      "growth, growth_z, until, lat, lon, speed, course;"
       " a column of your own is written +";
   const std::string own = " a column of your own is written +";
   expect_errors({
@@ -218,15 +218,15 @@ TEST(DeclareErrors, UnknownNamesSuggestTheNearest) {
 
 TEST(DeclareErrors, NamesFromReportsSuggestColumns) {
   const std::string own = " a column of your own is written +";
-  const std::string call = "geo_to_plane(lat, lon, speed, course, lat0, lon0) makes them of ";
-  for (const std::string name : {"lat", "Lon", "latitude", "longitude", "lng"})
-    EXPECT_EQ(error_of({"id", "t", name}),
-              "ships: \"" + name + "\": no such column; positions are metres, x and y: " + call + "degrees");
-  for (const std::string name : {"sog", "COG", "speed", "course"})
-    EXPECT_EQ(
-        error_of({"id", "x", name}),
-        "ships: \"" + name + "\": no such column; velocities are vx and vy: " + call + "speed and course");
   expect_errors({
+      {{"id", "t", "Latitude"}, "\"Latitude\": no such column; did you mean lat?" + own + "Latitude"},
+      {{"id", "t", "longitude"}, "\"longitude\": no such column; did you mean lon?" + own + "longitude"},
+      {{"id", "t", "lng"}, "\"lng\": no such column; did you mean lon?" + own + "lng"},
+      {{"id", "x", "SOG"},
+       "\"SOG\": no such column; did you mean speed, with speed_unit = knots?" + own + "SOG"},
+      {{"id", "x", "cog"}, "\"cog\": no such column; did you mean course?" + own + "cog"},
+      {{"id", "x", "velocity"},
+       "\"velocity\": no such column; did you mean speed and course, or vx and vy?" + own + "velocity"},
       {{"id", "x", "radius"}, "\"radius\": no such column; did you mean r?" + own + "radius"},
       {{"id", "time", "x"}, "\"time\": no such column; did you mean t?" + own + "time"},
       {{"id", "x", "mmsi"}, "\"mmsi\": no such column; did you mean id?" + own + "mmsi"},
@@ -268,7 +268,8 @@ TEST(DeclareErrors, Options) {
                                   "horizon = 1e999", "horizon = abc", "horizon =", "horizon = 60 s"})
     EXPECT_EQ(error_of({"id", "x", option}), "ships: \"" + std::string(option) + "\"" + rule);
   expect_errors({
-      {{"id", "x", "horzon = 3"}, "\"horzon = 3\": no such option; known is horizon, as in horizon = 60"},
+      {{"id", "x", "horzon = 3"},
+       "\"horzon = 3\": no such option; known are horizon, origin, speed_unit and frame, as in horizon = 60"},
       {{"id", "x", "horizon = 3", "horizon = 4"}, "\"horizon = 4\": horizon is given twice; leave one out"},
   });
 }
