@@ -15,5 +15,6 @@ void measure_loads(const Options& options);
 void measure_lookups(const Options& options);
 void measure_after(const Options& options);
 void measure_planner(const Options& options);
+void measure_degrees(const Options& options);
 
 }  // namespace foresee::bench
