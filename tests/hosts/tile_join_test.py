@@ -118,6 +118,17 @@ class Whole(Fleet):
         rows = [(*row[:7], (i % 5) / 10) for i, row in enumerate(ships(300))]
         self.check(Question("ships", 60.0, now=60.0), ships=("id, t, x, y, vx, vy, r, growth", rows))
 
+    def test_degrees(self):
+        about = "origin = '54 8', speed_unit = knots"
+        rows = [(i, t, 54 + y / 1e5, 8 + x / 6e4, abs(vx), 22 * abs(vy), 20, name) for i, t, x, y, vx, vy, _, name in ships(300)]
+        zones = [(i, 54 + y / 1e5, 8 + x / 6e4, 40) for i, _, x, y, *_ in ships(100, seed=2)]
+        self.check(Question("ships", 60.0, now=60.0, columns=("t", "d_cpa", "a.name")),
+                   ships=(f"id, t, lat, lon, speed, course, r, +name TEXT, {about}", rows))
+        shutil.rmtree(self.folder)
+        self.folder.mkdir()
+        self.check(Question("ships", 60.0, other="zones", now=60.0),
+                   ships=(f"id, t, lat, lon, speed, course, r, +name TEXT, {about}", rows), zones=(f"id, lat, lon, r, {about}", zones))
+
     def test_numbers_on_edges_and_beyond(self):
         lattice = [(i, 10.0 * (i % 12), 10.0 * (i // 12), 5, 5) for i in range(144)]
         self.check(Question("ships", 0.0), ships=("id, x, y, hx, hy", lattice))

@@ -40,6 +40,25 @@ class Refused(Fleet):
         self.assertIn("a.db has (id, t, x, y, vx, vy, r)", said)
         self.assertIn("b.db has (id, x, y, r)", said)
 
+    def test_frames_that_differ(self):
+        def shard(name, table="ships", *options):
+            columns = "id, lat, lon, r" if "frame" not in "".join(options) else "id, x, y, r"
+            return self.shard(name, **{table: (", ".join((columns, *options)), [(1, 54, 8, 5)])})
+
+        said = self.plan(shard("a.db", "ships", "origin = '54 8'"), shard("b.db", "ships", "origin = '54.1 8'"))
+        self.assertIn("metres differ: ships of ", said)
+        self.assertIn("a.db has origin '54 8', ships of ", said)
+        self.assertIn("b.db has origin '54.1 8'; create all of them with one origin or frame", said)
+        said = self.plan(shard("c.db", "ships", "frame = 'a'"), self.shard("d.db", ships=("id, x, y, r", [])))
+        self.assertIn("c.db has frame 'a', ships of ", said)
+        self.assertIn("d.db has no frame; ", said)
+        said = self.plan("--other", "boats", shard("e.db", "ships", "origin = '54 8'"), shard("f.db", "boats"),
+                         shard("g.db", "boats", "origin = '53 8'"))
+        self.assertIn("ships of ", said)
+        self.assertIn("boats of ", said)
+        (self.folder / "h.csv").write_text("id,lat,lon\n1,54,8\n")
+        self.assertIn("h.csv: x and y are needed; load lat, lon into a foresee file", self.plan(self.folder / "h.csv"))
+
     def test_a_missing_shard_and_what_is_none(self):
         there = self.shard("a.db", ships=(SHIPS, self.rows))
         self.assertIn("none.db cannot be opened: there is no such file", self.plan(there, self.folder / "none.db"))

@@ -14,10 +14,10 @@ from urllib.parse import quote
 from . import Refusal
 from .files import appearing
 from .question import quoted
-from .shards import connect
+from .shards import ON_THE_PLANE, connect
 
 MOTION = ("id", "t", "x", "y", "z", "vx", "vy", "vz", "ax", "ay", "az", "fx", "fy", "fz", "m", "hx", "hy", "hz", "r", "shape", "heading",
-          "growth", "growth_z", "until")
+          "growth", "growth_z", "until", "lat", "lon", "speed", "course")
 
 
 def as_shards(extension, paths, tables, folder):
@@ -77,7 +77,9 @@ def _loaded(extension, path, table, folder, read):
     target.parent.mkdir(parents=True, exist_ok=True)
     rows = read(path)
     names = [name.strip().lower() for name in next(rows)]
-    motion = [name for name in MOTION if name in names]
+    motion = [name for name in MOTION if name in names and name not in ON_THE_PLANE]
+    if "x" not in motion and "lat" in names:
+        raise Refusal(f"{path}: x and y are needed; load lat, lon into a foresee file, where a table has an origin")
     if "id" not in motion or "x" not in motion:
         raise Refusal(f"{path}: id and x are needed; its columns are {', '.join(names) or 'none'}")
     places = [names.index(name) for name in motion]

@@ -89,6 +89,7 @@ def make(folder, asked, paths, extension, wanted, gather, workers=1, sample=tile
     paths = as_shards(extension, paths, asked.tables(), folder)
     looked = [shards.look(extension, path, asked.tables()) for path in paths]
     declared = {table: shards.declaration(looked, table, asked.carried(table)) for table in asked.tables()}
+    shards.refuse_other_frames(looked)
     for shard in looked:
         if not shard["tables"]:
             raise Refusal(f"{shard['path']} has no moving_objects table {' or '.join(asked.tables())}")

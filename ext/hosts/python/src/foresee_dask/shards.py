@@ -62,11 +62,19 @@ def reading(db, path):
         raise Refusal(f"{path} cannot be read: {error}") from None
 
 
+# A table in degrees is joined on its plane: by the hidden columns that hold it, bit for bit, in a plain table.
+ON_THE_PLANE = {"lat": "x", "lon": "y", "speed": "vx", "course": "vy"}
+
+
 def tables_of(db, tables):
-    """{table: {'columns', 'stamp', 'objects'}} of those tables that the attached shard has."""
-    there = {name.lower() for name, in db.execute("SELECT name FROM shard.sqlite_master WHERE sql LIKE '%moving_objects%'")}
-    return {table: dict(db.execute(f"SELECT key, value FROM shard.{quoted(table + '_meta')} WHERE key IN ('columns', 'stamp', 'objects')"))
-            for table in tables if table.lower() in there}
+    """{table: {'columns', 'stamp', 'objects', 'frame'}} of those tables that the attached shard has."""
+    there = {name.lower(): (frame, origin) for name, frame, origin in db.execute("SELECT name, frame, origin FROM foresee_tables('shard')")}
+    found = {}
+    for table in tables:
+        if table.lower() in there:
+            found[table] = dict(db.execute(f"SELECT key, value FROM shard.{quoted(table + '_meta')} WHERE key IN ('columns', 'stamp', 'objects')"))
+            found[table]["frame"] = there[table.lower()]
+    return found
 
 
 def look(extension, path, tables):
@@ -106,7 +114,24 @@ def declaration(shards, table, carried):
         for column in carried:
             if column not in plus:
                 raise Refusal(f"{shard['path']}: {table} has no column +{column}")
-    return columns_of(first)[0]
+    in_degrees = "lat" in columns_of(first)[0]
+    return [ON_THE_PLANE[column] if in_degrees and column in ON_THE_PLANE else column for column in columns_of(first)[0]]
+
+
+def refuse_other_frames(shards):
+    """Metres of one table or shard that are not those of another: two origins, degrees beside metres, two texts of `frame`."""
+    first = None
+    for shard in shards:
+        for table, of in shard["tables"].items():
+            frame, origin = of["frame"]
+            if frame == "degrees" and origin is None:
+                continue        # an empty table that has not chosen its origin
+            named = f"origin '{origin}'" if origin else "no frame" if frame == "plane" else f"frame '{frame}'"
+            if first is None:
+                first = named, table, shard["path"]
+            elif named != first[0]:
+                raise Refusal(f"metres differ: {first[1]} of {first[2]} has {first[0]}, {table} of {shard['path']} has {named}; "
+                              "create all of them with one origin or frame")
 
 
 def refuse_twice(paths):
