@@ -11,10 +11,12 @@ namespace {
 
 constexpr std::array<std::string_view, 3> unit_names{"mps", "knots", "kmh"};
 
-/// To so many decimals, given as a power of ten; unchanged where a double has fewer.
-double rounded(double number, double decimals) {
-  constexpr double max_scaled = 1e15;
-  return std::abs(number) * decimals < max_scaled ? std::round(number * decimals) / decimals + 0.0 : number;
+/// The number with `decimals` (a power of ten) that it is within `error` of, else the number itself.
+double short_decimal(double number, double decimals, double error) {
+  constexpr double max_scaled = 1e15;  // beyond it a double has fewer decimals
+  if (!(std::abs(number) * decimals < max_scaled)) return number;
+  const double rounded = std::round(number * decimals) / decimals + 0.0;
+  return std::abs(number - rounded) <= error ? rounded : number;
 }
 
 std::optional<double> parse_number(std::string_view text) {
@@ -65,14 +67,15 @@ std::string Frame::name() const {
 }
 
 Fix rounded(const Fix& fix) {
-  constexpr double place_decimals = 1e11, course_decimals = 1e10;
-  Fix result{{rounded(fix.place.lat, place_decimals), rounded(fix.place.lon, place_decimals)}, {}};
+  constexpr double error = 2e-12, course_error = 2e-11;  // above what the projection and its inverse add
+  const auto degrees = [&](double number) { return short_decimal(number, 1e9, error); };
+  Fix result{{degrees(fix.place.lat), degrees(fix.place.lon)}, {}};
   if (result.place.lon <= -180) result.place.lon = 180;
   if (!fix.course) return result;
   // An object that moves is not shown at rest.
-  const double speed = rounded(fix.course->speed, place_decimals);
-  const double degrees = rounded(fix.course->degrees, course_decimals);
-  result.course = Course{speed == 0 ? fix.course->speed : speed, degrees >= 360 ? 0 : degrees};
+  const double speed = short_decimal(fix.course->speed, 1e9, error);
+  const double course = short_decimal(fix.course->degrees, 1e6, course_error);
+  result.course = Course{speed == 0 ? fix.course->speed : speed, course >= 360 ? 0 : course};
   return result;
 }
 

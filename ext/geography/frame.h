@@ -62,8 +62,8 @@ struct Frame {
   }
 };
 
-/// Rounded to 11 decimals, a micrometre, and a course to 10: what was written with so many is read back as it was
-/// written. A longitude is in (-180, 180], a course in [0, 360).
+/// A place or speed within 2e-12 of a number with 9 decimals becomes that number, a course within 2e-11 of one with 6:
+/// reports with few decimals are read back as they were written. A longitude is in (-180, 180], a course in [0, 360).
 Fix rounded(const Fix& fix);
 
 /// "53.9 7.9".

@@ -13,11 +13,11 @@ namespace {
 
 using testing::Random;
 
-Frame about(const LatLon& origin, SpeedUnit unit = SpeedUnit::mps) {
+Frame degrees_about(const LatLon& origin, SpeedUnit unit = SpeedUnit::mps) {
   return {.kind = FrameKind::degrees, .origin = origin, .unit = unit};
 }
 
-double degrees_between(double a, double b) {
+double turn_between(double a, double b) {
   return std::abs(std::remainder(a - b, 360));
 }
 
@@ -34,12 +34,12 @@ TEST(Frames, ConvertUnitsOfSpeed) {
 
 TEST(Frames, StoreTheBitsOfTheProjection) {
   const LatLon origin{53.9, 7.9}, place{53.99, 7.85};
-  const OnPlane stored = about(origin, SpeedUnit::knots).to_plane({place, Course{14, 91}});
+  const OnPlane stored = degrees_about(origin, SpeedUnit::knots).to_plane({place, Course{14, 91}});
   const OnPlane expected = to_plane({place, Course{14.0 * 1852 / 3600, 91}}, origin);
   EXPECT_EQ(stored.x, expected.x);
   EXPECT_EQ(stored.y, expected.y);
   EXPECT_EQ(*stored.v, *expected.v);
-  EXPECT_FALSE(about(origin).to_plane({place, {}}).v);
+  EXPECT_FALSE(degrees_about(origin).to_plane({place, {}}).v);
 }
 
 /// Up to the greatest distance from origins anywhere, at places up to 89 degrees from the equator: within 1e-9 degrees
@@ -54,11 +54,11 @@ TEST(Frames, LeadBackToTheReport) {
     const LatLon place = geodesic_from(origin, random.in(0, 360), distance).place;
     if (std::abs(place.lat) > 89) continue;
     const Course course{random.in(0, 60), random.in(0, 360)};
-    const Frame frame = about(origin, unit);
+    const Frame frame = degrees_about(origin, unit);
     const Fix back = rounded(frame.from_plane(frame.to_plane({place, course})));
     place_error = std::max(
-        {place_error, std::abs(back.place.lat - place.lat), degrees_between(back.place.lon, place.lon)});
-    course_error = std::max(course_error, degrees_between(back.course->degrees, course.degrees));
+        {place_error, std::abs(back.place.lat - place.lat), turn_between(back.place.lon, place.lon)});
+    course_error = std::max(course_error, turn_between(back.course->degrees, course.degrees));
     speed_error = std::max(speed_error, std::abs(back.course->speed - course.speed));
     EXPECT_GE(back.course->degrees, 0);
     EXPECT_LT(back.course->degrees, 360);
@@ -77,7 +77,7 @@ TEST(Frames, ReadReportsBackAsTheyWereWritten) {
                        std::round((origin.lon + random.in(-1, 1)) * 1e5) / 1e5};
     const Course course{std::round(random.in(1, 300)) / 10, std::round(random.in(0, 3599)) / 10};
     if (std::abs(place.lon) > 180) continue;
-    const Frame frame = about(origin, SpeedUnit::knots);
+    const Frame frame = degrees_about(origin, SpeedUnit::knots);
     const Fix back =
         rounded(frame.from_plane(frame.to_plane({place, i % 4 == 0 ? Course{12.5, 0} : course})));
     EXPECT_EQ(back.place.lat, place.lat) << i;
@@ -86,13 +86,13 @@ TEST(Frames, ReadReportsBackAsTheyWereWritten) {
     EXPECT_EQ(back.course->degrees, i % 4 == 0 ? 0 : course.degrees) << i;
   }
   for (const double lon : {180.0, -180.0}) {
-    const Frame frame = about({10, 179.9});
+    const Frame frame = degrees_about({10, 179.9});
     EXPECT_EQ(rounded(frame.from_plane(frame.to_plane({{10, lon}, {}}))).place.lon, 180);
   }
 }
 
 TEST(Frames, ShowWhatMovesAsMoving) {
-  const Frame frame = about({50, 8});
+  const Frame frame = degrees_about({50, 8});
   const Fix slow = rounded(frame.from_plane(frame.to_plane({{50, 8}, Course{1e-13, 45}})));
   EXPECT_GT(slow.course->speed, 0);
   const Fix still = rounded(frame.from_plane({1, 2, {{0, 0}}}));
@@ -120,8 +120,8 @@ TEST(Frames, ReadOriginsFromText) {
 
 TEST(Frames, ConflictUnlessTheirMetresAreTheSame) {
   const Frame plain, harbour{.text = "harbour"}, yard{.text = "o'yard"},
-      a = about({53.9, 7.9}), b = about({54, 8}, SpeedUnit::knots),
-      a_in_knots = about({53.9, 7.9}, SpeedUnit::knots), unknown{.kind = FrameKind::degrees};
+      a = degrees_about({53.9, 7.9}), b = degrees_about({54, 8}, SpeedUnit::knots),
+      a_in_knots = degrees_about({53.9, 7.9}, SpeedUnit::knots), unknown{.kind = FrameKind::degrees};
   const auto conflict = [](const Frame& x, const Frame& y) { return frame_conflict("ships", x, "zones", y); };
   EXPECT_EQ(conflict(plain, plain), "");
   EXPECT_EQ(conflict(harbour, harbour), "");
@@ -155,10 +155,10 @@ TEST(Frames, ConflictUnlessTheirMetresAreTheSame) {
 TEST(Frames, HaveNames) {
   EXPECT_EQ(Frame{}.name(), "plane");
   EXPECT_EQ((Frame{.text = "harbour"}).name(), "harbour");
-  EXPECT_EQ(about({1, 2}).name(), "degrees");
-  EXPECT_TRUE(about({1, 2}) == about({1, 2}));
-  EXPECT_FALSE(about({1, 2}) == about({1, 3}));
-  EXPECT_FALSE(about({1, 2}) == Frame{});
+  EXPECT_EQ(degrees_about({1, 2}).name(), "degrees");
+  EXPECT_TRUE(degrees_about({1, 2}) == degrees_about({1, 2}));
+  EXPECT_FALSE(degrees_about({1, 2}) == degrees_about({1, 3}));
+  EXPECT_FALSE(degrees_about({1, 2}) == Frame{});
 }
 
 }  // namespace

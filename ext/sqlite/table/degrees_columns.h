@@ -16,13 +16,14 @@
 
 namespace foresee {
 
-/// Requires: a table in degrees.
-inline Fix shown_fix(Store& store, std::int64_t id, const double* record) try {
+/// Requires: a table in degrees. `state`: of a statement that reads repeatedly.
+inline Fix shown_fix(Store& store, std::int64_t id, const double* record,
+                     StatementReadState* state = nullptr) try {
   const FloatEnvironment environment;
   const Offsets& at = store.format().at;
   OnPlane point{record[at.x], record[at.x + 1], {}};
   if (at.v != Offsets::absent) point.v = {record[at.v], record[at.v + 1]};
-  return rounded(store.frame_of_objects().from_plane(point));
+  return rounded(store.frame_of_objects(state).from_plane(point));
 } catch (const StoreError&) {
   throw;
 } catch (const Error& error) {

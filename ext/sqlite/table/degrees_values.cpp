@@ -100,7 +100,7 @@ void Values::fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
 
   const Frame& frame = store.frame();
   const LatLon place{*number[0], *number[1]}, origin = frame.origin ? *frame.origin : origin_near(place);
-  const OnPlane point = on_plane(id, {place, course_of_row(id, number[2], number[3])}, origin);
+  const OnPlane point = on_plane(id, {place, course_of_row(id, number[2], number[3])}, origin, same_place);
   double* const x = &record_[static_cast<std::size_t>(at_.x)];
   x[0] = point.x, x[1] = point.y;
   if (count > 2) {
@@ -111,12 +111,13 @@ void Values::fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
   if (!frame.origin) new_origin_ = origin;
 }
 
-OnPlane Values::on_plane(std::int64_t id, const Fix& fix, const LatLon& origin) const {
+/// A place that an UPDATE leaves alone was near enough when it was stored.
+OnPlane Values::on_plane(std::int64_t id, const Fix& fix, const LatLon& origin, bool same_place) const {
   const std::string row = table_ + ": row " + std::to_string(id);
   try {
     const OnPlane point = Frame{FrameKind::degrees, {}, origin, unit_}.to_plane(fix);
     const double distance = std::hypot(point.x, point.y);
-    if (distance <= max_distance_from_origin) return point;
+    if (same_place || distance <= max_distance_from_origin) return point;
     throw Error("is " + foresee::shown(std::ceil(distance / 1000)) + " km from the origin '" +
                 origin_text(origin) +
                 "', the limit is 1500; create a table with a nearer origin, or use geo_to_globe");

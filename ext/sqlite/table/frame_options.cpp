@@ -65,11 +65,12 @@ std::string_view geographic_for(const Word& word) {
 }
 
 void require_geographic(const Words& words) {
+  if (!find(words, "lat") && !find(words, "lon"))
+    refuse(
+        (find(words, "speed") ? find(words, "speed") : find(words, "course"))->argument,
+        "speed, course go with lat, lon; write lat, lon in place of x, y, or vx, vy in place of these two");
   require_pair(words, "lat", "lon");
   require_pair(words, "speed", "course");
-  if (const DeclaredWord* speed = find(words, "speed"); speed && !find(words, "lat"))
-    refuse(speed->argument,
-           "speed, course go with lat, lon; write lat, lon, or vx, vy in place of these two");
   for (const auto& [word, argument] : words) {
     if (const std::string_view other = geographic_for(word); !other.empty())
       refuse(argument, "a table with lat, lon has " + std::string(other) + " in its place, and " +

@@ -5,8 +5,8 @@
 //   options.take(parse_argument("speed_unit = knots"));      // true: an option of the frame
 //   const Frame frame = options.frame(words);                // of all declared columns
 //
-// Throws Error for what no table can have (docs/sql_reference.md#degrees): plane and geographic columns together,
-// one of lat, lon alone, an acceleration in degrees, an option that does not go with the columns.
+// Throws Error for a declaration that no table can have (docs/sql_reference.md#degrees). Examples are x beside lat,
+// lat without lon, an acceleration in degrees, and an origin of a plain table.
 #pragma once
 
 #include <optional>

@@ -131,7 +131,8 @@ void TableCursor::result_form(sqlite3_context* context, double number) const {
 /// An UPDATE that does not change the column gets no value.
 void TableCursor::result_degrees(sqlite3_context* context, GeoColumn column) const {
   if (sqlite3_vtab_nochange(context)) return;
-  if (fix_of_ != record()) fix_ = shown_fix(table_.store(), rowid(), record()), fix_of_ = record();
+  if (fix_of_ != record())
+    fix_ = shown_fix(table_.store(), rowid(), record(), &statement_state_), fix_of_ = record();
   if (const auto number = shown_number(column, fix_)) sqlite3_result_double(context, *number);
 }
 

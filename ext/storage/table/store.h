@@ -54,7 +54,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// connection sees it now (empty: none yet); that costs as much as read_version().
   const Frame& frame();
   /// The same for a table that holds objects: SQLITE_CORRUPT_VTAB for degrees without an origin.
-  const Frame& frame_of_objects();
+  const Frame& frame_of_objects(StatementReadState* statement_state = nullptr);
 
   // --- reading
   /// The version of the contents that this connection sees now. Cost: one look-up.
@@ -268,8 +268,8 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   bool changes_unknown_ = false;      ///< objects beyond object_changes_ may have changed
   std::vector<std::string> watches_;  ///< valid if watches_known_
   bool watches_known_ = false;
-  Frame frame_;          ///< what frame() returns
-  ChosenOrigin origin_;  ///< of a table in degrees without a declared origin
+  Frame frame_ = declaration_.frame;  ///< what frame() returns
+  ChosenOrigin origin_;               ///< of a table in degrees without a declared origin
 
   bool in_transaction_;
   bool is_new_;               ///< this transaction has created the table

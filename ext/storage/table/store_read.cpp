@@ -50,20 +50,23 @@ const Frame& Store::frame() {
   revalidate_cache();
   if (!origin_.known) {
     const std::string stored = shadow_rows().meta().read("origin");
-    origin_ = {.known = true, .value = parse_origin(stored)};
-    if (!origin_.value && !stored.empty())
+    const std::optional<LatLon> origin = parse_origin(stored);
+    if (!origin && !stored.empty())
       damaged("the origin '" + without_nul(stored) + "' in _meta is no latitude and longitude");
-    if (!origin_.value && shadow_rows().read_root().value_or(0) != 0)
-      damaged("the origin is missing in _meta");
+    if (!origin && shadow_rows().read_root().value_or(0) != 0) damaged("the origin is missing in _meta");
+    origin_ = {.known = true, .value = origin};
   }
   frame_.origin = origin_.value;
   return frame_;
 }
 
-const Frame& Store::frame_of_objects() {
-  const Frame& seen = frame();
-  if (seen.in_degrees() && !seen.origin) damaged("the origin is missing in _meta");
-  return seen;
+const Frame& Store::frame_of_objects(StatementReadState* statement_state) {
+  if (!declaration_.frame.in_degrees() || declaration_.frame.origin) return frame_;
+  if (!statement_state || statement_state->transaction != transaction_ || !origin_.known) frame();
+  if (statement_state) statement_state->transaction = transaction_;
+  if (!origin_.value) damaged("the origin is missing in _meta");
+  frame_.origin = origin_.value;
+  return frame_;
 }
 
 ContentVersion Store::read_version() {

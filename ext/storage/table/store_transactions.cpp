@@ -60,7 +60,6 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       cache_(format_, name_, share_),
       tree_(make_tpr_tree(cache_, declaration_.horizon)),
       pending_(std::make_shared<PendingObjects>(static_cast<std::size_t>(format_.at.size))),
-      frame_(declaration_.frame),
       in_transaction_(is_new),
       is_new_(is_new),
       table_at_begin_(name_.table) {

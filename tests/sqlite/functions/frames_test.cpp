@@ -113,7 +113,7 @@ TEST_F(TableFrames, OfWatchedTablesAreComparedWhenAnOriginIsChosen) {
       "w: ships has origin '53.9 7.9', first has '54 8': their metres differ; create first with "
       "origin = '53.9 7.9'";
   EXPECT_EQ(db.error_of("INSERT INTO first VALUES (1, 54, 8)"), error);
-  EXPECT_EQ(db.code_of("INSERT INTO first VALUES (1, 54, 8)"), SQLITE_CONSTRAINT_VTAB);
+  EXPECT_EQ(db.code_of("INSERT INTO first VALUES (1, 54, 8)"), SQLITE_CONSTRAINT);
   db.exec("BEGIN");
   EXPECT_EQ(db.error_of("INSERT INTO first VALUES (1, 54, 8)"), error);
   db.exec("COMMIT");

@@ -11,7 +11,7 @@ namespace {
 
 using Arguments = std::vector<std::string_view>;
 
-std::string error_of(const Arguments& arguments, std::string_view table = "ships") {
+std::string refusal_of(const Arguments& arguments, std::string_view table = "ships") {
   try {
     parse_declaration(table, arguments);
     return "";
@@ -20,9 +20,9 @@ std::string error_of(const Arguments& arguments, std::string_view table = "ships
   }
 }
 
-void expect_errors(const std::vector<std::pair<Arguments, std::string>>& cases) {
+void expect_refusals(const std::vector<std::pair<Arguments, std::string>>& cases) {
   for (const auto& [arguments, error] : cases) {
-    EXPECT_EQ(error_of(arguments), "ships: " + error);
+    EXPECT_EQ(refusal_of(arguments), "ships: " + error);
     EXPECT_LE(("ships: " + error).size(), 160u);
   }
 }
@@ -59,7 +59,7 @@ TEST(DeclareDegrees, TakeEveryShape) {
         Arguments{"id", "shape", "lat", "lon"}, Arguments{"id", "until", "lat", "t", "lon", "r", "growth"},
         Arguments{"id", "lat", "lon", "z", "r", "hz"}, Arguments{"id", "lat", "lon", "z", "shape", "heading"},
         Arguments{"id", "z", "lat", "lon"}})
-    EXPECT_EQ(error_of(arguments), "");
+    EXPECT_EQ(refusal_of(arguments), "");
   const Declaration zones = parse_declaration("zones", {"id", "lat", "lon", "r"});
   EXPECT_EQ(declared_schema(zones, "zones"),
             "CREATE TABLE x(id INTEGER PRIMARY KEY, \"lat\" REAL, \"lon\" REAL, \"r\" REAL, \"zones\" "
@@ -80,14 +80,18 @@ TEST(DeclareDegrees, PlainTablesMayNameTheirFrame) {
 TEST(DeclareDegreesErrors, Columns) {
   const std::string no_acceleration =
       ": its axes would be the plane's, not east and north; leave it out, or use x, y and geo_to_plane";
-  expect_errors({
+  expect_refusals({
       {{"id", "lat"}, "\"lat\": lat, lon go together; add lon"},
       {{"id", "lon REAL", "r"}, "\"lon REAL\": lat, lon go together; add lat"},
       {{"id", "lon", "lat"}, "\"lon\": lat comes before lon; write lat, lon"},
       {{"id", "lat", "lon", "course"}, "\"course\": speed, course go together; add speed"},
       {{"id", "lat", "lon", "course", "speed"}, "\"course\": speed comes before course; write speed, course"},
       {{"id", "x", "y", "speed", "course"},
-       "\"speed\": speed, course go with lat, lon; write lat, lon, or vx, vy in place of these two"},
+       "\"speed\": speed, course go with lat, lon; write lat, lon in place of x, y, or vx, vy in place of "
+       "these two"},
+      {{"id", "x", "y", "course"},
+       "\"course\": speed, course go with lat, lon; write lat, lon in place of x, y, or vx, vy in place of "
+       "these two"},
       {{"id", "lat", "lon", "x"},
        "\"x\": a table with lat, lon has lat in its place, and x as a hidden column to read; leave it out"},
       {{"id", "y", "lat", "lon"},
@@ -109,11 +113,11 @@ TEST(DeclareDegreesErrors, Columns) {
        "\"+x\": a table with lat, lon has a hidden column x already; choose another name"},
       {{"id", "+VY", "lat"}, "\"lat\": motion columns come before the auxiliary columns; move it before +VY"},
   });
-  EXPECT_EQ(error_of({"id", "lat", "lon", "+vx"}), "") << "nothing moves, so it has no hidden vx";
-  EXPECT_EQ(error_of({"id", "lat", "lon", "speed", "course", "+VY"}),
+  EXPECT_EQ(refusal_of({"id", "lat", "lon", "+vx"}), "") << "nothing moves, so it has no hidden vx";
+  EXPECT_EQ(refusal_of({"id", "lat", "lon", "speed", "course", "+VY"}),
             "ships: \"+VY\": a table with lat, lon has a hidden column VY already; choose another name");
-  EXPECT_EQ(error_of({"id", "lat", "lon"}, "Y").substr(0, 29), "Y: a table cannot be named li");
-  EXPECT_EQ(error_of({"id", "lat", "lon"}, "lat").substr(0, 31), "lat: a table cannot be named li");
+  EXPECT_EQ(refusal_of({"id", "lat", "lon"}, "Y").substr(0, 29), "Y: a table cannot be named li");
+  EXPECT_EQ(refusal_of({"id", "lat", "lon"}, "lat").substr(0, 31), "lat: a table cannot be named li");
 }
 
 TEST(DeclareDegreesErrors, Options) {
@@ -123,15 +127,15 @@ TEST(DeclareDegreesErrors, Options) {
   for (const std::string_view option :
        {"origin = 5", "origin = '91 8'", "origin = '54 -181'", "origin = '54, 8'", "origin = ''",
         "origin = 54 8", "origin =", "origin = '54 8 0'", "origin = 'nan 8'"})
-    EXPECT_EQ(error_of({"id", "lat", "lon", option}), "ships: \"" + std::string(option) + "\"" + origin);
+    EXPECT_EQ(refusal_of({"id", "lat", "lon", option}), "ships: \"" + std::string(option) + "\"" + origin);
   const std::string unit =
       ": no such unit; known are mps (the default), knots and kmh, as in speed_unit = knots";
   for (const std::string_view option : {"speed_unit = kn", "speed_unit = m/s", "speed_unit ="})
-    EXPECT_EQ(error_of({"id", "lat", "lon", option}), "ships: \"" + std::string(option) + "\"" + unit);
+    EXPECT_EQ(refusal_of({"id", "lat", "lon", option}), "ships: \"" + std::string(option) + "\"" + unit);
   const std::string own = ": plane, degrees and globe are foresee's own frames; write another text";
   for (const std::string_view option : {"frame = plane", "frame = 'DEGREES'", "frame = globe"})
-    EXPECT_EQ(error_of({"id", "x", option}), "ships: \"" + std::string(option) + "\"" + own);
-  expect_errors({
+    EXPECT_EQ(refusal_of({"id", "x", option}), "ships: \"" + std::string(option) + "\"" + own);
+  expect_refusals({
       {{"id", "x", "frame = ''"}, "\"frame = ''\": the text is empty; write for example frame = 'harbour'"},
       {{"id", "x", "frame = a", "frame = b"}, "\"frame = b\": frame is given twice; leave one out"},
       {{"id", "lat", "lon", "frame = a"},

@@ -5,13 +5,13 @@
 namespace foresee::testing {
 namespace {
 
-constexpr const char* create_ships =
+constexpr const char* create_knots =
     "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, lat, lon, speed, course, r, +name TEXT, "
     "origin = '53.9 7.9', speed_unit = knots)";
 constexpr const char* anna = "INSERT INTO ships VALUES (211, 1641168600, 53.99, 7.85, 14, 91, 60, 'Anna')";
 
 struct Degrees : ::testing::Test {
-  Degrees() { db.exec(create_ships); }
+  Degrees() { db.exec(create_knots); }
 
   std::string stored(int id = 211) {
     return db.rows("SELECT x, y, vx, vy FROM ships WHERE id = " + std::to_string(id));
@@ -71,17 +71,20 @@ TEST_F(Degrees, StoreTheBitsOfGeoToPlane) {
 TEST_F(Degrees, JoinAsThePlainTableOfGeoToPlane) {
   db.exec(
       "CREATE VIRTUAL TABLE plain USING moving_objects(id, t, x, y, vx, vy, r);"
+      "CREATE TABLE reports(id, t, lat, lon, speed REAL, course, r);"
       "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 3000)"
-      "INSERT INTO ships SELECT i, 0, 53.6 + i * 37 % 997 / 1700.0, 7.4 + i * 53 % 991 / 1000.0, i * 7 % 25, "
-      "  i * 11 % 360, 50, '' FROM n;"
-      "INSERT INTO plain SELECT s.id, s.t, p.x, p.y, p.vx, p.vy, s.r FROM ships s, "
-      "  geo_to_plane(s.lat, s.lon, s.speed * 1852 / 3600, coalesce(s.course, 0), 53.9, 7.9) p");
+      "INSERT INTO reports SELECT i, 0, 53.6 + i * 37 % 997 / 1700.0, 7.4 + i * 53 % 991 / 1000.0, i * 7 % "
+      "25, "
+      "  i * 11 % 360, 50 FROM n;"
+      "INSERT INTO ships SELECT *, '' FROM reports;"
+      "INSERT INTO plain SELECT s.id, s.t, p.x, p.y, p.vx, p.vy, s.r FROM reports s, "
+      "  geo_to_plane(s.lat, s.lon, s.speed * 1852 / 3600, s.course, 53.9, 7.9) p");
   const auto pairs = [&](const std::string& table) {
     return db.rows("SELECT a, b, t, t_end, t_cpa, d_cpa FROM predictive_join(600, '" + table +
                    "', 100) ORDER BY a, b");
   };
   EXPECT_GT(pairs("ships").size(), 10000u);
-  EXPECT_EQ(pairs("ships"), pairs("plain"));
+  EXPECT_TRUE(pairs("ships") == pairs("plain"));
   EXPECT_EQ(
       db.rows(
           "SELECT count(*) FROM ships s JOIN plain p USING(id) WHERE s.x = p.x AND s.y = p.y AND s.vx = p.vx "
@@ -89,7 +92,7 @@ TEST_F(Degrees, JoinAsThePlainTableOfGeoToPlane) {
       "3000");
 }
 
-TEST_F(Degrees, HaveHeightsAndLieStillWithoutSpeed) {
+TEST_F(Degrees, HaveHeightsAndRestWithoutSpeed) {
   db.exec(
       "CREATE VIRTUAL TABLE drones USING moving_objects(id, lat, lon, z, speed, course, vz, until, origin = "
       "'50 8');"
@@ -100,7 +103,7 @@ TEST_F(Degrees, HaveHeightsAndLieStillWithoutSpeed) {
   db.exec(
       "CREATE VIRTUAL TABLE buoys USING moving_objects(id, lat, lon); INSERT INTO buoys VALUES (1, 10.05, "
       "-170.123)");
-  EXPECT_EQ(db.rows("SELECT *, round(x, 3), round(y, 3) FROM buoys"), "1|10.05|-170.123|-2520.927|0.243");
+  EXPECT_EQ(db.rows("SELECT *, round(x, 3), round(y, 3) FROM buoys"), "1|10.05|-170.123|-2521.319|-5530.325");
   EXPECT_EQ(db.rows("SELECT vx FROM buoys"), "error: no such column: vx");
 }
 
@@ -158,9 +161,9 @@ TEST_F(Degrees, RefuseWhatNoReportSays) {
       "ships: row 7 is 1546 km from the origin '53.9 7.9', the limit is 1500; create a table with a nearer "
       "origin, or use geo_to_globe");
   EXPECT_EQ(error_of_row("-53.9", "-172.1", "1", "1").substr(0, 28), "ships: row 7 lat, lon are op");
-  EXPECT_EQ(error_of_row("54", "8", "1.7e308", "90").substr(0, 30), "ships: row 7 speed is 8.74555");
+  EXPECT_EQ(error_of_row("54", "8", "1.7e308", "90").substr(0, 30), "ships: row 7 speed is inf: on ");
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "0");
-  EXPECT_EQ(db.code_of("INSERT INTO ships VALUES (7, 0, 91, 8, 1, 1, 1, 'x')"), SQLITE_CONSTRAINT_VTAB);
+  EXPECT_EQ(db.code_of("INSERT INTO ships VALUES (7, 0, 91, 8, 1, 1, 1, 'x')"), SQLITE_CONSTRAINT);
   db.exec("INSERT OR IGNORE INTO ships VALUES (7, 0, 91, 8, 1, 1, 1, 'x'), (8, 0, 54, 8, 1, 1, 1, 'x')");
   EXPECT_EQ(db.rows("SELECT id FROM ships"), "8");
 }
@@ -171,11 +174,10 @@ TEST_F(Degrees, ReachThePolesAndTheDateLine) {
       "INSERT INTO polar VALUES (1, 85, 170, 10, 180), (2, 85, -170, 10, 0), (3, 90, 12, 10, 90)");
   EXPECT_EQ(db.rows("SELECT id, lat, lon, speed, course FROM polar WHERE id < 3"),
             "1|85.0|170.0|10.0|180.0\n2|85.0|-170.0|10.0|0.0");
-  EXPECT_EQ(
-      db.rows(
-          "SELECT lat, speed, hypot(x, y) < 1e-6, round(hypot(vx, vy), 9) FROM (SELECT *, x, y, vx, vy FROM "
-          "polar) WHERE id = 3"),
-      "90.0|10.0|1|10.0");
+  EXPECT_EQ(db.rows("SELECT lat, speed, x * x + y * y < 1e-12, round(vx * vx + vy * vy, 6) FROM (SELECT *, "
+                    "x, y, vx, vy FROM "
+                    "polar) WHERE id = 3"),
+            "90.0|10.0|1|100.0");
   db.exec(
       "CREATE VIRTUAL TABLE pacific USING moving_objects(id, lat, lon, speed, course, origin = '-17 179.9');"
       "INSERT INTO pacific VALUES (1, -17, 179.95, 10, 90), (2, -17, -179.95, 10, 270), (3, -17, 180, 1, 1), "

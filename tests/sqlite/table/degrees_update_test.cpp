@@ -99,7 +99,7 @@ TEST_F(DegreesUpdate, ReplacesAndIgnores) {
   EXPECT_EQ(db.rows("SELECT sum(abs(s.x - b.x) < 1e-5 AND abs(s.vx - b.vx) < 1e-9), sum(s.name = 'new') "
                     "FROM ships s JOIN before b USING(id)"),
             "500|500");
-  db.exec("REPLACE INTO ships(id, t, lat, lon, r) VALUES (1, 0, 54, 8, 1)");
+  db.exec("REPLACE INTO ships(id, t, lat, lon, z, r) VALUES (1, 0, 54, 8, 0, 1)");
   EXPECT_EQ(db.rows("SELECT lat, lon, speed, course, name FROM ships WHERE id = 1"),
             "54.0|8.0|0.0|NULL|NULL");
   db.exec("UPDATE OR REPLACE ships SET id = 2, lat = 55 WHERE id = 1");
