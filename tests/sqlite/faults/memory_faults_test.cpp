@@ -116,6 +116,12 @@ TEST_F(TableMemoryFaults, CreateAndDrop) {
   run("CREATE VIRTUAL TABLE IF NOT EXISTS boats USING moving_objects(id, x); DROP TABLE boats");
 }
 
+TEST_F(TableMemoryFaults, Degrees) {
+  run("BEGIN; CREATE VIRTUAL TABLE g USING moving_objects(id, lat, lon, speed, course, +n);"
+      "INSERT INTO g VALUES (1, 54, 8, 5, 90, 'x'); UPDATE g SET lat = 54.1; SELECT * FROM g;"
+      "SELECT * FROM foresee_tables; DROP TABLE g; COMMIT");
+}
+
 /// Texts in UTF-16 need memory when they are read; small ones too, without SQLite's lookaside memory.
 TEST_F(TableMemoryFaults, TextsInUtf16) {
   sqlite3_shutdown();

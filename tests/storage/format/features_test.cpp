@@ -55,6 +55,17 @@ TEST(Features, MeshesAreRefusedByALibraryThatKnowsOutlinesOnly) {
   EXPECT_EQ(features_of(declaration), "blocks,shapes");
 }
 
+// Without this feature an older library would show metres in columns of degrees.
+TEST(Features, DegreesAndNamedFramesAreRefusedByALibraryThatKnowsThePlaneOnly) {
+  Declaration declaration{.layout = {.axes = 2}, .frame = {.kind = FrameKind::degrees}};
+  EXPECT_EQ(features_of(declaration), "blocks,degrees");
+  EXPECT_EQ(unknown_feature(features_of(declaration)), "");
+  EXPECT_EQ(unknown_feature(features_of(declaration), known_features().first(4)), "degrees");
+  declaration.frame = {.text = "harbour"};
+  EXPECT_EQ(features_of(declaration), "blocks,frame");
+  EXPECT_EQ(unknown_feature(features_of(declaration), known_features().first(4)), "frame");
+}
+
 TEST(Features, OneIsFoundAmongTheNames) {
   for (const char* names : {"blocks", "blocks,growth", "growth,blocks", "a,blocks,b"})
     EXPECT_TRUE(has_feature(names, "blocks")) << names;
