@@ -33,7 +33,7 @@ TEST_F(GeoFunctions, MeasureDistances) {
   EXPECT_EQ(db.rows("SELECT round(geo_distance(40.6, -73.8, 51.6, -0.5), 6)"), "5551759.400319");
   EXPECT_EQ(db.rows("SELECT geo_distance(1, 2, 3, NULL) IS NULL, geo_distance(1, 179, 1, -181)"), "1|0.0");
   EXPECT_EQ(db.error_of("SELECT geo_distance(1, 2, 91, 4)"),
-            "lat2 is 91: latitudes lie between -90 and 90; write NULL if it is unknown, as nullif(lat2, 91) "
+            "lat2 is 91: latitudes lie between -90 and 90; write NULL if it is unknown, as nullif(lat, 91) "
             "does for AIS");
   EXPECT_EQ(db.error_of("SELECT geo_distance(1, 'east', 3, 4)"),
             "geo_distance: lon1 must be a number of degrees, not 'east'");
@@ -71,16 +71,18 @@ TEST_F(GeoFunctions, PutNullHeightsAndClimbsAtSeaLevel) {
 
 TEST_F(GeoFunctions, SayWhatIsWrong) {
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(91, 181, 3, 4, 5, 6)"),
-            "geo_to_plane: lat is 91: latitudes lie between -90 and 90; write NULL if it is unknown, as "
+            "geo_to_plane: in_lat is 91: latitudes lie between -90 and 90; write NULL if it is unknown, as "
             "nullif(lat, 91) does for AIS");
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(1, 2, 3, 4, NULL, 6)"),
-            "geo_to_plane: lat0 is missing or NULL: write geo_to_plane(lat, lon, speed, course, lat0, lon0)");
+            "geo_to_plane: lat0 is missing or NULL: write geo_to_plane(in_lat, in_lon, in_speed, in_course, "
+            "lat0, lon0)");
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(1, 2, 3, 4, 5)"),
-            "geo_to_plane: lon0 is missing or NULL: write geo_to_plane(lat, lon, speed, course, lat0, lon0)");
+            "geo_to_plane: lon0 is missing or NULL: write geo_to_plane(in_lat, in_lon, in_speed, in_course, "
+            "lat0, lon0)");
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane('30 N', 2, 3, 4, 5, 6)"),
-            "geo_to_plane: lat must be a number, not '30 N'");
+            "geo_to_plane: in_lat must be a number, not '30 N'");
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(1, 2, 9e999, 4, 5, 6)"),
-            "geo_to_plane: speed is infinite");
+            "geo_to_plane: in_speed is infinite");
   EXPECT_EQ(db.error_of("SELECT * FROM plane_to_geo(3e7, 0, 0, 0, 5, 6)"),
             "plane_to_geo: x, y are 3e+07 m from the origin: the farthest place is at 20003931 m");
   EXPECT_EQ(db.error_of("SELECT * FROM globe_to_geo(1, 2, 3, 4, 5, 6)"),
@@ -105,6 +107,15 @@ TEST_F(GeoFunctions, LeadBackFromAPlaneAboutAPole) {
 
 TEST_F(GeoFunctions, GiveCoursesBelow360) {
   EXPECT_EQ(db.rows("SELECT course FROM plane_to_geo(-1e-10, 100, 0, 1, 54, 8)"), "0.0");
+  // Ships due north anywhere around the origin: 158 of 2,000 came back with 360.
+  db.exec(
+      "CREATE TABLE north AS WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < 1999) "
+      "SELECT g.course FROM n, geo_to_plane(53 + i % 50 * 0.04, 7 + i / 50 * 0.05, 7.2, 0, 54, 8) p, "
+      "plane_to_geo(p.x, p.y, p.vx, p.vy, 54, 8) g");
+  EXPECT_EQ(
+      db.rows("SELECT count(*), sum(course >= 0 AND course < 360), sum(min(course, 360 - course) < 1e-9) "
+              "FROM north"),
+      "2000|2000|2000");
 }
 
 TEST_F(GeoFunctions, NameASpeedThatIsTooLargeForTheirResult) {
@@ -124,6 +135,33 @@ TEST_F(GeoFunctions, NameASpeedThatIsTooLargeForTheirResult) {
       db.error_of("SELECT * FROM geo_to_globe(0, 0, -6378137, 5, 90, 0)"),
       "geo_to_globe: height is -6378137 m: the centre of the Earth is 6.4e6 m down; write metres above the "
       "ellipsoid, or NULL");
+}
+
+/// The unqualified columns of a table are inputs: no input of a function has such a name.
+TEST_F(GeoFunctions, TakeColumnsOfATableByTheirPlainNames) {
+  db.exec(
+      "CREATE TABLE reports(id INTEGER PRIMARY KEY, lat, lon, height, speed, course, climb);"
+      "INSERT INTO reports VALUES(1, 54, 8, 0, 5, 90, 0);"
+      "CREATE TABLE points(id INTEGER PRIMARY KEY, x, y, z, vx, vy, vz);"
+      "INSERT INTO points VALUES(1, 6378137, 0, 0, 0, 5, 0)");
+  EXPECT_EQ(db.rows("SELECT x, y, vx, vy FROM reports, geo_to_plane(lat, lon, speed, course, 54, 8)"),
+            "0.0|0.0|5.0|0.0");
+  EXPECT_EQ(db.rows("SELECT round(vx) FROM reports, geo_to_globe(lat, lon, height, speed, course, climb)"),
+            "-1.0");
+  EXPECT_EQ(db.rows("SELECT lat, lon, speed, course FROM points, globe_to_geo(x, y, z, vx, vy, vz)"),
+            "0.0|0.0|5.0|90.0");
+  EXPECT_EQ(db.rows("SELECT lat > 0 FROM points, plane_to_geo(x, y, vx, vy, 54, 8)"), "1");
+}
+
+TEST_F(GeoFunctions, TakeInputsByName) {
+  EXPECT_EQ(db.rows("SELECT x, y, vx, vy FROM geo_to_plane WHERE in_lat = 54 AND in_lon = 8 AND lat0 = 54 "
+                    "AND lon0 = 8 AND in_speed = 5 AND in_course = 90"),
+            "0.0|0.0|5.0|0.0");
+  EXPECT_EQ(
+      db.rows("SELECT lat, lon FROM plane_to_geo WHERE in_x = 0 AND in_y = 0 AND lat0 = 54 AND lon0 = 8"),
+      "54.0|8.0");
+  EXPECT_EQ(db.rows("SELECT x FROM geo_to_globe WHERE in_lat = 0 AND in_lon = 0"), "6378137.0");
+  EXPECT_EQ(db.rows("SELECT lat FROM globe_to_geo WHERE in_x = 6378137 AND in_y = 0 AND in_z = 0"), "0.0");
 }
 
 TEST_F(GeoFunctions, JoinToReportsOfWhichSomeHaveNoPosition) {

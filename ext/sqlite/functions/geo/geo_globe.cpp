@@ -55,14 +55,15 @@ std::unique_ptr<FunctionRows> start_from_globe(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& geo_to_globe() {
-  static const TableFunction function = {.name = "geo_to_globe",
-                                         .outputs = {"x REAL", "y REAL", "z REAL", "vx REAL", "vy REAL",
-                                                     "vz REAL", "ax REAL", "ay REAL", "az REAL"},
-                                         .inputs = {"lat", "lon", "height", "speed", "course", "climb"},
-                                         .key = nullptr,
-                                         .hinted = 0,
-                                         .estimate = estimate_one_row,
-                                         .start = start_to_globe};
+  static const TableFunction function = {
+      .name = "geo_to_globe",
+      .outputs = {"x REAL", "y REAL", "z REAL", "vx REAL", "vy REAL", "vz REAL", "ax REAL", "ay REAL",
+                  "az REAL"},
+      .inputs = {"in_lat", "in_lon", "in_height", "in_speed", "in_course", "in_climb"},
+      .key = nullptr,
+      .hinted = 0,
+      .estimate = estimate_one_row,
+      .start = start_to_globe};
   return function;
 }
 
@@ -70,7 +71,7 @@ const TableFunction& globe_to_geo() {
   static const TableFunction function = {
       .name = "globe_to_geo",
       .outputs = {"lat REAL", "lon REAL", "height REAL", "speed REAL", "course REAL", "climb REAL"},
-      .inputs = {"x", "y", "z", "vx", "vy", "vz"},
+      .inputs = {"in_x", "in_y", "in_z", "in_vx", "in_vy", "in_vz"},
       .key = nullptr,
       .hinted = 0,
       .estimate = estimate_one_row,

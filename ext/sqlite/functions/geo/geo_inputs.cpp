@@ -17,8 +17,8 @@ std::optional<double> finite_number(const FunctionCall& call, int input) {
 void require_latitude(double lat, const char* name) {
   if (std::abs(lat) <= 90) return;
   throw Error(std::string(name) + " is " + shown(lat) +
-              ": latitudes lie between -90 and 90; write NULL if it is unknown, as nullif(" + name +
-              ", 91) does for AIS");
+              ": latitudes lie between -90 and 90; write NULL if it is unknown, as nullif(lat, 91) does for "
+              "AIS");
 }
 
 std::optional<LatLon> place_input(const FunctionCall& call, int lat) {

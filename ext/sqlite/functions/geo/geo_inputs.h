@@ -3,6 +3,9 @@
 // A NULL place gives a row of NULLs; a NULL speed or course gives a place without velocity. Position reports
 // may lack either, and AIS values for "not available" must be written as NULL. A latitude outside of -90 to
 // 90 and an infinite number are an Error.
+//
+// The hidden inputs are in_lat, in_x and so on: `FROM reports r, geo_to_plane(lat, lon, …)` would be
+// ambiguous if an input had the name of the users' column.
 #pragma once
 
 #include <optional>

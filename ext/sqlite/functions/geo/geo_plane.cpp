@@ -41,20 +41,21 @@ std::unique_ptr<FunctionRows> start_to_geo(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& geo_to_plane() {
-  static const TableFunction function = {.name = "geo_to_plane",
-                                         .outputs = {"x REAL", "y REAL", "vx REAL", "vy REAL"},
-                                         .inputs = {"lat", "lon", "speed", "course", "lat0", "lon0"},
-                                         .key = nullptr,
-                                         .hinted = 0,
-                                         .estimate = estimate_one_row,
-                                         .start = start_to_plane};
+  static const TableFunction function = {
+      .name = "geo_to_plane",
+      .outputs = {"x REAL", "y REAL", "vx REAL", "vy REAL"},
+      .inputs = {"in_lat", "in_lon", "in_speed", "in_course", "lat0", "lon0"},
+      .key = nullptr,
+      .hinted = 0,
+      .estimate = estimate_one_row,
+      .start = start_to_plane};
   return function;
 }
 
 const TableFunction& plane_to_geo() {
   static const TableFunction function = {.name = "plane_to_geo",
                                          .outputs = {"lat REAL", "lon REAL", "speed REAL", "course REAL"},
-                                         .inputs = {"x", "y", "vx", "vy", "lat0", "lon0"},
+                                         .inputs = {"in_x", "in_y", "in_vx", "in_vy", "lat0", "lon0"},
                                          .key = nullptr,
                                          .hinted = 0,
                                          .estimate = estimate_one_row,
