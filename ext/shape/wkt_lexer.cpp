@@ -73,14 +73,16 @@ bool WktLexer::take_word(std::string_view word) {
   return found;
 }
 
-void WktLexer::skip_srid() {
+void WktLexer::skip_srid(WktUnit unit) {
   if (!take_word("SRID")) return;
   must_take('=');
   const std::string_view digits = token();
   std::uint64_t srid = 0;
   const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), srid);
   if (status != std::errc() || end != digits.data() + digits.size()) expected("a whole number");
-  if (srid == 4326) fail("SRID 4326 is in degrees: project to metres first");
+  if (srid == 4326 && unit == WktUnit::metres) fail("SRID 4326 is in degrees: project to metres first");
+  if (srid != 4326 && unit == WktUnit::degrees)
+    fail("SRID " + std::to_string(srid) + " is not 4326, longitude and latitude: transform it first");
   at_ += digits.size();
   must_take(';');
 }

@@ -10,10 +10,14 @@
 // the text, whatever it is.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace foresee {
+
+/// The unit of the numbers in a text.
+enum class WktUnit : std::uint8_t { metres, degrees };
 
 class WktLexer {
  public:
@@ -31,8 +35,8 @@ class WktLexer {
   bool take(char sign);
   void must_take(char sign);
   bool take_word(std::string_view word);
-  /// Drops "SRID=32632;", but refuses 4326: degrees are not lengths.
-  void skip_srid();
+  /// Drops "SRID=32632;", but refuses 4326: degrees are not lengths. For degrees, drops 4326 alone.
+  void skip_srid(WktUnit unit = WktUnit::metres);
   double number();
   void must_end();
 

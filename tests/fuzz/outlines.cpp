@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "geography/zone.h"
 #include "numbers/dyadic.h"
 #include "shape/outline/convex_pieces.h"
 #include "shape/outline/orientation_predicate.h"
@@ -69,11 +70,24 @@ void require_tiling(const ConvexPieces& pieces, const Outline& outline, const st
   require(twice == twice_area(outline), "the pieces are not the outline", text);
 }
 
+/// The same text as a zone in longitude and latitude.
+void run_zone(const std::string& text) {
+  NeverInterrupt never;
+  try {
+    const Zone zone = read_zone(text, {2, 179}, never);
+    require(read_zone(write_outline(zone.degrees), {2, 179}, never).plane == zone.plane,
+            "does not read back the same", text);
+    require(!flaw_of(zone.plane), "is not valid on the plane", text);
+  } catch (const Error&) {
+  }
+}
+
 void run(FuzzBytes& bytes) {
   std::string text = fuzz_text(bytes);
   const bool spoilt = bytes.in_range(0, 3) == 0;
   if (spoilt) spoil(text, bytes);
   const double heading = bytes.flag() ? bytes.in_range(-24, 24) * 15 : bytes.in_range(-36000, 36000) / 100.0;
+  run_zone(text);
   try {
     const Outline outline = read_outline(text);
     require(read_outline(write_outline(outline)) == outline, "does not read back the same", text);

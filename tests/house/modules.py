@@ -16,7 +16,7 @@ from pathlib import Path
 ORDER = ["query", "index", "contact", "shape", "motion", "numbers", "base"]
 MAY_INCLUDE = {module: set(ORDER[i + 1:]) for i, module in enumerate(ORDER)}
 MAY_INCLUDE["storage"] = {"shape", "motion", "base"}
-MAY_INCLUDE["geography"] = {"base"}
+MAY_INCLUDE["geography"] = {"shape", "motion", "base"}
 MAY_INCLUDE["sqlite"] = {"storage", "geography", *ORDER}
 MAY_INCLUDE["hosts"] = {"sqlite"}
 # What the index asks of a place to keep pages, which storage supplies; and the tree that it makes of them.

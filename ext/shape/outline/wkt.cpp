@@ -13,10 +13,10 @@ namespace {
 
 class OutlineReader : WktLexer {
  public:
-  using WktLexer::WktLexer;
+  OutlineReader(std::string_view text, WktUnit unit) : WktLexer(text), unit_(unit) {}
 
   Outline outline() {
-    skip_srid();
+    skip_srid(unit_);
     if (take_word("MULTIPOLYGON"))
       parts();
     else if (take_word("POLYGON"))
@@ -30,7 +30,7 @@ class OutlineReader : WktLexer {
  private:
   [[noreturn]] void refuse_kind() {
     for (const char* mesh : {"TIN", "POLYHEDRALSURFACE"})
-      if (next_is(mesh))
+      if (unit_ == WktUnit::metres && next_is(mesh))
         fail(std::string(mesh) +
              " is a mesh, as tables with x, y, z and without hz have: leave hz out, or write POLYGON or "
              "MULTIPOLYGON");
@@ -46,7 +46,9 @@ class OutlineReader : WktLexer {
 
   void refuse_empty() {
     refuse_more_numbers();
-    if (next_is("EMPTY")) fail("EMPTY is no outline: write NULL for a point");
+    if (next_is("EMPTY"))
+      fail(unit_ == WktUnit::degrees ? "EMPTY is no zone: leave it out"
+                                     : "EMPTY is no outline: write NULL for a point");
   }
 
   void parts() {
@@ -106,14 +108,15 @@ class OutlineReader : WktLexer {
                 ": simplify the outline");
   }
 
+  WktUnit unit_;
   Outline outline_;
 };
 
 }  // namespace
 
-Outline read_outline(std::string_view text) {
+Outline read_outline(std::string_view text, WktUnit unit) {
   const FloatEnvironment environment;
-  return OutlineReader(text).outline();
+  return OutlineReader(text, unit).outline();
 }
 
 namespace {

@@ -6,7 +6,8 @@
 // POLYGON and MULTIPOLYGON with two numbers per corner, in any case and with any white space. Rings run
 // either way round and are closed: the first corner is repeated at the end. Each number is the nearest
 // double; one beyond the largest double is refused, and so is one that underflows to 0. A prefix "SRID=n;" is
-// dropped, but 4326 is refused: degrees are not lengths. Corners that repeat the one before them are dropped.
+// dropped, but 4326 is refused: degrees are not lengths. For degrees only 4326 is accepted (geography/zone.h).
+// Corners that repeat the one before them are dropped.
 // At most `max_corners`: a larger outline is refused at the first corner beyond. Crossing rings are found by
 // validity.h.
 //
@@ -18,10 +19,11 @@
 #include <string_view>
 
 #include "shape/outline/outline.h"
+#include "shape/wkt_lexer.h"
 
 namespace foresee {
 
-Outline read_outline(std::string_view text);
+Outline read_outline(std::string_view text, WktUnit unit = WktUnit::metres);
 
 // Writes an outline as POLYGON, or as MULTIPOLYGON if it has several parts.
 //
