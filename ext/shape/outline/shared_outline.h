@@ -21,8 +21,13 @@ class SharedOutline final : public Form {
   using Pieces = ConvexPieces;
   /// Requires: a valid outline (validity.h).
   explicit SharedOutline(Outline outline) : outline_(std::move(outline)) {}
+  /// A zone: the outline on the plane, and its corners in longitude and latitude as they were written.
+  SharedOutline(Outline outline, Outline degrees)
+      : outline_(std::move(outline)), degrees_(std::move(degrees)) {}
 
   const Outline& outline() const { return outline_; }
+  /// Of a zone; without parts for other outlines.
+  const Outline& degrees() const { return degrees_; }
   const ConvexPieces& pieces() const {
     std::call_once(cut_, [this] { pieces_ = convex_pieces(outline_); });
     return pieces_;
@@ -33,8 +38,8 @@ class SharedOutline final : public Form {
   ConvexPieces rotated_pieces(double heading) const { return turned_pieces(pieces(), rotated(heading)); }
 
   Shape shape() const override { return Shape::outline; }
-  std::size_t corners() const override { return outline_.corners().size(); }
-  std::string text() const override { return write_outline(outline_); }
+  std::size_t corners() const override { return outline_.corners().size() + degrees_.corners().size(); }
+  std::string text() const override { return write_outline(degrees_.parts() > 0 ? degrees_ : outline_); }
   Extents<3> extents(double heading) const override {
     const Extents<2> flat = rotated(heading).extents();
     Extents<3> around = Extents<3>::none();
@@ -43,7 +48,7 @@ class SharedOutline final : public Form {
   }
 
  private:
-  Outline outline_;
+  Outline outline_, degrees_;
   mutable std::once_flag cut_, checked_;
   mutable ConvexPieces pieces_;
   mutable std::optional<Flaw> edge_touch_;

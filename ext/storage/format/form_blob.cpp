@@ -44,7 +44,9 @@ FormKind form_kind_of(std::span<const std::byte> blob) {
 
 std::vector<std::byte> encode_form(const Form& form) {
   if (form.shape() == Shape::mesh) return encode_mesh(static_cast<const SharedMesh&>(form).mesh());
-  return encode_outline(static_cast<const SharedOutline&>(form).outline());
+  const auto& shared = static_cast<const SharedOutline&>(form);
+  return shared.degrees().parts() > 0 ? encode_zone(shared.degrees(), shared.outline())
+                                      : encode_outline(shared.outline());
 }
 
 const char* decode_form(std::span<const std::byte> blob, Shape shape, std::shared_ptr<const Form>& form) {
@@ -53,6 +55,10 @@ const char* decode_form(std::span<const std::byte> blob, Shape shape, std::share
     Mesh mesh;
     if (const char* fault = decode_mesh(blob, mesh)) return fault;
     form = std::make_shared<const SharedMesh>(std::move(mesh));
+  } else if (form_frame_fault(blob) == nullptr && form_kind_of(blob) == FormKind::zone) {
+    Outline degrees, plane;
+    if (const char* fault = decode_zone(blob, degrees, plane)) return fault;
+    form = std::make_shared<const SharedOutline>(std::move(plane), std::move(degrees));
   } else {
     Outline outline;
     if (const char* fault = decode_outline(blob, outline)) return fault;

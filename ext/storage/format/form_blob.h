@@ -22,7 +22,7 @@ namespace foresee {
 //
 // The last four bytes are the CRC-32C of all bytes before them. Equal forms have equal blobs.
 
-enum class FormKind : std::uint8_t { outline = 1, surface = 2, solid = 3, parts = 4 };
+enum class FormKind : std::uint8_t { outline = 1, surface = 2, solid = 3, parts = 4, zone = 5 };
 
 constexpr std::size_t form_counts_at = 4, form_header_size = 16, form_checksum_size = 4;
 

@@ -1,5 +1,6 @@
 #include "storage/format/outline_blob.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "shape/outline/validity.h"
@@ -70,18 +71,68 @@ std::vector<std::byte> encode_outline(const Outline& outline) {
   return blob;
 }
 
-const char* decode_outline(std::span<const std::byte> blob, Outline& outline) {
+namespace {
+
+/// Checks all but that rings are valid and nested correctly.
+const char* decode_corners(std::span<const std::byte> blob, Outline& outline) {
   outline = {};
   if (const char* fault = form_frame_fault(blob)) return fault;
   if (form_kind_of(blob) != FormKind::outline) return "its format or kind is not known";
   const Counts counts = counts_of(blob.data());
-  if (counts.corners > max_corners || counts.rings > counts.corners || counts.parts > counts.rings)
+  if (counts.rings == 0 || counts.corners > max_corners || counts.rings > counts.corners ||
+      counts.parts > counts.rings)
     return "its counts are wrong";
   if (blob.size() != counts.size()) return "its size does not fit its counts";
   if (const char* fault = read_rings(blob.data(), counts, outline)) return fault;
   // A blob that would be encoded differently is rejected, not normalized: foresee did not write it.
-  if (outline.corners().size() != counts.corners) return "a corner is repeated";
+  return outline.corners().size() != counts.corners ? "a corner is repeated" : nullptr;
+}
+
+/// The places of the two blobs in that of a zone.
+struct ZoneBlobs {
+  std::size_t first, second;
+};
+
+ZoneBlobs zone_blobs_of(std::span<const std::byte> blob) {
+  const auto first = load_number<std::uint32_t>(blob.data() + form_counts_at);
+  const std::size_t both = blob.size() - form_header_size - form_checksum_size;
+  return {first, first < both ? both - first : 0};
+}
+
+bool is_on_earth(const Outline& degrees) {
+  const auto corners = degrees.corners();
+  return std::all_of(corners.begin(), corners.end(), [](const Corner& corner) {
+    return std::abs(corner.x) <= 180 && std::abs(corner.y) <= 90;
+  });
+}
+
+}  // namespace
+
+const char* decode_outline(std::span<const std::byte> blob, Outline& outline) {
+  if (const char* fault = decode_corners(blob, outline)) return fault;
   return flaw_of(outline) ? "its rings cross, touch or are nested wrongly" : nullptr;
+}
+
+std::vector<std::byte> encode_zone(const Outline& degrees, const Outline& plane) {
+  const std::vector<std::byte> first = encode_outline(degrees), second = encode_outline(plane);
+  std::vector<std::byte> blob =
+      form_blob_of(FormKind::zone, form_header_size + first.size() + second.size() + form_checksum_size);
+  store_number(blob.data() + form_counts_at, static_cast<std::uint32_t>(first.size()));
+  std::copy(first.begin(), first.end(), blob.begin() + form_header_size);
+  std::copy(second.begin(), second.end(), blob.begin() + form_header_size + first.size());
+  seal_form(blob);
+  return blob;
+}
+
+const char* decode_zone(std::span<const std::byte> blob, Outline& degrees, Outline& plane) {
+  degrees = {}, plane = {};
+  if (const char* fault = form_frame_fault(blob)) return fault;
+  if (form_kind_of(blob) != FormKind::zone) return "its format or kind is not known";
+  const ZoneBlobs blobs = zone_blobs_of(blob);
+  if (blobs.second == 0) return "its size does not fit its counts";
+  if (const char* fault = decode_corners(blob.subspan(form_header_size, blobs.first), degrees)) return fault;
+  if (!is_on_earth(degrees)) return "a corner is not on the Earth";
+  return decode_outline(blob.subspan(form_header_size + blobs.first, blobs.second), plane);
 }
 
 }  // namespace foresee

@@ -96,9 +96,9 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   // --- writing: each call is atomic
   /// The id that SQLite gives to a row without one: the largest plus one.
   std::int64_t find_next_id();
-  /// Finds or stores the outline or mesh of a well-known text, for a record to refer to by number. Throws
-  /// Error for an invalid text. Requires: a layout with `shape`.
-  StoredForms::Known find_or_add_form(std::string_view text);
+  /// Finds or stores the outline or mesh of a well-known text (stored_forms.h), for a record to refer to by
+  /// number. Throws Error for an invalid text. Requires: a layout with `shape`.
+  StoredForms::Known find_or_add_form(std::string_view text, const StoredForms::Reader& read = {});
   /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column. `origin`: from now on
   /// that of a table whose frame() has none.
   void insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries,

@@ -63,11 +63,11 @@ std::int64_t Store::find_next_id() {
   throw StoreError(SQLITE_FULL, name_.table + ": there is no id left");
 }
 
-StoredForms::Known Store::find_or_add_form(std::string_view text) {
+StoredForms::Known Store::find_or_add_form(std::string_view text, const StoredForms::Reader& read) {
   start_change({});
   const OwnStatements own(*this);
   ++undo_position_;  // a row may be written, which only a rollback removes
-  return forms_->find_or_add(text);
+  return forms_->find_or_add(text, read);
 }
 
 // --- changes of a transaction

@@ -38,11 +38,11 @@ std::shared_ptr<const Form> StoredForms::form(std::int64_t number) {
   return read;
 }
 
-StoredForms::Known StoredForms::find_or_add(std::string_view text) {
+StoredForms::Known StoredForms::find_or_add(std::string_view text, const Reader& read) {
   const bool short_enough = text.size() <= max_text_length;
   const std::string key(short_enough ? text : std::string_view());
   if (const auto found = texts_.find(key); short_enough && found != texts_.end()) return found->second;
-  auto form = read_form(shape_, text);
+  auto form = read ? read(text) : read_form(shape_, text);
   const std::vector<std::byte> blob = encode_form(*form);
   Known known{rows_.find(blob).value_or(0), nullptr};
   if (known.number == 0) {

@@ -11,6 +11,7 @@
 // rows use: unused forms stay until keep_only().
 #pragma once
 
+#include <functional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -42,9 +43,10 @@ class StoredForms {
   /// later.
   std::shared_ptr<const ByNumber> known();
 
-  /// The form of a well-known text, stored if it is new. Throws Error for an invalid text, before anything is
-  /// stored.
-  Known find_or_add(std::string_view text);
+  using Reader = std::function<std::shared_ptr<const Form>(std::string_view text)>;
+  /// The form of a well-known text, stored if it is new. `read`: reads the text, in place of read_form(); the
+  /// same for all calls. Throws Error for an invalid text, before anything is stored.
+  Known find_or_add(std::string_view text, const Reader& read = {});
 
   /// Deletes all other forms.
   void keep_only(const std::unordered_set<std::int64_t>& numbers);
