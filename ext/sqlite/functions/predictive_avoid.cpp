@@ -1,5 +1,10 @@
 // predictive_avoid(h, tbl, id, …) in SQL: looks the object up and searches the tree for the others.
+#include <algorithm>
+#include <cmath>
+
+#include "base/float_environment.h"
 #include "base/integer_of.h"
+#include "geography/frame.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/avoid/avoid.h"
 #include "sqlite/functions/table_functions.h"
@@ -27,7 +32,11 @@ enum AvoidOutput {
   out_t_below,
   out_above,
   out_above_tbl,
-  out_t_above
+  out_t_above,
+  out_lat,
+  out_lon,
+  out_speed,
+  out_course
 };
 enum AvoidInput {
   in_h,
@@ -46,10 +55,19 @@ enum AvoidInput {
 
 class AvoidRows final : public FunctionRows {
  public:
-  AvoidRows(std::vector<AvoidRow> rows, const Layout& layout, std::array<std::string, 2> tables)
-      : rows_(std::move(rows)), layout_(layout), at_(record_offsets(layout)), tables_(std::move(tables)) {}
+  AvoidRows(std::vector<AvoidRow> rows, const Layout& layout, std::array<std::string, 2> tables, Frame frame,
+            std::vector<double> stored)
+      : rows_(std::move(rows)),
+        layout_(layout),
+        at_(record_offsets(layout)),
+        tables_(std::move(tables)),
+        frame_(std::move(frame)),
+        stored_(std::move(stored)) {}
 
-  bool next() override { return next_++ < rows_.size(); }
+  bool next() override {
+    is_fix_known_ = false;
+    return next_++ < rows_.size();
+  }
 
   void output(sqlite3_context* context, int output) const override {
     const AvoidRow& row = rows_[next_ - 1];
@@ -72,6 +90,11 @@ class AvoidRows final : public FunctionRows {
       case out_above_tbl:
       case out_t_above:
         return result_blocker(context, row.above, output - out_above);
+      case out_lat:
+      case out_lon:
+      case out_speed:
+      case out_course:
+        return result_report(context, row, output);
       default:
         return result_stored(context, row, output);
     }
@@ -96,6 +119,43 @@ class AvoidRows final : public FunctionRows {
     const double value = row.record[static_cast<std::size_t>(place)];
     if (std::isfinite(value)) sqlite3_result_double(context, value);
   }
+
+  /// Place, speed and course of the changed record, as a table in degrees takes them; NULL for plain tables.
+  void result_report(sqlite3_context* context, const AvoidRow& row, int output) const {
+    if (!frame_.in_degrees() || row.record.empty()) return;
+    if (!is_fix_known_) fix_ = report_of(row.record), is_fix_known_ = true;
+    if (!fix_) return;
+    if (output == out_lat) return sqlite3_result_double(context, fix_->place.lat);
+    if (output == out_lon) return sqlite3_result_double(context, fix_->place.lon);
+    if (!fix_->course) return;
+    if (output == out_speed) return sqlite3_result_double(context, fix_->course->speed);
+    if (!std::isnan(fix_->course->degrees)) sqlite3_result_double(context, fix_->course->degrees);
+  }
+
+  /// All digits, so that what is written back is clear. Where the change keeps the place or the motion, what the
+  /// table's columns show: an UPDATE then keeps the stored bits.
+  std::optional<Fix> report_of(const std::vector<double>& record) const {
+    const FloatEnvironment environment;
+    const auto numbers = [&](int place) { return &record[static_cast<std::size_t>(place)]; };
+    const auto is_kept = [&](int place) {
+      return std::equal(numbers(place), numbers(place) + 2, &stored_[static_cast<std::size_t>(place)]);
+    };
+    OnPlane point{numbers(at_.x)[0], numbers(at_.x)[1], {}};
+    const bool moves = at_.v != Offsets::absent;
+    if (moves) point.v = {numbers(at_.v)[0], numbers(at_.v)[1]};
+    try {
+      Fix fix = frame_.from_plane(point);
+      const Fix shown = rounded(fix);
+      if (is_kept(at_.x)) {
+        fix.place = shown.place;
+        if (moves && is_kept(at_.v)) fix.course = shown.course;
+      }
+      return fix;
+    } catch (const Error&) {
+      return std::nullopt;  // beyond the Earth
+    }
+  }
+
   int place_of(int output) const {
     if (output == out_t) return at_.t;
     if (output == out_until) return at_.until;
@@ -114,7 +174,11 @@ class AvoidRows final : public FunctionRows {
   Layout layout_;
   Offsets at_;
   std::array<std::string, 2> tables_;
+  Frame frame_;
+  std::vector<double> stored_;  ///< the record of the object before any change
   std::size_t next_ = 0;
+  mutable std::optional<Fix> fix_;  ///< of the current row, if it is known
+  mutable bool is_fix_known_ = false;
 };
 
 bool reads_any(const FunctionCall& call, int first, int last) {
@@ -163,12 +227,13 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const Offsets at = record_offsets(own->layout);
   const double form = question.record.empty() ? 0 : value_or(question.record.data(), at.outline, 0);
   if (const auto number = integer_of(form); number.value_or(0) != 0) question.form = forms->form(*number);
-  question.wants_motion = reads_any(call, out_t, out_heading);
+  question.wants_motion = reads_any(call, out_t, out_heading) || reads_any(call, out_lat, out_course);
   question.wants_ends = reads_any(call, out_below, out_t_above);
   std::vector<AvoidRow> rows = avoid(question, connection.interrupt());
   if (const auto clear = call.only(out_clear))
     std::erase_if(rows, [&](const AvoidRow& row) { return *clear != (row.clear ? 1 : 0); });
-  return std::make_unique<AvoidRows>(std::move(rows), question.own->layout, std::move(tables));
+  return std::make_unique<AvoidRows>(std::move(rows), question.own->layout, std::move(tables),
+                                     table.store->frame(), std::move(question.record));
 }
 
 }  // namespace
@@ -181,7 +246,7 @@ const TableFunction& predictive_avoid() {
                   "vx REAL",        "vy REAL",        "vz REAL",      "ax REAL",       "ay REAL",
                   "az REAL",        "fx REAL",        "fy REAL",      "fz REAL",       "heading REAL",
                   "below INTEGER",  "below_tbl TEXT", "t_below REAL", "above INTEGER", "above_tbl TEXT",
-                  "t_above REAL"},
+                  "t_above REAL",   "lat REAL",       "lon REAL",     "speed REAL",    "course REAL"},
       .inputs = {"h", "tbl", "id", "within", "how", "lo", "hi", "now", "also", "within_z", "touching",
                  "schema"},
       .key = "manoeuvre, k_from, clear",

@@ -1,4 +1,8 @@
 // predictive_nearest(h, tbl, k, …) in SQL: reads the inputs, opens the table, and returns the rows.
+#include <cmath>
+
+#include "base/float_environment.h"
+#include "base/number_text.h"
 #include "query/nearest/nearest.h"
 #include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"
@@ -7,7 +11,18 @@ namespace foresee {
 namespace {
 
 enum NearestOutput { out_id, out_rank, out_distance, out_t, out_dt };
-enum NearestInput { in_h, in_tbl, in_k, in_x, in_now = in_x + 3, in_qvx, in_method = in_qvx + 3, in_schema };
+enum NearestInput {
+  in_h,
+  in_tbl,
+  in_k,
+  in_x,
+  in_now = in_x + 3,
+  in_qvx,
+  in_method = in_qvx + 3,
+  in_schema,
+  in_lat,
+  in_lon
+};
 
 class NearestRows final : public FunctionRows {
  public:
@@ -36,6 +51,39 @@ class NearestRows final : public FunctionRows {
   std::size_t rank_ = 0;
 };
 
+double degrees_input(const FunctionCall& call, int input, const std::string& table, double limit) {
+  const std::string name = call.name_of(input);
+  const auto given = call.number(input);
+  if (!given)
+    throw Error(table + " has lat, lon, and " + name + " is missing; write WHERE lat = ... AND lon = ...");
+  if (std::abs(*given) <= limit) return *given;
+  throw Error(name + " is " + shown(*given) + ", beyond " + shown(limit) + "; write degrees");
+}
+
+/// Sets the point from lat and lon, for a table in degrees.
+void take_place(const FunctionCall& call, const SearchedTable& table, NearestQuestion& question) {
+  const std::string& name = table.objects.name;
+  if (!table.frame.in_degrees()) {
+    for (const int input : {in_lat, in_lon})
+      if (call.number(input))
+        throw Error(name + " has no lat, lon; write x, y in place of " + call.name_of(input));
+    return;
+  }
+  for (const std::size_t axis : {0u, 1u})
+    if (question.point[axis])
+      throw Error(name + " has lat, lon; write WHERE lat = ... AND lon = ... in place of " +
+                  call.name_of(in_x + static_cast<int>(axis)));
+  const LatLon place{degrees_input(call, in_lat, name, 90), degrees_input(call, in_lon, name, 180)};
+  const LatLon origin = table.frame.origin.value_or(place);  // without an origin the table is empty
+  const FloatEnvironment environment;
+  const OnPlane point = to_plane({place, {}}, origin);
+  const double distance = std::hypot(point.x, point.y);
+  if (distance > max_distance_from_origin)
+    throw Error("lat, lon are " + shown(std::ceil(distance / 1000)) + " km from the origin '" +
+                origin_text(origin) + "' of " + name + "; write a place within 1500 km");
+  question.point[0] = point.x, question.point[1] = point.y;
+}
+
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   NearestQuestion question;
   question.h = call.required_number(in_h);
@@ -47,6 +95,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     call.used(in_qvx + axis, 0.0);
   }
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
+  take_place(call, table, question);
   question.objects = std::move(table.objects);
   question.now = table.now;
   return std::make_unique<NearestRows>(nearest(question, call.connection().interrupt()));
@@ -58,7 +107,8 @@ const TableFunction& predictive_nearest() {
   static const TableFunction function = {
       .name = "predictive_nearest",
       .outputs = {"id INTEGER", "rank INTEGER", "distance REAL", "t REAL", "dt REAL"},
-      .inputs = {"h", "tbl", "k", "x", "y", "z", "now", "qvx", "qvy", "qvz", "method", "schema"},
+      .inputs = {"h", "tbl", "k", "x", "y", "z", "now", "qvx", "qvy", "qvz", "method", "schema", "lat",
+                 "lon"},
       .key = "id",
       .hinted = 0,
       .estimate = estimate_nearest,

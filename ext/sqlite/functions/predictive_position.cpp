@@ -1,27 +1,32 @@
 // predictive_position(at, …) in SQL: the position of each object, or of the object of one id.
 #include "query/position/positions.h"
+#include "sqlite/functions/place_output.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 
 namespace foresee {
 namespace {
 
-enum Output { out_id, out_x, out_vx = out_x + 3 };
+enum Output { out_id, out_x, out_vx = out_x + 3, out_lat = out_vx + 3, out_lon };
 enum Input { in_at, in_tbl, in_schema };
 
 class PositionRows final : public FunctionRows {
  public:
-  PositionRows(std::shared_ptr<const Scene> scene, double time, Interrupt& interrupt)
-      : axes_(scene->layout.axes), positions_(std::move(scene), time), interrupt_(interrupt) {}
+  PositionRows(std::shared_ptr<const Scene> scene, double time, const Frame& frame, Interrupt& interrupt)
+      : axes_(scene->layout.axes), positions_(std::move(scene), time), place_(frame), interrupt_(interrupt) {}
 
   bool next() override {
     interrupt_.check();
     row_ = positions_.next();
+    place_.next_row();
     return row_.has_value();
   }
 
   void output(sqlite3_context* context, int output) const override {
     if (output == out_id) return sqlite3_result_int64(context, row_->id);
+    if (output >= out_lat)
+      return place_.output(context, output == out_lat ? GeoColumn::lat : GeoColumn::lon, row_->x[0],
+                           row_->x[1]);
     const int axis = (output - out_x) % 3;
     if (axis >= axes_) return;
     const auto& values = output < out_vx ? row_->x : row_->v;
@@ -31,6 +36,7 @@ class PositionRows final : public FunctionRows {
  private:
   int axes_;
   Positions positions_;
+  PlaceOutput place_;
   Interrupt& interrupt_;
   std::optional<PositionRow> row_;
 };
@@ -46,22 +52,22 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     scene = Connection::load_object(table, *id);
   else
     scene = connection.load_scene(table);
-  return std::make_unique<PositionRows>(std::move(scene), at, connection.interrupt());
+  return std::make_unique<PositionRows>(std::move(scene), at, table.store->frame(), connection.interrupt());
 }
 
 }  // namespace
 
 const TableFunction& predictive_position() {
-  static const TableFunction function = {
-      .name = "predictive_position",
-      .outputs = {"id INTEGER", "x REAL", "y REAL", "z REAL", "vx REAL", "vy REAL", "vz REAL"},
-      .inputs = {"at", "tbl", "schema"},
-      .key = "id",
-      .hinted = 1u << out_id,
-      .estimate = estimate_positions,
-      .start = start,
-      .probed = 1u << out_id,
-      .estimate_probe = estimate_object};
+  static const TableFunction function = {.name = "predictive_position",
+                                         .outputs = {"id INTEGER", "x REAL", "y REAL", "z REAL", "vx REAL",
+                                                     "vy REAL", "vz REAL", "lat REAL", "lon REAL"},
+                                         .inputs = {"at", "tbl", "schema"},
+                                         .key = "id",
+                                         .hinted = 1u << out_id,
+                                         .estimate = estimate_positions,
+                                         .start = start,
+                                         .probed = 1u << out_id,
+                                         .estimate_probe = estimate_object};
   return function;
 }
 

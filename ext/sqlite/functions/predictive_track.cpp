@@ -1,34 +1,41 @@
 // predictive_track(t0, t1, step, …) in SQL: positions at several instants, of all objects or of one id.
 #include "query/position/tracks.h"
+#include "sqlite/functions/place_output.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 
 namespace foresee {
 namespace {
 
-enum TrackOutput { out_id, out_t, out_x };
+enum TrackOutput { out_id, out_t, out_x, out_lat = out_x + 3, out_lon };
 enum TrackInput { in_t0, in_t1, in_step, in_tbl, in_schema };
 
 class TrackRows final : public FunctionRows {
  public:
-  TrackRows(const std::shared_ptr<const Scene>& scene, const TrackTimes& instants, Interrupt& interrupt)
-      : axes_(scene->layout.axes), tracks_(scene, instants, interrupt) {}
+  TrackRows(const std::shared_ptr<const Scene>& scene, const TrackTimes& instants, const Frame& frame,
+            Interrupt& interrupt)
+      : axes_(scene->layout.axes), tracks_(scene, instants, interrupt), place_(frame) {}
 
   bool next() override {
     row_ = tracks_.next();
+    place_.next_row();
     return row_.has_value();
   }
 
   void output(sqlite3_context* context, int output) const override {
     if (output == out_id) return sqlite3_result_int64(context, row_->at.id);
     if (output == out_t) return sqlite3_result_double(context, row_->t);
+    const auto& x = row_->at.x;
+    if (output >= out_lat)
+      return place_.output(context, output == out_lat ? GeoColumn::lat : GeoColumn::lon, x[0], x[1]);
     const int axis = output - out_x;
-    if (axis < axes_) sqlite3_result_double(context, row_->at.x[static_cast<std::size_t>(axis)]);
+    if (axis < axes_) sqlite3_result_double(context, x[static_cast<std::size_t>(axis)]);
   }
 
  private:
   int axes_;
   Tracks tracks_;
+  PlaceOutput place_;
   std::optional<TrackRow> row_;
 };
 
@@ -44,22 +51,23 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     scene = Connection::load_object(table, *id);
   else
     scene = connection.load_scene(table);
-  return std::make_unique<TrackRows>(scene, instants, connection.interrupt());
+  return std::make_unique<TrackRows>(scene, instants, table.store->frame(), connection.interrupt());
 }
 
 }  // namespace
 
 const TableFunction& predictive_track() {
-  static const TableFunction function = {.name = "predictive_track",
-                                         .outputs = {"id INTEGER", "t REAL", "x REAL", "y REAL", "z REAL"},
-                                         .inputs = {"t0", "t1", "step", "tbl", "schema"},
-                                         .key = "id, t",
-                                         .hinted = 1u << out_id,
-                                         .estimate = estimate_tracks,
-                                         .start = start,
-                                         .probed = 1u << out_id,
-                                         .estimate_probe = estimate_track,
-                                         .orders = {{out_t, out_id}}};
+  static const TableFunction function = {
+      .name = "predictive_track",
+      .outputs = {"id INTEGER", "t REAL", "x REAL", "y REAL", "z REAL", "lat REAL", "lon REAL"},
+      .inputs = {"t0", "t1", "step", "tbl", "schema"},
+      .key = "id, t",
+      .hinted = 1u << out_id,
+      .estimate = estimate_tracks,
+      .start = start,
+      .probed = 1u << out_id,
+      .estimate_probe = estimate_track,
+      .orders = {{out_t, out_id}}};
   return function;
 }
 

@@ -1,4 +1,5 @@
 // predictive_window(h, …) in SQL: reads the inputs, opens the table, and returns the rows.
+#include "geography/zone.h"
 #include "query/window/window.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"
@@ -55,17 +56,29 @@ class WindowRows final : public FunctionRows {
   std::size_t row_ = 0;
 };
 
-std::shared_ptr<const SharedOutline> read_zone(const std::string& text) try {
+/// The outline on the plane of the table: from longitude and latitude where it takes degrees.
+Outline outline_of(const std::string& text, const Frame& frame, Interrupt& interrupt) {
+  if (frame.in_degrees()) {
+    const Outline degrees = read_outline(text, WktUnit::degrees);
+    const Corner first = degrees.corners()[0];
+    // Without an origin the table is empty: any origin shows what is wrong with the zone.
+    return zone_on_plane(degrees, frame.origin.value_or(LatLon{first.y, first.x}), interrupt);
+  }
   Outline outline = read_outline(text);
   check_outline(outline);
-  return std::make_shared<const SharedOutline>(std::move(outline));
+  return outline;
+}
+
+std::shared_ptr<const SharedOutline> shared_zone(const std::string& text, const Frame& frame,
+                                                 Interrupt& interrupt) try {
+  return std::make_shared<const SharedOutline>(outline_of(text, frame, interrupt));
 } catch (const Error& error) {
   throw Error(std::string("zone: ") + error.what());
 }
 
-std::shared_ptr<const SharedOutline> zone_of(const FunctionCall& call) {
+std::shared_ptr<const SharedOutline> zone_of(const FunctionCall& call, const Frame& frame) {
   const auto text = call.text(in_zone, "well-known text as in 'POLYGON((0 0, 4 0, 0 3, 0 0))', or left out");
-  return text ? read_zone(*text) : nullptr;
+  return text ? shared_zone(*text, frame, call.connection().interrupt()) : nullptr;
 }
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
@@ -79,8 +92,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     faces.velocity[j] = call.number(in_wvx + axis).value_or(0);
     call.used(in_wvx + axis, 0.0);
   }
-  question.zone = zone_of(call);
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
+  question.zone = zone_of(call, table.frame);
   question.objects = std::move(table.objects);
   question.now = table.now;
   question.wants.starts = call.reads(out_t) || call.reads(out_dt);

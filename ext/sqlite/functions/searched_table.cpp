@@ -15,7 +15,7 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
   const auto table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
   call.used(inputs.tbl, table.table), call.used(inputs.schema, table.schema);
   call.used(inputs.method, "auto");
-  SearchedTable searched{{table.table, nullptr, nullptr}, now.value_or(0)};
+  SearchedTable searched{{table.table, nullptr, nullptr}, now.value_or(0), table.store->frame()};
   if (method == "scan") {
     if (!now) searched.now = table.store->read_newest_t();
     searched.objects.scene = connection.load_scene(table);

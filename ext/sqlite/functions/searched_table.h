@@ -1,6 +1,7 @@
 // Table and time `now` of a search, as the inputs of predictive_window and predictive_nearest give them.
 #pragma once
 
+#include "geography/frame.h"
 #include "query/search_target.h"
 #include "sqlite/functions/function_call.h"
 
@@ -14,6 +15,7 @@ struct SearchInputs {
 struct SearchedTable {
   SearchTarget objects;
   double now;  ///< the input, or else the newest t stored
+  Frame frame;
 };
 
 /// Throws Error if the table does not exist, and for an unknown method.
