@@ -24,7 +24,7 @@ constexpr std::array words = {
     Word{"growth", Quantity::growth, 0},    Word{"growth_z", Quantity::growth, 2},
     Word{"until", Quantity::until, 0},      Word{"lat", Quantity::centre, 0},
     Word{"lon", Quantity::centre, 1},       Word{"speed", Quantity::velocity, 0},
-    Word{"course", Quantity::velocity, 1},
+    Word{"course", Quantity::velocity, 1},  Word{"zone", Quantity::form, 0},
 };
 
 /// A column name of other data formats.

@@ -82,6 +82,26 @@ void require_geographic(const Words& words) {
   }
 }
 
+/// The columns that go with `zone`: t, z and hz, r, growth and growth_z, until.
+void require_zone(const DeclaredWord& zone, const Words& words) {
+  for (const auto& [word, argument] : words) {
+    const bool on_height = word.axis == 2 && word.quantity == Quantity::velocity;
+    if (word.quantity == Quantity::centre && word.axis < 2)
+      refuse(argument, "the corners of a zone place it; leave " + std::string(word.name) +
+                           " out, or write shape in place of zone");
+    if (word.quantity == Quantity::velocity || word.quantity == Quantity::acceleration ||
+        word.quantity == Quantity::force || word.quantity == Quantity::mass || on_height)
+      refuse(argument, "a zone is at rest; leave " + std::string(word.name) +
+                           " out, or write lat, lon and shape in place of zone");
+    if (word.quantity == Quantity::heading || word.name == "shape" ||
+        (word.quantity == Quantity::half_extent && word.axis < 2))
+      refuse(argument,
+             "the corners of a zone are all of its shape; leave " + std::string(word.name) + " out");
+  }
+  if (find(words, "z") && !find(words, "hz"))
+    refuse(zone.argument, "a zone with z is an upright prism; add hz, half of its height, or leave z out");
+}
+
 }  // namespace
 
 bool FrameOptions::take(const Argument& argument) {
@@ -106,8 +126,22 @@ void FrameOptions::require_plane() const {
                                   "it out");
 }
 
+Frame FrameOptions::frame_of_zones(const DeclaredWord& zone, const Words& words) const {
+  require_zone(zone, words);
+  if (text_) refuse(text_->text, "the frame of a table of zones is its origin; leave frame out");
+  if (unit_) refuse(unit_->text, "a zone has no speed; leave speed_unit out");
+  if (!origin_)
+    refuse(
+        zone.argument,
+        "a table of zones needs the origin of the tables beside it; write for example origin = '53.9 7.9'");
+  Frame frame = given_;
+  frame.kind = FrameKind::degrees;
+  return frame;
+}
+
 Frame FrameOptions::frame(const Words& words) const {
   Frame frame = given_;
+  if (const DeclaredWord* const zone = find(words, zone_column)) return frame_of_zones(*zone, words);
   const bool in_degrees = std::any_of(words.begin(), words.end(), [](const DeclaredWord& one) {
     return geo_column(one.word.name) != GeoColumn::none;
   });

@@ -28,6 +28,7 @@ class FrameOptions {
 
  private:
   void require_plane() const;
+  Frame frame_of_zones(const DeclaredWord& zone, const std::vector<DeclaredWord>& words) const;
 
   std::optional<Argument> origin_, unit_, text_;
   Frame given_;

@@ -12,6 +12,7 @@ class WordTable {
     for (const DeclaredWord& declared : words) {
       slot(declared.word.quantity, declared.word.axis) = &declared;
       in_degrees_ |= geo_column(declared.word.name) != GeoColumn::none;
+      if (declared.word.name == zone_column) axes_ = 2;  // its corners place it
     }
     while (axes_ < 3 && has(Quantity::centre, axes_)) ++axes_;
   }

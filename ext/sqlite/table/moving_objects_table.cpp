@@ -12,7 +12,7 @@ MovingObjectsTable::MovingObjectsTable(std::shared_ptr<Connection> connection_, 
       connection(std::move(connection_)),
       schema(schema_),
       name(name_),
-      values(declaration, name),
+      values(declaration, name, connection->interrupt()),
       number(0),
       declared_(std::move(declaration)),
       store_(std::move(store)) {

@@ -7,6 +7,8 @@
 #include "base/float_environment.h"
 #include "base/integer_of.h"
 #include "base/number_text.h"
+#include "geography/zone.h"
+#include "shape/outline/shared_outline.h"
 #include "sqlite/callback.h"
 #include "sqlite/date_text.h"
 #include "storage/rows/value_text.h"
@@ -15,16 +17,28 @@ namespace foresee {
 
 namespace {
 
-StoredForms::Known form_of(Shape kind, sqlite3_value* shape, Store& store) {
-  if (sqlite3_value_type(shape) != SQLITE_TEXT)
-    throw Error(shown(shape) + " is no text: write well-known text as in " +
-                (kind == Shape::mesh ? "'TIN Z(((0 0 0, 4 0 0, 0 3 1, 0 0 0)))'"
-                                     : "'POLYGON((0 0, 4 0, 0 3, 0 0))'") +
-                ", or NULL");
-  return store.find_or_add_form(text_of(shape));
+/// A text as an example in messages.
+const char* example_of(Shape shape, bool is_zone) {
+  if (is_zone) return "'POLYGON((7.8 53.9, 8 53.9, 7.9 54, 7.8 53.9))'";
+  return shape == Shape::mesh ? "'TIN Z(((0 0 0, 4 0 0, 0 3 1, 0 0 0)))'" : "'POLYGON((0 0, 4 0, 0 3, 0 0))'";
+}
+
+std::shared_ptr<const Form> zone_form(std::string_view text, const LatLon& origin, Interrupt& interrupt) {
+  Zone zone = read_zone(text, origin, interrupt);
+  return std::make_shared<const SharedOutline>(std::move(zone.plane), std::move(zone.degrees));
 }
 
 }  // namespace
+
+StoredForms::Known FormValues::form_of(sqlite3_value* value, Store& store) const {
+  if (sqlite3_value_type(value) != SQLITE_TEXT)
+    throw Error(shown(value) + " is no text: write well-known text as in " + example_of(shape_, has_zones_) +
+                (has_zones_ ? "" : ", or NULL"));
+  if (!has_zones_) return store.find_or_add_form(text_of(value));
+  const LatLon origin = *store.frame().origin;
+  return store.find_or_add_form(text_of(value),
+                                [&](std::string_view text) { return zone_form(text, origin, interrupt_); });
+}
 
 void FormValues::fill(std::span<double> record, sqlite3_value* shape, std::span<const double> before,
                       Store& store) const {
@@ -37,15 +51,24 @@ void FormValues::fill(std::span<double> record, sqlite3_value* shape, std::span<
   const int axes = bounded_axes(shape_);
   number = 0;
   std::fill_n(bounds, 2 * axes, 0.0);
-  if (!before.empty() && sqlite3_value_nochange(shape)) {
+  // The C library of another machine may project the same corners to other bits: the stored ones are kept.
+  const auto is_same_zone = [&] {
+    const double stored = before.empty() ? 0 : before[static_cast<std::size_t>(at_.outline)];
+    return has_zones_ && stored != 0 && sqlite3_value_type(shape) == SQLITE_TEXT &&
+           store.form(static_cast<std::int64_t>(stored))->text() == text_of(shape);
+  };
+  if (!before.empty() && (sqlite3_value_nochange(shape) || is_same_zone())) {
     number = before[static_cast<std::size_t>(at_.outline)];
     if (heading_of(record) == heading_of(before)) {
       std::copy_n(&before[static_cast<std::size_t>(at_.bounds)], 2 * axes, bounds);
       return;
     }
     if (number != 0) form = store.form(static_cast<std::int64_t>(number));
+  } else if (has_zones_ && is_null_or_empty(shape)) {
+    throw Error("NULL is no place: write well-known text as in " + std::string(example_of(shape_, true)) +
+                ", or leave the row out");
   } else if (!is_null_or_empty(shape)) {
-    const StoredForms::Known known = form_of(shape_, shape, store);
+    const StoredForms::Known known = form_of(shape, store);
     number = static_cast<double>(known.number), form = known.form;
   }
   if (!form) return;
@@ -82,11 +105,11 @@ const char* rule_for_infinity(Quantity quantity) {
 
 }  // namespace
 
-Values::Values(const Declaration& declaration, const std::string& table)
+Values::Values(const Declaration& declaration, const std::string& table, Interrupt& interrupt)
     : table_(table),
       layout_(declaration.layout),
       at_(record_offsets(layout_)),
-      forms_(layout_),
+      forms_(declaration, interrupt),
       unit_(declaration.frame.unit) {
   for (const MotionColumn& column : declaration.columns)
     columns_.push_back({column.name, find_word(column.name)->quantity, column.place, column.geo});
@@ -114,12 +137,14 @@ std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion, 
 void Values::fill_form(std::int64_t id, sqlite3_value* shape, Store& store,
                        std::optional<std::int64_t> updated) try {
   std::vector<double> before;
-  if (updated && sqlite3_value_nochange(shape)) before = store.read(*updated).value_or(before);
+  if (updated && (sqlite3_value_nochange(shape) || forms_.has_zones()))
+    before = store.read(*updated).value_or(before);
   forms_.fill(record_, shape, before, store);
 } catch (const StoreError&) {
   throw;
 } catch (const Error& error) {
-  throw Refusal(SQLITE_CONSTRAINT, table_ + ".shape of row " + std::to_string(id) + ": " + error.what());
+  throw Refusal(SQLITE_CONSTRAINT,
+                table_ + "." + forms_.column() + " of row " + std::to_string(id) + ": " + error.what());
 }
 
 double Values::stored(const Column& column, std::int64_t id, sqlite3_value* value) const {

@@ -1,6 +1,6 @@
 // Conversion of SQL values into an object's record, with validation of every column.
 //
-//   Values values(declaration, "ships");
+//   Values values(declaration, "ships", interrupt);
 //   store.insert(id, values.record(id, argv + 3, store), auxiliaries);
 //
 // The rules (docs/reference/moving_objects.md#values): integers and wholly numeric text convert, and '' is NULL. A NULL
@@ -22,10 +22,10 @@
 
 namespace foresee {
 
-// Conversion of the columns `shape` and `heading` into a record's fields: the number of the outline or mesh,
+// Conversion of the columns `shape` or `zone` and `heading` into a record's fields: the number of the outline or mesh,
 // and the bounding box of its rotated pose.
 //
-//   FormValues forms(layout);
+//   FormValues forms(declaration, interrupt);
 //   forms.fill(record, value, old_record, store);
 //
 // The rules (docs/reference/shape.md#outlines): NULL and '' mean no shape; anything else is well-known text. A
@@ -33,7 +33,14 @@ namespace foresee {
 // heading is unchanged as well, the stored bounds are copied.
 class FormValues {
  public:
-  explicit FormValues(const Layout& layout) : shape_(layout.shape), at_(record_offsets(layout)) {}
+  FormValues(const Declaration& declaration, Interrupt& interrupt)
+      : shape_(declaration.layout.shape),
+        has_zones_(declaration.has_zones()),
+        at_(record_offsets(declaration.layout)),
+        interrupt_(interrupt) {}
+
+  bool has_zones() const { return has_zones_; }
+  const char* column() const { return has_zones_ ? "zone" : "shape"; }
 
   /// Fills the fields of form number and bounds; the other fields of `record` are set already. `before`: the
   /// record that an UPDATE changes, else empty. Throws Error, without table and row, for a value that is not
@@ -42,13 +49,18 @@ class FormValues {
             Store& store) const;
 
  private:
+  StoredForms::Known form_of(sqlite3_value* value, Store& store) const;
+
   Shape shape_;
+  bool has_zones_;
   Offsets at_;
+  Interrupt& interrupt_;
 };
 
 class Values {
  public:
-  Values(const Declaration& declaration, const std::string& table);
+  /// `interrupt` must outlive the values.
+  Values(const Declaration& declaration, const std::string& table, Interrupt& interrupt);
 
   void rename(const std::string& table) { table_ = table; }
 

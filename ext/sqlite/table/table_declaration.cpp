@@ -47,7 +47,8 @@ const Word& motion_word(const Argument& argument) {
 
 void require_text(const Argument& argument) {
   if (!is_one_of(argument.detail, {"", "TEXT"}))
-    refuse(argument, "shape holds well-known text; write shape or shape TEXT");
+    refuse(argument, argument.name + " holds well-known text; write " + argument.name + " or " +
+                         argument.name + " TEXT");
 }
 
 double positive_number(const Argument& argument) {
@@ -157,7 +158,7 @@ Declaration parse_declaration(std::string_view table, const std::vector<std::str
 
 std::span<const std::string_view> hidden_columns(const Declaration& declaration) {
   static constexpr std::array<std::string_view, 4> names{"x", "y", "vx", "vy"};
-  if (!declaration.frame.in_degrees()) return {};
+  if (!declaration.frame.in_degrees() || declaration.has_zones()) return {};
   return std::span(names).first(declaration.layout.law == Law::rest ? 2 : 4);
 }
 

@@ -2,8 +2,10 @@
 // VIRTUAL TABLE.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geography/frame.h"
@@ -28,12 +30,21 @@ struct AuxiliaryColumn {
   std::string type;  ///< text after the name, possibly empty
 };
 
+/// The name of the column that places outlines by longitude and latitude, in place of `shape`.
+constexpr std::string_view zone_column = "zone";
+
 struct Declaration {
   Layout layout;
   std::vector<MotionColumn> columns = {};  ///< in declaration order
   std::vector<AuxiliaryColumn> auxiliaries = {};
   double horizon = 60;  ///< look-ahead that the tree is optimized for
   Frame frame = {};  ///< as declared: without an origin, the first position stored chooses it (Store::frame)
+
+  /// Objects are zones: outlines about the origin of the plane, at rest in it.
+  bool has_zones() const {
+    return std::any_of(columns.begin(), columns.end(),
+                       [](const MotionColumn& column) { return column.name == zone_column; });
+  }
 };
 
 }  // namespace foresee

@@ -37,6 +37,10 @@ constexpr std::string_view stored_growth = "growth";
 /// Columns lat, lon are stored on the plane about an origin in `_meta`. Tables in degrees have this feature.
 constexpr std::string_view stored_degrees = "degrees";
 
+/// Rows of <name>_shape are zones, with corners in degrees (format/outline_blob.h). Tables with a column `zone`
+/// have this feature.
+constexpr std::string_view stored_zones = "zones";
+
 /// The declaration names the frame of the coordinates. Tables with the option `frame` have this feature.
 constexpr std::string_view named_frame = "frame";
 

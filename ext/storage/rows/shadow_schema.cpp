@@ -68,7 +68,7 @@ std::string describe_columns(const Declaration& declaration) {
   const bool in_degrees = declaration.frame.in_degrees();
   const int first = in_degrees ? 2 : 0;
   if (layout.has_t) text += ", t";
-  if (in_degrees) text += ", lat, lon";
+  if (in_degrees && !declaration.has_zones()) text += ", lat, lon";
   on_all_axes("", first);
   if (in_degrees && layout.law != Law::rest) text += ", speed, course";
   if (layout.law != Law::rest) on_all_axes("v", first);
@@ -81,7 +81,8 @@ std::string describe_columns(const Declaration& declaration) {
     column.on_all_axes ? on_all_axes(column.name)
                        : static_cast<void>(text += std::string(", ") + column.name);
   });
-  if (is_stored_apart(layout.shape)) text += layout.has_heading ? ", shape, heading" : ", shape";
+  if (is_stored_apart(layout.shape)) text += declaration.has_zones() ? ", zone" : ", shape";
+  if (layout.has_heading) text += ", heading";
   if (layout.has_until) text += ", until";
   for (const AuxiliaryColumn& column : declaration.auxiliaries) text += ", +" + column.name;
   return text;
