@@ -70,7 +70,8 @@ inline std::string name_of(const Layout& layout) {
   return std::to_string(layout.axes) + " axes, " + laws[static_cast<int>(layout.law)] + ", " +
          shapes[static_cast<int>(layout.shape)] + (layout.has_t ? ", t" : "") +
          (layout.has_until ? ", until" : "") + (layout.has_growth ? ", growth" : "") +
-         (layout.has_growth_z ? ", growth_z" : "") + (layout.starts_as_point ? ", a point at first" : "");
+         (layout.has_growth_z ? ", growth_z" : "") + (layout.starts_as_point ? ", a point at first" : "") +
+         (layout.has_category ? ", category" : "") + (layout.has_mask ? ", mask" : "");
 }
 
 /// Layouts with growing extents: every axes x shape x law, t and until declared by turns.
@@ -192,6 +193,8 @@ class SceneMaker {
       const double infinity = std::numeric_limits<double>::infinity();
       record[at_.until] = random_.below(2) ? infinity : t + random_.in(0, 6);
     }
+    for (const int place : {at_.category, at_.mask})
+      if (place != Offsets::absent) record[place] = kinds();
   }
 
   void fill_centre(double* x) {
@@ -245,6 +248,12 @@ class SceneMaker {
     if (at_.hz != Offsets::absent) record[at_.hz] = extent();
     for (const int place : {at_.growth, at_.growth_z})
       if (place != Offsets::absent) record[place] = extent() / 4;
+  }
+
+  /// Bits of a category or a mask: none, all, one, or several of few.
+  double kinds() {
+    constexpr double some[] = {0, 4294967295, 1, 2, 2147483648, 3, 6, 5};
+    return some[random_.below(8)];
   }
 
   bool on_lattice() const {

@@ -33,6 +33,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "shape/kinds.h"
 #include "shape/row_layout.h"
 
 namespace foresee {
@@ -54,10 +55,23 @@ struct Node {
   double epoch = 0;  ///< of an inner node's bounds
   std::vector<std::int64_t> keys;
   std::vector<double> values;
+  /// Of an inner node: the kinds of all objects beneath each child, or-ed. Empty if all are the default.
+  std::vector<Kinds> kinds = {};
 
   bool is_leaf() const { return level == 0; }
   std::size_t size() const { return keys.size(); }
 };
+
+inline Kinds kinds_at(const Node& inner, std::size_t slot) {
+  return inner.kinds.empty() ? Kinds{} : inner.kinds[slot];
+}
+
+/// Requires: the node has the key of this slot.
+inline void set_kinds(Node& inner, std::size_t slot, Kinds kinds) {
+  if (inner.kinds.empty() && kinds == Kinds{}) return;
+  inner.kinds.resize(inner.size());
+  inner.kinds[slot] = kinds;
+}
 
 /// Number of doubles in an inner node's entry.
 constexpr int entry_size(int axes) {

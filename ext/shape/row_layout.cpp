@@ -33,6 +33,8 @@ Offsets offsets_of(const Layout& layout, bool stored) {
     at.bounds = take(2 * bounded_axes(layout.shape));
   }
   if (layout.has_until) at.until = take(1);
+  if (layout.has_category) at.category = take(1);
+  if (layout.has_mask) at.mask = take(1);
   at.size = next;
   return at;
 }

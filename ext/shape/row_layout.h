@@ -44,6 +44,8 @@ struct Layout {
   bool has_growth = false;       ///< it grows from t on: a box on every axis, an upright shape in x and y
   bool has_growth_z = false;     ///< it grows along z at a separate rate
   bool starts_as_point = false;  ///< a ball or cylinder of size 0 at t, which only grows
+  bool has_category = false;     ///< of its kinds (kinds.h)
+  bool has_mask = false;         ///< of its kinds
 
   friend bool operator==(const Layout&, const Layout&) = default;
 };
@@ -77,7 +79,9 @@ struct Offsets {
   int heading = absent;   ///< rotation in degrees clockwise
   int bounds = absent;  ///< of the rotated outline around the centre: lower x, y, upper x, y; a mesh: x, y, z
   int until = absent;   ///< last time of the motion, +infinity: unbounded
-  int size = 0;         ///< doubles per object
+  int category = absent;  ///< bits of its category, a whole number below 2^32
+  int mask = absent;      ///< bits of the categories that it may meet, likewise
+  int size = 0;           ///< doubles per object
 
   friend bool operator==(const Offsets&, const Offsets&) = default;
 };
@@ -87,7 +91,7 @@ inline double value_or(const double* row, int place, double otherwise) {
 }
 
 /// The order of the doubles as they are stored: t, x…, v…, a… or force… and mass, the sizes of the shape,
-/// growth, growth_z, outline, heading and bounds, until.
+/// growth, growth_z, outline, heading and bounds, until, category, mask.
 Offsets record_offsets(const Layout& layout);
 
 /// The order of the doubles that queries read: the same, with the acceleration in place of force and mass.

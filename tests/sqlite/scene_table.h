@@ -28,6 +28,8 @@ inline std::string columns_of(const Layout& layout) {
   if (at.growth != Offsets::absent) add("growth");
   if (at.growth_z != Offsets::absent) add("growth_z");
   if (at.until != Offsets::absent) add("until");
+  if (at.category != Offsets::absent) add("category");
+  if (at.mask != Offsets::absent) add("mask");
   return columns.substr(2);
 }
 

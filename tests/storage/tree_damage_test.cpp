@@ -12,9 +12,15 @@ namespace {
 
 class TreeDamage : public ::testing::Test {
  protected:
-  TreeDamage() : format(ships().layout, 4032), store(make_store(db)) {
+  /// `kinds`: category and mask of all objects, if the table declares them.
+  explicit TreeDamage(const Declaration& declared = ships(), const std::vector<double>& kinds = {})
+      : format(declared.layout, 4032), store(make_store(db, declared)) {
     begin(db, *store);
-    for (int id = 1; id <= 3000; ++id) store->insert(id, ship(id), {});
+    for (int id = 1; id <= 3000; ++id) {
+      std::vector<double> record = ship(id);
+      record.insert(record.end(), kinds.begin(), kinds.end());
+      store->insert(id, record, {});
+    }
     commit(db, *store);
     root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
   }
@@ -76,6 +82,34 @@ TEST_F(TreeDamage, BoundsThatDoNotContainWhatIsBelow) {
     expect_found_and_repaired("which an entry above does not contain");
     root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
   }
+}
+
+Declaration ships_with_kinds() {
+  Declaration declaration = ships();
+  declaration.layout.has_category = declaration.layout.has_mask = true;
+  return declaration;
+}
+
+class KindsDamage : public TreeDamage {
+ protected:
+  KindsDamage() : TreeDamage(ships_with_kinds(), {6, 12}) {}
+};
+
+TEST_F(KindsDamage, KindsThatDoNotContainWhatIsBelow) {
+  EXPECT_EQ(kinds_at(node(root), 0), (Kinds{6, 12}));
+  for (const Kinds wrong : {Kinds{2, 12}, Kinds{6, 8}, Kinds{}, Kinds::none()}) {
+    change(root, [&](Node& n) { set_kinds(n, 0, wrong); });
+    expect_found_and_repaired("which an entry above does not contain");
+    root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
+    EXPECT_EQ(kinds_at(node(root), 0), (Kinds{6, 12}));
+  }
+}
+
+TEST_F(KindsDamage, ACategoryThatIsNotAWholeNumber) {
+  const NodeNumber leaf = node(node(root).keys[0]).keys[0];
+  change(leaf, [](Node& n) { n.values[6] = 1.5; });
+  db.run("UPDATE ships_meta SET value = random() WHERE key = 'stamp'");
+  expect_store_error(SQLITE_CORRUPT_VTAB, "a category is not a whole number", [&] { contents(*store); });
 }
 
 TEST_F(TreeDamage, TimesThatDoNotContainWhatIsBelow) {

@@ -28,6 +28,7 @@ class LeafReader {
   Extents<D> extents(const double* record) const { return extents_of<D>(shape_, record, at_); }
   Vec<D> growth(const double* record) const { return growth_of<D>(shape_, record, at_); }
   bool grows() const { return at_.growth != Offsets::absent || at_.growth_z != Offsets::absent; }
+  Kinds kinds(const double* record) const { return kinds_of(record, at_); }
   double t(const double* record) const { return value_or(record, at_.t, 0); }
   const double* record(const Node& leaf, std::size_t slot) const {
     return leaf.values.data() + slot * record_size();
@@ -50,12 +51,14 @@ struct Mover {
   Extents<D> extents;  ///< at its t
   Vec<D> growth;
   bool grows;  ///< true if the table has columns of growth
+  Kinds kinds;
 
   Mover(const LeafReader<D>& reader, const double* record)
       : motion(reader.motion(record)),
         extents(reader.extents(record)),
         growth(reader.growth(record)),
-        grows(reader.grows()) {}
+        grows(reader.grows()),
+        kinds(reader.kinds(record)) {}
 
   Bounds<D> bounds(double epoch, double pad = rounding_pad) const {
     const Bounds<D> bounds = bounds_at(motion, extents, epoch, pad);
@@ -90,16 +93,19 @@ template <int D>
 struct Entry {
   Times times;
   Bounds<D> bounds = Bounds<D>::nothing();
+  Kinds kinds = Kinds::none();  ///< of all objects beneath, or-ed; bits of others may be set too
 
-  void include(const Entry& other) { times.include(other.times), bounds.include(other.bounds); }
+  void include(const Entry& other) {
+    times.include(other.times), bounds.include(other.bounds), kinds.include(other.kinds);
+  }
   bool contains(const Entry& other) const {
-    return times.contains(other.times) && bounds.contains(other.bounds);
+    return times.contains(other.times) && bounds.contains(other.bounds) && kinds.contains(other.kinds);
   }
 };
 
 template <int D>
 Entry<D> entry_of(const Mover<D>& mover, double epoch) {
-  return {{mover.motion.t, mover.motion.t, mover.motion.until}, mover.bounds(epoch)};
+  return {{mover.motion.t, mover.motion.t, mover.motion.until}, mover.bounds(epoch), mover.kinds};
 }
 
 inline constexpr std::size_t times_size = 3;
@@ -119,7 +125,7 @@ Bounds<D> bounds_at(const Node& inner, std::size_t slot) {
 
 template <int D>
 Entry<D> entry_at(const Node& inner, std::size_t slot) {
-  return {times_at<D>(inner, slot), bounds_at<D>(inner, slot)};
+  return {times_at<D>(inner, slot), bounds_at<D>(inner, slot), kinds_at(inner, slot)};
 }
 
 template <int D>
@@ -129,6 +135,7 @@ void set_entry(Node& inner, std::size_t slot, const Entry<D>& entry) {
   for (const Vec<D>* part : {&entry.bounds.x_lower, &entry.bounds.x_upper, &entry.bounds.v_lower,
                              &entry.bounds.v_upper, &entry.bounds.a_lower, &entry.bounds.a_upper})
     to = std::copy_n(part->data(), D, to);
+  set_kinds(inner, slot, entry.kinds);
 }
 
 template <int D>
@@ -203,6 +210,7 @@ inline void remove_slot(Node& node, std::size_t slot, std::size_t stride) {
   node.keys[slot] = node.keys.back();
   std::copy(node.values.end() - static_cast<std::ptrdiff_t>(stride), node.values.end(),
             node.values.begin() + static_cast<std::ptrdiff_t>(slot * stride));
+  if (!node.kinds.empty()) node.kinds[slot] = node.kinds.back(), node.kinds.pop_back();
   node.keys.pop_back();
   node.values.resize(node.values.size() - stride);
 }

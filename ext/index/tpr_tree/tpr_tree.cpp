@@ -210,9 +210,11 @@ class Tree final : public TprTree {
   void overwrite(NodeNumber leaf, std::size_t slot, const NewObject<D>& object) {
     double* place = state_.pages.modify_record(leaf, slot);
     const double t_before = state_.reader.t(place);
+    const Kinds kinds_before = state_.reader.kinds(place);
     std::copy(object.record.begin(), object.record.end(), place);
     if (object.mover.motion.t != t_before) refresh_newest(state_, leaf);
     fit_upward(state_, leaf, object);
+    if (object.mover.kinds != kinds_before) tighten_upward(state_, leaf);
   }
 
   TreeState<D> state_;

@@ -65,8 +65,10 @@ class TreeCheck {
     const bool too_full = size > (node.is_leaf() ? pages_.leaf_capacity() : pages_.inner_capacity());
     if (too_empty) problem(number, "is too empty");
     if (too_full) problem(number, "is too full");
-    if (node.values.size() != size * stride) problem(number, "has numbers missing or too many");
-    return !too_empty && node.values.size() == size * stride;
+    const bool fits = node.values.size() == size * stride &&
+                      (node.kinds.empty() || (!node.is_leaf() && node.kinds.size() == size));
+    if (!fits) problem(number, "has numbers missing or too many");
+    return !too_empty && fits;
   }
 
   void check_newest(NodeNumber number, const Node& node) {
@@ -104,7 +106,8 @@ class TreeCheck {
   void check_bounds(NodeNumber number, std::int64_t id, const Mover<D>& mover) {
     const Motion<D>& motion = mover.motion;
     for (const Above& above : above_) {
-      const Entry<D> own{{motion.t, motion.t, motion.until}, known(mover.bounds(above.epoch, 0.0))};
+      const Entry<D> own{
+          {motion.t, motion.t, motion.until}, known(mover.bounds(above.epoch, 0.0)), mover.kinds};
       if (!above.entry.contains(own))
         problem(number, "holds object " + std::to_string(id) + ", which an entry above does not contain");
     }

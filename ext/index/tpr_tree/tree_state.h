@@ -97,7 +97,7 @@ struct Branch {
   Entry<D> known;
   double epoch;
 
-  Entry<D> entry(double at) const { return {known.times, carried(known.bounds, epoch, at)}; }
+  Entry<D> entry(double at) const { return {known.times, carried(known.bounds, epoch, at), known.kinds}; }
 };
 
 }  // namespace foresee

@@ -22,7 +22,8 @@ constexpr std::array words = {
     Word{"hz", Quantity::half_extent, 2},   Word{"r", Quantity::radius, 0},
     Word{"shape", Quantity::form, 0},       Word{"heading", Quantity::heading, 0},
     Word{"growth", Quantity::growth, 0},    Word{"growth_z", Quantity::growth, 2},
-    Word{"until", Quantity::until, 0},      Word{"lat", Quantity::centre, 0},
+    Word{"until", Quantity::until, 0},      Word{"category", Quantity::category, 0},
+    Word{"mask", Quantity::mask, 0},        Word{"lat", Quantity::centre, 0},
     Word{"lon", Quantity::centre, 1},       Word{"speed", Quantity::velocity, 0},
     Word{"course", Quantity::velocity, 1},  Word{"zone", Quantity::form, 0},
 };

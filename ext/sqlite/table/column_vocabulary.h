@@ -25,9 +25,16 @@ enum class Quantity : std::uint8_t {
   form,
   heading,
   growth,
+  category,
+  mask,
   until,  // must stay last: quantity_count depends on it
 };
 constexpr int quantity_count = static_cast<int>(Quantity::until) + 1;
+
+/// Whether a quantity is one of the kinds (shape/kinds.h) and not of the motion.
+constexpr bool is_kind(Quantity quantity) {
+  return quantity == Quantity::category || quantity == Quantity::mask;
+}
 
 /// One known column name.
 struct Word {

@@ -25,6 +25,8 @@ class WordTable {
     layout.has_until = has(Quantity::until);
     layout.has_radius = is_stored_apart(layout.shape) && has(Quantity::radius);
     layout.has_heading = has(Quantity::heading);
+    layout.has_category = has(Quantity::category);
+    layout.has_mask = has(Quantity::mask);
     add_growth(layout);
     return layout;
   }
@@ -193,6 +195,10 @@ int offset_of(const Offsets& at, const Word& word) {
       return at.heading;
     case Quantity::growth:
       return word.axis == 2 ? at.growth_z : at.growth;
+    case Quantity::category:
+      return at.category;
+    case Quantity::mask:
+      return at.mask;
     case Quantity::until:
       return at.until;
   }

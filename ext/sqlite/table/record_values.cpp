@@ -8,6 +8,7 @@
 #include "base/integer_of.h"
 #include "base/number_text.h"
 #include "geography/zone.h"
+#include "shape/kinds.h"
 #include "shape/outline/shared_outline.h"
 #include "sqlite/callback.h"
 #include "sqlite/date_text.h"
@@ -149,6 +150,7 @@ void Values::fill_form(std::int64_t id, sqlite3_value* shape, Store& store,
 
 double Values::stored(const Column& column, std::int64_t id, sqlite3_value* value) const {
   const Quantity quantity = column.quantity;
+  if (is_kind(quantity)) return stored_kind(column, id, value);
   const int type = type_as_number(value);
   if (type == SQLITE_NULL) {
     if (quantity == Quantity::until) return std::numeric_limits<double>::infinity();
@@ -183,6 +185,17 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
   if (number <= 0 && quantity == Quantity::mass)
     refuse(column.name, id, shown(value), "a mass is never 0 or negative; write a number greater than 0");
   return number;
+}
+
+/// The bits of a category or a mask; NULL and '' are the default.
+double Values::stored_kind(const Column& column, std::int64_t id, sqlite3_value* value) const {
+  const int type = type_as_number(value);
+  if (type == SQLITE_NULL) return column.quantity == Quantity::category ? Kinds{}.category : Kinds{}.mask;
+  const double number = sqlite3_value_double(value);
+  const bool is_number = type == SQLITE_INTEGER || type == SQLITE_FLOAT;
+  if (!is_number || !(0 <= number && number <= every_kind && number == std::floor(number)))
+    refuse(column.name, id, shown(value), "not 32 bits; write a whole number from 0 to 4294967295, or NULL");
+  return static_cast<std::uint32_t>(number);  // and so never -0
 }
 
 void Values::require_motion_to_last(std::int64_t id) const {

@@ -151,6 +151,7 @@ void TableCursor::column(sqlite3_context* context, int column) const {
     if (motion.geo != GeoColumn::none) return result_degrees(context, motion.geo);
     const double number = record()[motion.place];
     if (motion.is_form) return result_form(context, number);
+    if (motion.is_kind) return sqlite3_result_int64(context, static_cast<sqlite3_int64>(number));
     if (std::isfinite(number)) sqlite3_result_double(context, number);  // an infinite until reads as NULL
   } else if (column > table_.command_column()) {
     const auto hidden = static_cast<std::size_t>(column - table_.command_column() - 1);

@@ -82,7 +82,7 @@ class Declarer {
     for (const DeclaredWord& declared : words_)
       declaration_.columns.push_back({std::string(declared.word.name), offset_of(at, declared.word),
                                       declared.word.quantity == Quantity::form,
-                                      geo_column(declared.word.name)});
+                                      is_kind(declared.word.quantity), geo_column(declared.word.name)});
     if (declaration_.frame.in_degrees()) require_no_hidden_names();
     return std::move(declaration_);
   }
@@ -95,12 +95,15 @@ class Declarer {
       require_text(argument);
     else if (!is_one_of(argument.detail,
                         {"", "REAL", "DOUBLE", "DOUBLE PRECISION", "FLOAT", "NUMERIC", "INT", "INTEGER"}))
-      refuse(argument, std::string(word.name) + " holds a double; write " + std::string(word.name) + " or " +
-                           std::string(word.name) + " REAL");
+      refuse(argument, std::string(word.name) +
+                           (is_kind(word.quantity) ? " holds an integer" : " holds a double") + "; write " +
+                           std::string(word.name) + " or " + std::string(word.name) +
+                           (is_kind(word.quantity) ? " INTEGER" : " REAL"));
     require_new_name(argument);
     if (!declaration_.auxiliaries.empty())
       refuse(argument, "motion columns come before the auxiliary columns; move it before +" +
                            declaration_.auxiliaries.front().name);
+    require_before_kinds(argument, word);
     words_.push_back({word, argument.text});
   }
 
@@ -116,6 +119,12 @@ class Declarer {
     if (has_horizon_) refuse(argument, "horizon is given twice; leave one out");
     has_horizon_ = true;
     declaration_.horizon = positive_number(argument);
+  }
+
+  void require_before_kinds(const Argument& argument, const Word& word) const {
+    if (!words_.empty() && is_kind(words_.back().word.quantity) && !is_kind(word.quantity))
+      refuse(argument, "category and mask come after the motion columns; move it before " +
+                           std::string(words_.back().word.name));
   }
 
   void require_new_name(const Argument& argument) const {
@@ -177,7 +186,10 @@ void require_table_name(const Declaration& declaration, std::string_view table) 
 std::string declared_schema(const Declaration& declaration, std::string_view table) {
   std::string sql = "CREATE TABLE x(id INTEGER PRIMARY KEY";
   for (const MotionColumn& column : declaration.columns)
-    sql += ", " + quoted_name(column.name) + (column.is_form ? " TEXT" : " REAL");
+    sql += ", " + quoted_name(column.name) +
+           (column.is_form   ? " TEXT"
+            : column.is_kind ? " INTEGER"
+                             : " REAL");
   for (const AuxiliaryColumn& column : declaration.auxiliaries)
     sql += ", " + quoted_name(column.name) + " " + column.type;
   sql += ", " + quoted_name(std::string(table)) + " HIDDEN";

@@ -18,9 +18,11 @@ enum class GeoColumn : std::uint8_t { none, lat, lon, speed, course };
 
 /// A declared motion column (the id is not one of them) and its place in the stored record.
 struct MotionColumn {
-  std::string name;  ///< as in docs/reference/moving_objects.md#columns: t, x, vy, fz, m, hx, r, shape, until
-  int place;         ///< index of its double in the record
-  bool is_form = false;  ///< the double is the number of an outline or mesh
+  std::string
+      name;   ///< as in docs/reference/moving_objects.md#columns: t, x, vy, m, r, shape, category, until
+  int place;  ///< index of its double in the record
+  bool is_form = false;             ///< the double is the number of an outline or mesh
+  bool is_kind = false;             ///< the double is a category or a mask, which reads back as an integer
   GeoColumn geo = GeoColumn::none;  ///< `place` is then that of x, y, vx or vy
 };
 

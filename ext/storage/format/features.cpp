@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "shape/kinds.h"
+
 namespace foresee {
 namespace {
 
@@ -16,14 +18,16 @@ std::string_view pop_first(std::string_view& names) {
 }  // namespace
 
 std::span<const Feature> known_features() {
-  static constexpr std::array<Feature, 7> known{
+  static constexpr std::array<Feature, 8> known{
       {{map_blocks, [](const Declaration&) { return true; }},
        {stored_shapes, [](const Declaration& declared) { return is_stored_apart(declared.layout.shape); }},
        {stored_meshes, [](const Declaration& declared) { return declared.layout.shape == Shape::mesh; }},
        {stored_growth, [](const Declaration& declared) { return grows(declared.layout); }},
        {stored_degrees, [](const Declaration& declared) { return declared.frame.in_degrees(); }},
        {named_frame, [](const Declaration& declared) { return !declared.frame.text.empty(); }},
-       {stored_zones, [](const Declaration& declared) { return declared.has_zones(); }}}};
+       {stored_zones, [](const Declaration& declared) { return declared.has_zones(); }},
+
+       {stored_kinds, [](const Declaration& declared) { return has_kinds(declared.layout); }}}};
   return known;
 }
 

@@ -44,6 +44,10 @@ constexpr std::string_view stored_zones = "zones";
 /// The declaration names the frame of the coordinates. Tables with the option `frame` have this feature.
 constexpr std::string_view named_frame = "frame";
 
+/// Records have a category or a mask, and entries of inner nodes the kinds beneath them. Tables with `category`
+/// or `mask` have this feature.
+constexpr std::string_view stored_kinds = "kinds";
+
 /// Maximum length in bytes of the list that is read.
 constexpr std::size_t max_features = 1000;
 

@@ -15,7 +15,21 @@ std::size_t count_of(std::span<const std::byte> blob) {
 
 /// Number of doubles of an entry that are stored: a prefix of the entry in memory.
 std::size_t stored_numbers(const NodeFormat& format) {
-  return format.inner_entry_size / sizeof(double) - 1;  // the child's number comes first
+  // The child's number comes first, the kinds last.
+  return format.inner_entry_size / sizeof(double) - 1 - has_kinds(format.layout);
+}
+
+/// Where an entry has its kinds: category and mask, of four bytes each.
+std::size_t kinds_offset(const NodeFormat& format) {
+  return format.inner_entry_size - 2 * sizeof(std::uint32_t);
+}
+
+void store_kinds(std::byte* at, Kinds kinds) {
+  store_number(at, kinds.category), store_number(at + sizeof kinds.category, kinds.mask);
+}
+
+Kinds load_kinds(const std::byte* at) {
+  return {load_number<std::uint32_t>(at), load_number<std::uint32_t>(at + sizeof(std::uint32_t))};
 }
 
 /// False for NaN. A lower bound of -infinity and an upper bound of infinity mean "unbounded".
@@ -63,6 +77,7 @@ std::vector<std::byte> encode_inner(const NodeFormat& format, std::int64_t numbe
     store_number(entry, node.keys[slot]);
     std::memcpy(entry + sizeof(std::int64_t), node.values.data() + slot * stride,
                 stored_numbers(format) * sizeof(double));
+    if (has_kinds(format.layout)) store_kinds(entry + kinds_offset(format), kinds_at(node, slot));
   }
   seal_node(blob, number);
   return blob;
@@ -104,6 +119,7 @@ Node decode_inner(const NodeFormat& format, std::span<const std::byte> blob) {
     node.keys.push_back(load_number<std::int64_t>(entry));
     double* values = node.values.data() + slot * stride;
     std::memcpy(values, entry + sizeof(std::int64_t), stored_numbers(format) * sizeof(double));
+    if (has_kinds(format.layout)) set_kinds(node, slot, load_kinds(entry + kinds_offset(format)));
     if (bounds_move(format.layout)) continue;
     std::fill_n(values + first_bound + 2 * axes, axes, -rest_velocity_pad);
     std::fill_n(values + first_bound + 3 * axes, axes, rest_velocity_pad);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "shape/kinds.h"
 #include "shape/shapes.h"
 #include "storage/format/form_blob.h"
 
@@ -68,18 +69,33 @@ const char* until_fault(const NodeFormat& format, const std::byte* record) {
   return number_at(record, format.at.until) >= start ? nullptr : "an object ends before it starts";
 }
 
+bool is_kind(double number) {
+  return 0 <= number && number <= every_kind && number == std::floor(number);
+}
+
+const char* kinds_fault(const NodeFormat& format, const std::byte* record) {
+  if (format.layout.has_category && !is_kind(number_at(record, format.at.category)))
+    return "a category is not a whole number from 0 to 4294967295";
+  if (format.layout.has_mask && !is_kind(number_at(record, format.at.mask)))
+    return "a mask is not a whole number from 0 to 4294967295";
+  return nullptr;
+}
+
 const char* records_fault(const NodeFormat& format, const std::byte* records, std::size_t count) {
   constexpr const char* not_finite = "a number is not finite";
-  const bool ends = format.layout.has_until;  // `until` comes last, and may be +infinity
+  // `until` may be +infinity; it comes last, but for category and mask, which are checked alone.
+  const bool ends = format.layout.has_until;
   const auto size = static_cast<std::size_t>(format.at.size);
   if (!ends && !all_finite(records, count * size)) return not_finite;
   const bool extended = format.layout.shape != Shape::point, forced = format.layout.law == Law::forced;
-  if (!ends && !extended && !forced) return nullptr;
+  const bool kinds = has_kinds(format.layout);
+  if (!ends && !extended && !forced && !kinds) return nullptr;
   for (const std::byte* record = records; record != records + count * format.record_size;
        record += format.record_size) {
-    if (ends && !all_finite(record, size - 1)) return not_finite;
+    if (ends && !all_finite(record, static_cast<std::size_t>(format.at.until))) return not_finite;
     const char* fault = extended ? extent_fault(format, record) : nullptr;
     if (!fault && ends) fault = until_fault(format, record);
+    if (!fault && kinds) fault = kinds_fault(format, record);
     if (!fault && forced) fault = force_fault(format, record);
     if (fault) return fault;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shape/kinds.h"
 #include "storage/format/crc32c.h"
 
 namespace foresee {
@@ -14,10 +15,10 @@ std::size_t record_bytes(const Layout& layout) {
 }
 
 // Child, smallest t, largest t, largest until; then two bounds per axis for position, velocity and
-// acceleration, as far as the declaration has them.
+// acceleration, as far as the declaration has them. Last are the kinds, if it has category or mask.
 std::size_t inner_entry_bytes(const Layout& layout) {
   const std::size_t bounded = !bounds_move(layout) ? 1 : degree_of(layout.law) < 2 ? 2 : 3;
-  return number_size * (4 + 2 * bounded * static_cast<std::size_t>(layout.axes));
+  return number_size * (4 + 2 * bounded * static_cast<std::size_t>(layout.axes) + has_kinds(layout));
 }
 
 std::uint32_t checksum(std::span<const std::byte> node, std::int64_t number) {

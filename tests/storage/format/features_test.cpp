@@ -45,6 +45,16 @@ TEST(Features, GrowthIsOne) {
   }
 }
 
+// Without this feature an older library would join objects whose kinds may not meet.
+TEST(Features, KindsAreOne) {
+  for (bool Layout::*kinds : {&Layout::has_category, &Layout::has_mask}) {
+    Declaration declaration{.layout = {.axes = 2, .shape = Shape::box}};
+    declaration.layout.*kinds = true;
+    EXPECT_EQ(features_of(declaration), "blocks,kinds");
+  }
+  EXPECT_EQ(unknown_feature("blocks,kinds", two), "blocks");
+}
+
 // Without this feature an older library would read bounds of three axes as bounds of two.
 TEST(Features, MeshesAreRefusedByALibraryThatKnowsOutlinesOnly) {
   Declaration declaration{.layout = {.axes = 3, .shape = Shape::mesh}};

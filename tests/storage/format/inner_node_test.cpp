@@ -57,6 +57,27 @@ TEST(InnerNode, RoundTripsForEveryLayout) {
     }
 }
 
+TEST(InnerNode, KindsRoundTripAndTakeEightBytesPerEntry) {
+  const Layout plain{.axes = 2, .law = Law::uniform};
+  for (bool Layout::*kinds : {&Layout::has_category, &Layout::has_mask}) {
+    Layout layout = plain;
+    layout.*kinds = true;
+    const NodeFormat format = format_of(layout);
+    EXPECT_EQ(format.inner_entry_size, format_of(plain).inner_entry_size + 8);
+    EXPECT_EQ(format.record_size, format_of(plain).record_size + 8);
+    Node node = full_node(format);
+    for (std::size_t slot = 0; slot < node.size(); slot += 2)
+      set_kinds(node, slot, {static_cast<std::uint32_t>(slot), 0xfffffff0});
+    const std::vector<std::byte> blob = encode_inner(format, number, node);
+    ASSERT_EQ(inner_fault(format, blob, number), nullptr);
+    const Node back = decode_inner(format, blob);
+    EXPECT_EQ(back.values, node.values);
+    EXPECT_EQ(back.kinds, node.kinds);
+    EXPECT_EQ(kinds_at(back, 1), Kinds{});
+    EXPECT_EQ(kinds_at(back, 2), (Kinds{2, 0xfffffff0}));
+  }
+}
+
 TEST(InnerNode, EveryChangedByteIsAFault) {
   const NodeFormat format = format_of({.axes = 2, .law = Law::accelerated});
   std::vector<std::byte> blob = encode_inner(format, number, full_node(format));

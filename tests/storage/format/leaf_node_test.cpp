@@ -165,5 +165,20 @@ TEST(LeafNode, CylindersHaveNeitherNegativeRadiusNorHeight) {
   EXPECT_STREQ(record_fault(format, height), "a half extent is negative");
 }
 
+TEST(LeafNode, ACategoryOrMaskThatIsNot32BitsIsAFault) {
+  const NodeFormat format = format_of(
+      {.axes = 1, .has_until = true, .has_category = true, .has_mask = true});  // x, until, category, mask
+  const auto fault_with = [&](double category, double mask) {
+    return fault_of(format, leaf_with(format, {1, inf, category, mask}));
+  };
+  const std::string range = " is not a whole number from 0 to 4294967295";
+  EXPECT_EQ(fault_with(0, 4294967295), "");
+  EXPECT_EQ(fault_with(4294967295, 0), "");
+  for (const double wrong : {-1.0, 0.5, 4294967296.0, std::nan(""), inf, -inf}) {
+    EXPECT_EQ(fault_with(wrong, 1), "a category" + range) << wrong;
+    EXPECT_EQ(fault_with(1, wrong), "a mask" + range) << wrong;
+  }
+}
+
 }  // namespace
 }  // namespace foresee

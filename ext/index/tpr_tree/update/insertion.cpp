@@ -90,6 +90,7 @@ std::vector<Bounds<D>> bounds_of_all(const Node& inner, double epoch) {
 void move_slots(Node& node, std::span<const std::uint32_t> slots, Node& to, std::size_t stride) {
   for (const std::uint32_t slot : slots) {
     to.keys.push_back(node.keys[slot]);
+    set_kinds(to, to.size() - 1, kinds_at(node, slot));
     const auto values = node.values.begin() + static_cast<std::ptrdiff_t>(slot * stride);
     to.values.insert(to.values.end(), values, values + static_cast<std::ptrdiff_t>(stride));
   }

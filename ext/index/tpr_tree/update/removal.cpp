@@ -35,7 +35,8 @@ bool tighten(TreeState<D>& state, NodeNumber number, NodeNumber parent) {
     const Entry<D> before = entry_at<D>(*above, slot);
     tight = summary(*node, state.reader, above->epoch);
     tight.bounds.narrow_to(before.bounds);
-    if (tight.times == before.times && tight.bounds == before.bounds) return false;
+    if (tight.times == before.times && tight.bounds == before.bounds && tight.kinds == before.kinds)
+      return false;
   }
   set_entry(state.pages.modify(parent), slot, tight);
   return true;
