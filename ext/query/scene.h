@@ -16,6 +16,8 @@
 
 namespace foresee {
 
+struct SceneKinds;
+
 struct Scene {
   std::string name;  ///< of the table, for messages
   Layout layout;
@@ -23,6 +25,8 @@ struct Scene {
   std::vector<double> rows;               ///< ids.size() rows of row_offsets(layout).size doubles
   std::optional<TreeLevels> levels = {};  ///< for joins by the tree: rows are in leaf order
   std::unique_ptr<RowForms> forms = {};   ///< if the layout has outlines or meshes
+  mutable std::shared_ptr<const SceneKinds> kinds =
+      {};  ///< set by the first join that needs them (join/pair_kinds.h)
 
   std::size_t size() const { return ids.size(); }
   Bodies bodies() const {

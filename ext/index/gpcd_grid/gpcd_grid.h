@@ -16,6 +16,7 @@
 
 #include "index/candidates.h"
 #include "index/gpcd_grid/work_space.h"
+#include "shape/kinds.h"
 
 namespace foresee {
 
@@ -25,6 +26,7 @@ struct MovingBoxes {
   Bodies bodies;
   Horizon horizon;
   Vec<D> margin;
+  const Kinds* kinds = nullptr;  ///< by row, or null: all may meet. Of both sides, or of none
 };
 
 /// Enters all objects and returns the candidates: pairs within `a`, or between `a` and `b` if that is not
@@ -32,13 +34,13 @@ struct MovingBoxes {
 ///
 /// Every pair is reported once whose boxes, each grown by its margin, meet at a time of the horizon at which
 /// both objects exist. Other pairs are reported only if their beams meet: beams are straight and rounded
-/// outward. Any finite numbers are valid; those too large or too small to compute with count as near. The
-/// order is that of the stripes, not of time. It is the same for all vector instructions, any `space` and any
-/// number of helpers.
+/// outward. With kinds, a pair that may not meet is not reported. Any finite numbers are valid; those too
+/// large or too small to compute with count as near. The order is that of the stripes, not of time. It is the
+/// same for all vector instructions, any `space` and any number of helpers.
 ///
-/// The bodies are not read after this returns; pairs are found while they are pulled. `interrupt` is polled
-/// throughout and must outlive the grid. Throws Error if the objects of a side meet more than 2^32 stripes in
-/// total. `space` is memory for reuse; if it is null, the grid allocates its own.
+/// The bodies are not read after this returns, but their kinds are; pairs are found while they are pulled.
+/// `interrupt` is polled throughout and must outlive the grid. Throws Error if the objects of a side meet
+/// more than 2^32 stripes in total. `space` is memory for reuse; if it is null, the grid allocates its own.
 template <int D>
 std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>& a, const MovingBoxes<D>* b,
                                            Interrupt& interrupt, std::shared_ptr<GridSpace> space = nullptr);

@@ -113,6 +113,19 @@ constexpr std::size_t ahead = 12;  // rows are scattered in memory: prefetch the
 
 }  // namespace
 
+template <int D>
+void Lanes<D>::copy_kinds(const Kinds* kinds) {
+  view_.categories = view_.masks = nullptr;
+  if (!kinds) return;
+  std::uint32_t* const categories = memory_.kinds.room(2 * room_);
+  std::uint32_t* const masks = categories + room_;
+  for (std::size_t i = 0; i < view_.size; ++i)
+    categories[i] = kinds[ids_[i]].category, masks[i] = kinds[ids_[i]].mask;
+  std::fill_n(categories + view_.size, room_ - view_.size, 0);
+  std::fill_n(masks + view_.size, room_ - view_.size, 0);
+  view_.categories = categories, view_.masks = masks;
+}
+
 // One block holds all columns, one column for each place in a row. A cache line of sentinels follows each
 // column.
 template <int D>
@@ -201,6 +214,7 @@ void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, Inter
   for (std::size_t i = 0; i < keys.size(); ++i) ids_[i] = id_of(keys[i]);
   std::fill_n(classes_, keys.size(), 0);
   std::fill_n(classes_ + keys.size(), room_ - keys.size(), sentinel);
+  copy_kinds(rows.kinds());
   if (rows.columns().life)
     copy_rows<3 * D + 2>(rows, interrupt);
   else if (rows.columns().travel)

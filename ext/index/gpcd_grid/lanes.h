@@ -40,6 +40,8 @@ class Lanes {
   const LaneView<D>& view() const { return view_; }
 
  private:
+  /// Fills the columns of category and mask, if the rows have kinds.
+  void copy_kinds(const Kinds* kinds);
   /// Fills the columns from the rows of `ids_`, of `width` floats each.
   template <int width>
   void copy_rows(const FloatRows<D>& rows, Interrupt& interrupt);

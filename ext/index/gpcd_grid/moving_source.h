@@ -46,6 +46,8 @@ class MovingSource {
   }
   /// The core of row i: any box inside it touches the object at the start of the horizon.
   Box<D> core(std::size_t i) const { return core_box<D>(boxes_.bodies, i, boxes_.horizon.now); }
+  /// By row; null: all may meet.
+  const Kinds* kinds() const { return boxes_.kinds; }
   ObjectRows objects() const {
     return {reinterpret_cast<const char*>(boxes_.bodies.rows),
             static_cast<std::size_t>(boxes_.bodies.at.size) * sizeof(double)};

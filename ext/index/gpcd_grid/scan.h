@@ -34,6 +34,7 @@ struct LaneView {
   const float *from = nullptr, *to = nullptr;    ///< of rows: range of lanes (lanes.cpp); null: lower, upper
   const float *core_lower[D] = {}, *core_upper[D] = {};  ///< of rows (giants.h); null if no row has a core
   const std::uint32_t *classes = nullptr, *ids = nullptr;
+  const std::uint32_t *categories = nullptr, *masks = nullptr;  ///< null: all may meet (shape/kinds.h)
   ObjectRows objects;
   std::size_t size = 0;
   double longest = 0;  ///< an upper bound of the boxes' lengths along x
@@ -71,9 +72,9 @@ Scan<D> scan_between(const LaneView<D>& rows, const LaneView<D>& lanes, bool swa
 }
 
 /// Continues a scan until it is done, fewer than lanes_max places are left in `room`, or `steps` is used up.
-/// Writes pairs to `out` and returns their number. A pair is written, once, if it shares no class bit, is of
-/// the kind `keep`, and its beams meet (its boxes, if nothing moves). Other pairs are written only because of
-/// rounding. A step is the start of a row, or a comparison with lanes_max boxes.
+/// Writes pairs to `out` and returns their number. A pair is written, once, if it shares no class bit, its kinds
+/// may meet, it is as `keep` says, and its beams meet (its boxes, if nothing moves). Other pairs are written
+/// only because of rounding. A step is the start of a row, or a comparison with lanes_max boxes.
 template <int D>
 using ScanKernel = std::size_t (*)(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps);
 

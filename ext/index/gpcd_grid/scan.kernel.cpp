@@ -142,7 +142,7 @@ template <int D>
 }
 
 /// The scan kernel: compares each row with the lanes that start before it ends.
-template <class V, int D, Time time, Keep keep>
+template <class V, int D, Time time, Keep keep, bool has_kinds>
 std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
   const LaneView<D>& rows = *scan.rows;
   const LaneView<D> lanes = *scan.lanes;  // a copy, so that writes to `out` cannot change its pointers
@@ -153,6 +153,7 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   for (; scan.row < rows.size; ++scan.row, scan.started = false) {
     const std::size_t i = scan.row;
     const std::uint32_t id = rows.ids[i], classes = rows.classes[i] | sentinel;
+    const std::uint32_t category = has_kinds ? rows.categories[i] : 0, mask = has_kinds ? rows.masks[i] : 0;
     const Beams<V, D, time> row(rows, [i](const float* column) { return V::all(column[i]); });
     prefetch_object(rows, i);
     const float upper = keep == Keep::covered ? rows.core_upper[0][i]
@@ -167,6 +168,10 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
       if (lanes.lower[0][lane] > upper) break;
       const Beams<V, D, time> beams(lanes, [lane](const float* column) { return V::load(column + lane); });
       typename V::Mask kept = V::unshared(lanes.classes + lane, classes);
+      if constexpr (has_kinds) {
+        kept = V::sharing(kept, lanes.categories + lane, mask);
+        kept = V::sharing(kept, lanes.masks + lane, category);
+      }
       if constexpr (keep != Keep::covered) {
         if constexpr (time == Time::none)
           keep_in_space<V, D>(row, beams, kept);
@@ -186,12 +191,20 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   return static_cast<std::size_t>(out - begin);
 }
 
-/// Dispatches on the kind of pairs to keep.
-template <class V, int D, Time time>
+/// Dispatches on the pairs to keep.
+template <class V, int D, Time time, bool has_kinds>
 std::size_t run_kept(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
-  if (scan.keep == Keep::covered) return run_rows<V, D, time, Keep::covered>(scan, out, room, steps);
-  if (scan.keep == Keep::others) return run_rows<V, D, time, Keep::others>(scan, out, room, steps);
-  return run_rows<V, D, time, Keep::all>(scan, out, room, steps);
+  if (scan.keep == Keep::covered)
+    return run_rows<V, D, time, Keep::covered, has_kinds>(scan, out, room, steps);
+  if (scan.keep == Keep::others) return run_rows<V, D, time, Keep::others, has_kinds>(scan, out, room, steps);
+  return run_rows<V, D, time, Keep::all, has_kinds>(scan, out, room, steps);
+}
+
+/// Dispatches on whether the lanes have kinds.
+template <class V, int D, Time time>
+std::size_t run_meeting(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
+  return scan.lanes->categories ? run_kept<V, D, time, true>(scan, out, room, steps)
+                                : run_kept<V, D, time, false>(scan, out, room, steps);
 }
 
 /// Dispatches on the columns that the lanes have.
@@ -200,11 +213,11 @@ std::size_t run_scan(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   if (room < lanes_max) return 0;
   std::size_t written;
   if (!scan.lanes->travel[0])
-    written = run_kept<Vector, D, Time::none>(scan, out, room, steps);
+    written = run_meeting<Vector, D, Time::none>(scan, out, room, steps);
   else if (!scan.lanes->begin)
-    written = run_kept<Vector, D, Time::horizon>(scan, out, room, steps);
+    written = run_meeting<Vector, D, Time::horizon>(scan, out, room, steps);
   else
-    written = run_kept<Vector, D, Time::life>(scan, out, room, steps);
+    written = run_meeting<Vector, D, Time::life>(scan, out, room, steps);
   if (scan.swap)
     for (std::size_t i = 0; i < written; ++i) out[i] = {out[i].b, out[i].a};
   return written;

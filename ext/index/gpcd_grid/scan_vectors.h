@@ -40,6 +40,10 @@ struct SixteenLanes {
     return _mm512_mask_cmp_ps_mask(kept, x, y, _CMP_NGT_UQ);
   }
   static Mask but(Mask kept, Mask others) { return static_cast<Mask>(kept & ~others); }
+  static Mask sharing(Mask kept, const std::uint32_t* bits, std::uint32_t row) {
+    return _mm512_mask_test_epi32_mask(kept, _mm512_loadu_si512(bits),
+                                       _mm512_set1_epi32(static_cast<int>(row)));
+  }
   static Mask unshared(const std::uint32_t* classes, std::uint32_t row) {
     return _mm512_testn_epi32_mask(_mm512_loadu_si512(classes), _mm512_set1_epi32(static_cast<int>(row)));
   }
@@ -71,6 +75,9 @@ struct EightLanes {
   static Mask and_greater(Mask kept, Floats x, Floats y) { return kept & greater(x, y); }
   static Mask but_greater(Mask kept, Floats x, Floats y) { return but(kept, greater(x, y)); }
   static Mask but(Mask kept, Mask others) { return _mm256_andnot_si256(others, kept); }
+  static Mask sharing(Mask kept, const std::uint32_t* bits, std::uint32_t row) {
+    return but(kept, unshared(bits, row));
+  }
   static Mask unshared(const std::uint32_t* classes, std::uint32_t row) {
     const __m256i lanes = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(classes));
     const __m256i shared = _mm256_and_si256(lanes, _mm256_set1_epi32(static_cast<int>(row)));
@@ -102,6 +109,9 @@ struct FourLanes {
   static Mask and_greater(Mask kept, Floats x, Floats y) { return kept & (x > y); }
   static Mask but_greater(Mask kept, Floats x, Floats y) { return kept & ~(x > y); }
   static Mask but(Mask kept, Mask others) { return kept & ~others; }
+  static Mask sharing(Mask kept, const std::uint32_t* bits, std::uint32_t row) {
+    return but(kept, unshared(bits, row));
+  }
   static Mask unshared(const std::uint32_t* classes, std::uint32_t row) {
     Mask lanes;
     __builtin_memcpy(&lanes, classes, sizeof lanes);

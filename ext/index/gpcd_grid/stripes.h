@@ -23,7 +23,7 @@ namespace foresee::gpcd {
 
 // All objects of one side as rows of floats, by row number: GPCD step 1.
 //
-//   FloatRows<2> rows(count, columns, objects, memory);
+//   FloatRows<2> rows(count, columns, objects, nullptr, memory);
 //   rows.write(first, lanes, 64);                        // step by step
 //   FloatBox<2> box = rows.box(7);                       // of the object in row 7
 //
@@ -32,9 +32,11 @@ namespace foresee::gpcd {
 template <int D>
 class FloatRows {
  public:
-  FloatRows(std::size_t count, Columns columns, const ObjectRows& objects, Buffer<float>& memory)
+  FloatRows(std::size_t count, Columns columns, const ObjectRows& objects, const Kinds* kinds,
+            Buffer<float>& memory)
       : columns_(columns),
         objects_(objects),
+        kinds_(kinds),
         width_(static_cast<std::size_t>(width(columns))),
         count_(count),
         values_(memory.room(count * width_)) {}
@@ -43,6 +45,8 @@ class FloatRows {
   Columns columns() const { return columns_; }
   /// The location of the same objects in full.
   const ObjectRows& objects() const { return objects_; }
+  /// The kinds of the same objects; null: all may meet.
+  const Kinds* kinds() const { return kinds_; }
   /// The number of floats in a row.
   static constexpr int width(Columns columns) {
     return 2 * D + (columns.travel ? D : 0) + (columns.life ? 2 : 0);
@@ -61,6 +65,7 @@ class FloatRows {
  private:
   Columns columns_;
   ObjectRows objects_;
+  const Kinds* kinds_;
   std::size_t width_, count_;
   float* values_;
 };

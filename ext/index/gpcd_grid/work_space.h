@@ -83,7 +83,7 @@ struct GridSpace {
   struct Visit {
     struct Lanes {
       Buffer<float> floats, reach;
-      Buffer<std::uint32_t> words, buckets;
+      Buffer<std::uint32_t> words, buckets, kinds;
       Buffer<std::uint64_t> keys;
     } inside[2], crossing[2];
     Buffer<Pair> batch;
@@ -147,7 +147,8 @@ struct GridSpace {
   static void for_each(Visit& visit, Work work) {
     for (int i = 0; i < 2; ++i)
       for (Visit::Lanes* lanes : {&visit.inside[i], &visit.crossing[i]})
-        work(lanes->floats), work(lanes->reach), work(lanes->words), work(lanes->buckets), work(lanes->keys);
+        work(lanes->floats), work(lanes->reach), work(lanes->words), work(lanes->buckets), work(lanes->kinds),
+            work(lanes->keys);
     work(visit.batch);
   }
   template <class Work>

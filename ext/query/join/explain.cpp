@@ -10,6 +10,7 @@
 #include "index/paper_grid/thread_clock.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
+#include "query/join/pair_kinds.h"
 #include "query/join/tile_scenes.h"
 #include "query/tile/ownership.h"
 
@@ -29,8 +30,10 @@ std::uint64_t queried_pairs(const JoinQuestion& question) {
 /// The stages of one join, and their counts so far.
 class Explanation {
  public:
-  Explanation(const JoinQuestion& question, Interrupt& interrupt)
-      : question_(question),
+  /// `kinds`: the count of the stage before the candidates, or nothing if all pairs may meet.
+  Explanation(const JoinQuestion& question, const std::optional<StageCount>& kinds, Interrupt& interrupt)
+      : kinds_count_(kinds),
+        question_(question),
         a_(*question.a),
         b_(question.b ? *question.b : a_),
         interrupt_(interrupt),
@@ -39,7 +42,7 @@ class Explanation {
         plan_(plan_join(question, contact_->reach())) {
     if (refinement_) refinement_->set_interrupt(interrupt);
     open_axes();
-    candidates_count_.before = queried_pairs(question);
+    candidates_count_.before = kinds ? kinds->after : queried_pairs(question);
   }
 
   void run() {
@@ -50,7 +53,9 @@ class Explanation {
   }
 
   std::vector<ExplainRow> rows() const {
-    std::vector<ExplainRow> rows{row("candidates", "steps 1 to 4", candidates_count_, candidates_detail())};
+    std::vector<ExplainRow> rows;
+    if (kinds_count_) rows.push_back(row("kinds", "before step 1", *kinds_count_, "category and mask"));
+    rows.push_back(row("candidates", "steps 1 to 4", candidates_count_, candidates_detail()));
     constexpr const char* steps[] = {"step 5a", "step 5b", "step 5c", "step 5d"};
     static_assert(std::size(steps) == paper_stage_count);
     for (std::size_t stage = 0; stage < paper_stage_count; ++stage)
@@ -78,7 +83,7 @@ class Explanation {
     const bool between = question_.b != nullptr;
     const double begin = thread_seconds();
     if (uses_paper_grid())
-      candidates_ = owned(make_paper_grid<D>(a, b, between, horizon, margin, interrupt_));
+      candidates_ = owned(meeting(make_paper_grid<D>(a, b, between, horizon, margin, interrupt_)));
     else
       candidates_ = join_candidates(question_, plan_.method, horizon, contact_->reach(), interrupt_);
     candidates_count_.seconds = thread_seconds() - begin;
@@ -87,6 +92,10 @@ class Explanation {
 
   std::unique_ptr<Candidates> owned(std::unique_ptr<Candidates> all) const {
     return question_.own ? owned_candidates(std::move(all), question_.own) : std::move(all);
+  }
+
+  std::unique_ptr<Candidates> meeting(std::unique_ptr<Candidates> all) const {
+    return question_.kinds ? meeting_candidates(std::move(all), question_.kinds) : std::move(all);
   }
 
   bool next_candidates(std::vector<Pair>& pairs) {
@@ -180,6 +189,7 @@ class Explanation {
 
   static constexpr std::size_t slice = 256;
 
+  std::optional<StageCount> kinds_count_;
   const JoinQuestion& question_;
   const Scene &a_, &b_;
   Interrupt& interrupt_;
@@ -193,16 +203,27 @@ class Explanation {
   std::vector<ContactTimes> times_;
 };
 
+/// The pairs that may meet, of all queried ones. Nothing for tables without category and mask.
+std::optional<StageCount> count_kinds(const JoinQuestion& queried, Interrupt& interrupt) {
+  if (!has_kinds(queried)) return {};
+  const double begin = thread_seconds();
+  const JoinQuestion question = with_kinds(in_tile(queried, interrupt));
+  StageCount count{.before = queried_pairs(question), .after = count_meeting(question, interrupt)};
+  count.seconds = thread_seconds() - begin;
+  return count;
+}
+
 }  // namespace
 
 std::vector<ExplainRow> explain_join(const JoinQuestion& whole, Interrupt& interrupt) {
   const FloatEnvironment environment;
-  JoinQuestion question = in_tile(whole, interrupt);
+  const std::optional<StageCount> kinds = count_kinds(whole, interrupt);
+  JoinQuestion question = with_kinds(in_tile(without_inert(whole), interrupt));
   question.only_a = question.only_b = {};
   question.queried_t = question.queried_dt = {};
-  Explanation explanation(question, interrupt);
-  if (question.a->size() == 0 || (question.b && question.b->size() == 0)) return {};
-  if (question.own && (question.own->needed_a == 0 || question.own->needed_b == 0)) return {};
+  Explanation explanation(question, kinds, interrupt);
+  if (whole.a->size() == 0 || (whole.b && whole.b->size() == 0)) return {};
+  if (!kinds && question.own && (question.own->needed_a == 0 || question.own->needed_b == 0)) return {};
   explanation.run();
   return explanation.rows();
 }

@@ -6,6 +6,7 @@
 #include "base/float_environment.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
+#include "query/join/pair_kinds.h"
 #include "query/join/slab_helpers.h"
 #include "query/join/sorted_hits.h"
 #include "query/join/tile_scenes.h"
@@ -15,7 +16,7 @@ namespace foresee {
 /// The state of a join: its query, plan and open slab.
 struct Join::Progress {
   Progress(JoinQuestion whole, Interrupt& interrupt)
-      : question(with_space(in_tile(std::move(whole), interrupt))),
+      : question(with_space(with_kinds(in_tile(without_inert(std::move(whole)), interrupt)))),
         interrupt(interrupt),
         stage(question, interrupt),
         plan(plan_join(question, stage.reach())),

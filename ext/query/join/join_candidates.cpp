@@ -9,6 +9,7 @@
 #include "index/one_with_all.h"
 #include "index/paper_grid/paper_candidates.h"
 #include "index/tpr_tree/search/tree_join.h"
+#include "query/join/pair_kinds.h"
 #include "query/tile/ownership.h"
 
 namespace foresee {
@@ -26,6 +27,19 @@ std::unique_ptr<Candidates> one_row(const Scene& scene, std::int64_t id, Side si
   return make_one_with_all(rows, interrupt);
 }
 
+/// Those of the rows of a side, for the indexes that test them; null without kinds.
+const Kinds* kinds_of_a(const JoinQuestion& question) {
+  return question.kinds ? question.kinds->a->of.data() : nullptr;
+}
+const Kinds* kinds_of_b(const JoinQuestion& question) {
+  return question.kinds ? question.kinds->b->of.data() : nullptr;
+}
+
+bool tests_kinds(const JoinQuestion& question, JoinMethod method) {
+  const bool one = question.only_a || question.only_b;
+  return !one && (method == JoinMethod::grid || method == JoinMethod::tree);
+}
+
 std::unique_ptr<Candidates> scan(const Scene& a, const Scene* b, Interrupt& interrupt) {
   return b ? make_all_pairs(a.size(), b->size(), interrupt) : make_all_pairs(a.size(), interrupt);
 }
@@ -34,10 +48,11 @@ template <int D>
 std::unique_ptr<Candidates> tree(const JoinQuestion& question, const Horizon& horizon, const Vec<D>& margin,
                                  Interrupt& interrupt) {
   const Scene& a = *question.a;
-  if (!question.b) return make_tree_join<D>(a.bodies(), a.levels.value(), horizon, margin, interrupt);
+  const Kinds* const kinds = kinds_of_a(question);
+  if (!question.b) return make_tree_join<D>(a.bodies(), a.levels.value(), horizon, margin, interrupt, kinds);
   const Scene& b = *question.b;
   return make_tree_join<D>(a.bodies(), a.levels.value(), b.bodies(), b.levels.value(), horizon, margin,
-                           interrupt);
+                           interrupt, kinds, kinds_of_b(question));
 }
 
 template <int D>
@@ -50,9 +65,9 @@ std::unique_ptr<Candidates> by_index(const JoinQuestion& question, JoinMethod me
     return make_paper_candidates<D>(question.a->bodies(), b.bodies(), question.b != nullptr, horizon, margin,
                                     interrupt);
   }
-  const MovingBoxes<D> a{question.a->bodies(), horizon, margin};
+  const MovingBoxes<D> a{question.a->bodies(), horizon, margin, kinds_of_a(question)};
   if (!question.b) return make_gpcd_grid<D>(a, nullptr, interrupt, question.space);
-  const MovingBoxes<D> b{question.b->bodies(), horizon, margin};
+  const MovingBoxes<D> b{question.b->bodies(), horizon, margin, kinds_of_b(question)};
   return make_gpcd_grid<D>(a, &b, interrupt, question.space);
 }
 
@@ -60,9 +75,9 @@ template <int D>
 std::unique_ptr<DividedCandidates> divided(const JoinQuestion& question, const Horizon& horizon,
                                            const Contact::Reach& reach, Interrupt& interrupt) {
   const Vec<D> margin = margin_of<D>(reach);
-  const MovingBoxes<D> a{question.a->bodies(), horizon, margin};
+  const MovingBoxes<D> a{question.a->bodies(), horizon, margin, kinds_of_a(question)};
   if (!question.b) return make_divided_grid<D>(a, nullptr, question.helpers, interrupt, question.space);
-  const MovingBoxes<D> b{question.b->bodies(), horizon, margin};
+  const MovingBoxes<D> b{question.b->bodies(), horizon, margin, kinds_of_b(question)};
   return make_divided_grid<D>(a, &b, question.helpers, interrupt, question.space);
 }
 
@@ -93,6 +108,8 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMe
                                             Interrupt& interrupt) {
   const FloatEnvironment environment;
   auto all = all_candidates(question, method, horizon, reach, interrupt);
+  if (question.kinds && !tests_kinds(question, method))
+    all = meeting_candidates(std::move(all), question.kinds);
   return question.own ? owned_candidates(std::move(all), question.own) : std::move(all);
 }
 

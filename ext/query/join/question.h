@@ -50,6 +50,7 @@ enum class JoinOrder : std::uint8_t {
 };
 
 struct Ownership;
+struct PairKinds;
 
 struct JoinQuestion {
   std::shared_ptr<const Scene> a;
@@ -70,6 +71,8 @@ struct JoinQuestion {
   std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time
   std::shared_ptr<const Ownership> own =
       nullptr;  ///< of the tile, by in_tile() (tile_scenes.h); null: all pairs
+  std::shared_ptr<const PairKinds> kinds =
+      nullptr;  ///< by with_kinds() (pair_kinds.h); null: all pairs may meet
 
   bool queries_all_times() const { return queried_t.are_all() && queried_dt.are_all(); }
 };

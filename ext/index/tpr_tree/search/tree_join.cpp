@@ -55,9 +55,11 @@ struct NearObjects {
 template <int D>
 class JoinSide {
  public:
+  /// `kinds`: of the rows; null if all may meet.
   JoinSide(const Bodies& bodies, const TreeLevels& levels, const Horizon& horizon, const Vec<D>& margin,
-           Interrupt& interrupt)
+           Interrupt& interrupt, const Kinds* kinds)
       : starts_(levels.starts) {
+    if (kinds) add_kinds(kinds, bodies.count);
     boxes_.resize(starts_.size() + 1);
     boxes_[0].reserve(bodies.count);
     for (std::size_t i = 0; i < bodies.count; ++i) {
@@ -76,6 +78,10 @@ class JoinSide {
   std::size_t levels() const { return starts_.size(); }
   const MovingBox<D>& node(std::size_t level, std::uint32_t i) const { return boxes_[level + 1][i]; }
   const MovingBox<D>& object(std::uint32_t row) const { return boxes_[0][row]; }
+  bool has_kinds() const { return !kinds_.empty(); }
+  /// The kinds of all objects beneath a node, or-ed. Requires: kinds.
+  Kinds node_kinds(std::size_t level, std::uint32_t i) const { return kinds_[level + 1][i]; }
+  Kinds object_kinds(std::uint32_t row) const { return kinds_[0][row]; }
   /// The boxes of objects, and of leaves, over the whole horizon.
   const NearObjects<D>& swept_objects() const { return swept_[0]; }
   const NearObjects<D>& swept_leaves() const { return swept_[1]; }
@@ -86,6 +92,18 @@ class JoinSide {
   const std::vector<MovingBox<D>>& held(std::size_t level) const { return boxes_[level]; }
 
  private:
+  void add_kinds(const Kinds* kinds, std::size_t count) {
+    kinds_.resize(starts_.size() + 1);
+    kinds_[0].assign(kinds, kinds + count);
+    for (std::size_t level = 0; level < starts_.size(); ++level)
+      for (std::size_t i = 0; i + 1 < starts_[level].size(); ++i) {
+        Kinds all = Kinds::none();
+        for (std::uint32_t child = starts_[level][i]; child < starts_[level][i + 1]; ++child)
+          all.include(kinds_[level][child]);
+        kinds_[level + 1].push_back(all);
+      }
+  }
+
   MovingBox<D> around(std::size_t level, std::size_t i) const {
     const Vec<D> infinity = Vec<D>::Constant(std::numeric_limits<double>::infinity());
     MovingBox<D> all{infinity, -infinity, infinity, -infinity, {infinity[0], -infinity[0]}};
@@ -102,6 +120,7 @@ class JoinSide {
   std::vector<std::vector<std::uint32_t>> starts_;
   NearObjects<D> swept_[2];
   std::vector<std::vector<MovingBox<D>>> boxes_;  ///< [0]: objects, [k + 1]: nodes of level k
+  std::vector<std::vector<Kinds>> kinds_;         ///< the same, or empty if all may meet
 };
 
 namespace {
@@ -118,6 +137,7 @@ class TreeJoin final : public Candidates {
         a_(*own_a_),
         b_(own_b_ ? *own_b_ : *own_a_),
         self_(!own_b_),
+        kinds_(a_.has_kinds() && b_.has_kinds()),
         interrupt_(interrupt) {
     if (a_.levels() > 0 && b_.levels() > 0)
       open_if_meeting(a_.levels() - 1, 0, b_.levels() - 1, 0, everything());
@@ -156,6 +176,7 @@ class TreeJoin final : public Candidates {
 
   void open_if_meeting(std::size_t level_a, std::uint32_t a, std::size_t level_b, std::uint32_t b,
                        SharedInterval span) {
+    if (kinds_ && !may_meet(a_.node_kinds(level_a, a), b_.node_kinds(level_b, b))) return;
     if (meet(a_.node(level_a, a), b_.node(level_b, b), span)) open_.push_back({level_a, level_b, a, b, span});
   }
 
@@ -170,6 +191,7 @@ class TreeJoin final : public Candidates {
                         last_b = open_b ? b_.last(pair.level_b, pair.b) : pair.b + 1;
     for (std::uint32_t a = first_a; a < last_a; ++a) {
       SharedInterval span = pair.span;
+      if (kinds_ && !may_meet(a_.node_kinds(level_a, a), b_.node_kinds(pair.level_b, pair.b))) continue;
       if (!meet(a_.node(level_a, a), b_.node(pair.level_b, pair.b), span)) continue;
       for (std::uint32_t b = first_b; b < last_b; ++b) open_if_meeting(level_a, a, level_b, b, span);
     }
@@ -180,7 +202,8 @@ class TreeJoin final : public Candidates {
     const std::uint32_t first = a_.first(pair.level_a, pair.a), last = a_.last(pair.level_a, pair.a);
     for (std::uint32_t a = first; a < last; ++a) {
       const SharedInterval span = a_.node(level, a).span;
-      if (!span.is_empty()) open_.push_back({level, level, a, a, span});
+      const bool meets = !kinds_ || may_meet(a_.node_kinds(level, a), a_.node_kinds(level, a));
+      if (!span.is_empty() && meets) open_.push_back({level, level, a, a, span});
       for (std::uint32_t b = a + 1; b < last; ++b) open_if_meeting(level, a, level, b, pair.span);
     }
   }
@@ -197,6 +220,7 @@ class TreeJoin final : public Candidates {
           near_b.overlapping(near_a_, i, within ? i + 1 : 0, near_b.rows.size(), overlapping_.data());
       for (std::size_t hit = 0; hit < count; ++hit) {
         const std::uint32_t b = near_b.rows[overlapping_[hit]];
+        if (kinds_ && !may_meet(a_.object_kinds(a), b_.object_kinds(b))) continue;
         SharedInterval span = pair.span;
         if (meet(a_.object(a), b_.object(b), span)) out.push_back({a, b});
       }
@@ -213,6 +237,7 @@ class TreeJoin final : public Candidates {
     near.clear();
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint32_t row = overlapping_[i];
+      if (kinds_ && !may_meet(side.object_kinds(row), other_side.node_kinds(0, other))) continue;
       SharedInterval span = when;
       if (meet(side.object(row), other_side.node(0, other), span)) near.add(row, side.object(row), span);
     }
@@ -220,7 +245,7 @@ class TreeJoin final : public Candidates {
 
   std::unique_ptr<JoinSide<D>> own_a_, own_b_;
   const JoinSide<D>&a_, &b_;
-  bool self_;
+  bool self_, kinds_;
   Interrupt& interrupt_;
   std::size_t steps_ = 0;
   std::vector<NodePair> open_;
@@ -232,28 +257,28 @@ class TreeJoin final : public Candidates {
 
 template <int D>
 std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies, const TreeLevels& levels,
-                                           const Horizon& horizon, const Vec<D>& margin,
-                                           Interrupt& interrupt) {
+                                           const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
+                                           const Kinds* kinds) {
   return std::make_unique<TreeJoin<D>>(
-      std::make_unique<JoinSide<D>>(bodies, levels, horizon, margin, interrupt), nullptr, interrupt);
+      std::make_unique<JoinSide<D>>(bodies, levels, horizon, margin, interrupt, kinds), nullptr, interrupt);
 }
 
 template <int D>
 std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies_a, const TreeLevels& levels_a,
                                            const Bodies& bodies_b, const TreeLevels& levels_b,
-                                           const Horizon& horizon, const Vec<D>& margin,
-                                           Interrupt& interrupt) {
+                                           const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
+                                           const Kinds* kinds_a, const Kinds* kinds_b) {
   return std::make_unique<TreeJoin<D>>(
-      std::make_unique<JoinSide<D>>(bodies_a, levels_a, horizon, margin, interrupt),
-      std::make_unique<JoinSide<D>>(bodies_b, levels_b, horizon, margin, interrupt), interrupt);
+      std::make_unique<JoinSide<D>>(bodies_a, levels_a, horizon, margin, interrupt, kinds_a),
+      std::make_unique<JoinSide<D>>(bodies_b, levels_b, horizon, margin, interrupt, kinds_b), interrupt);
 }
 
 #define FORESEE_OF_AXES(D)                                                                                 \
   template std::unique_ptr<Candidates> make_tree_join<D>(const Bodies&, const TreeLevels&, const Horizon&, \
-                                                         const Vec<D>&, Interrupt&);                       \
+                                                         const Vec<D>&, Interrupt&, const Kinds*);         \
   template std::unique_ptr<Candidates> make_tree_join<D>(const Bodies&, const TreeLevels&, const Bodies&,  \
                                                          const TreeLevels&, const Horizon&, const Vec<D>&, \
-                                                         Interrupt&)
+                                                         Interrupt&, const Kinds*, const Kinds*)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);

@@ -37,17 +37,18 @@ struct TreeScene {
 
 TreeScene read_tree(NodeSource& source, Interrupt& interrupt);
 
-/// Pairs within one tree. `interrupt` must outlive the join; the other arguments need not.
+/// Pairs within one tree. `interrupt` must outlive the join; the other arguments need not. `kinds`: of the rows;
+/// only pairs that may meet are reported. Null: all may meet.
 template <int D>
 std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies, const TreeLevels& levels,
-                                           const Horizon& horizon, const Vec<D>& margin,
-                                           Interrupt& interrupt);
+                                           const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
+                                           const Kinds* kinds = nullptr);
 
-/// Pairs between two trees.
+/// Pairs between two trees. The kinds are given for both or for none.
 template <int D>
 std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies_a, const TreeLevels& levels_a,
                                            const Bodies& bodies_b, const TreeLevels& levels_b,
-                                           const Horizon& horizon, const Vec<D>& margin,
-                                           Interrupt& interrupt);
+                                           const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
+                                           const Kinds* kinds_a = nullptr, const Kinds* kinds_b = nullptr);
 
 }  // namespace foresee

@@ -1,0 +1,139 @@
+#include "query/join/pair_kinds.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "query/tile/ownership.h"
+
+namespace foresee {
+namespace {
+
+std::shared_ptr<const SceneKinds> kinds_of(const Scene& scene) {
+  if (scene.kinds) return scene.kinds;
+  auto kinds = std::make_shared<SceneKinds>();
+  const Bodies bodies = scene.bodies();
+  kinds->of.reserve(bodies.count);
+  for (std::size_t i = 0; i < bodies.count; ++i) {
+    kinds->of.push_back(foresee::kinds_of(bodies.row(i), bodies.at));
+    kinds->all.include(kinds->of.back());
+  }
+  return scene.kinds = std::move(kinds);
+}
+
+/// The objects of a scene that may meet an object of these kinds, or-ed. The scene itself if all may.
+std::shared_ptr<const Scene> active(const std::shared_ptr<const Scene>& scene, Kinds others,
+                                    JoinMethod method) {
+  const bool needs_levels = method == JoinMethod::tree && scene->levels;
+  if (needs_levels || scene->forms) return scene;
+  const std::shared_ptr<const SceneKinds> kinds = kinds_of(*scene);
+  const auto meets = [&](Kinds one) { return may_meet(one, others); };
+  const auto count = static_cast<std::size_t>(std::count_if(kinds->of.begin(), kinds->of.end(), meets));
+  if (count == scene->size()) return scene;
+  const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
+  auto some = std::make_shared<Scene>();
+  some->name = scene->name, some->layout = scene->layout;
+  some->ids.reserve(count), some->rows.reserve(count * row_size);
+  for (std::size_t i = 0; i < scene->size(); ++i) {
+    if (!meets(kinds->of[i])) continue;
+    some->ids.push_back(scene->ids[i]);
+    const double* const row = scene->rows.data() + i * row_size;
+    some->rows.insert(some->rows.end(), row, row + row_size);
+  }
+  return some;
+}
+
+class MeetingCandidates final : public Candidates {
+ public:
+  MeetingCandidates(std::unique_ptr<Candidates> all, std::shared_ptr<const PairKinds> kinds)
+      : all_(std::move(all)), kinds_(std::move(kinds)), a_(kinds_->a->of.data()), b_(kinds_->b->of.data()) {}
+
+  /// Without a branch on the kinds, which would be mispredicted.
+  bool next(std::vector<Pair>& out) override {
+    std::size_t kept = out.size();
+    const std::size_t before = kept;
+    if (!all_->next(out)) return false;
+    for (std::size_t i = before; i < out.size(); ++i) {
+      const Pair pair = out[i];
+      out[kept] = pair;
+      kept += may_meet(a_[pair.a], b_[pair.b]);
+    }
+    out.resize(kept);
+    return true;
+  }
+
+  bool touching() const override { return all_->touching(); }
+  std::string describe() const override { return all_->describe(); }
+
+ private:
+  std::unique_ptr<Candidates> all_;
+  std::shared_ptr<const PairKinds> kinds_;
+  const Kinds *a_, *b_;
+};
+
+/// Kinds, and how many objects have them.
+struct Group {
+  Kinds kinds;
+  std::uint64_t count;
+};
+
+std::vector<Group> groups_of(const SceneKinds& scene, const std::vector<TileMarks>* marks) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> counts;
+  for (std::size_t i = 0; i < scene.of.size(); ++i)
+    if (!marks || !((*marks)[i] & Tile::unneeded)) ++counts[{scene.of[i].category, scene.of[i].mask}];
+  std::vector<Group> groups;
+  for (const auto& [kinds, count] : counts) groups.push_back({{kinds.first, kinds.second}, count});
+  return groups;
+}
+
+}  // namespace
+
+bool has_kinds(const JoinQuestion& question) {
+  return has_kinds(question.a->layout) || (question.b && has_kinds(question.b->layout));
+}
+
+JoinQuestion without_inert(JoinQuestion question) {
+  if (!has_kinds(question)) return question;
+  const bool itself = question.b == question.a;
+  const auto a = kinds_of(*question.a), b = question.b ? kinds_of(*question.b) : a;
+  question.a = active(question.a, b->all, question.method);
+  if (itself)
+    question.b = question.a;
+  else if (question.b)
+    question.b = active(question.b, a->all, question.method);
+  return question;
+}
+
+JoinQuestion with_kinds(JoinQuestion question) {
+  if (!has_kinds(question)) return question;
+  const auto a = kinds_of(*question.a), b = question.b ? kinds_of(*question.b) : a;
+  question.kinds = std::make_shared<PairKinds>(PairKinds{a, b});
+  return question;
+}
+
+std::unique_ptr<Candidates> meeting_candidates(std::unique_ptr<Candidates> all,
+                                               std::shared_ptr<const PairKinds> kinds) {
+  return std::make_unique<MeetingCandidates>(std::move(all), std::move(kinds));
+}
+
+std::uint64_t count_meeting(const JoinQuestion& question, Interrupt& interrupt) {
+  const Ownership* const own = question.own.get();
+  const std::vector<TileMarks>* const marks_a = own ? &own->a : nullptr;
+  const std::vector<TileMarks>* const marks_b = own && !own->b.empty() ? &own->b : marks_a;
+  const std::vector<Group> a = groups_of(*question.kinds->a, marks_a);
+  const std::vector<Group> b = groups_of(*question.kinds->b, marks_b);
+  std::uint64_t pairs = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    interrupt.check();
+    if (question.b) {
+      for (const Group& other : b) pairs += may_meet(a[i].kinds, other.kinds) ? a[i].count * other.count : 0;
+      continue;
+    }
+    if (may_meet(a[i].kinds, a[i].kinds)) pairs += a[i].count * (a[i].count - 1) / 2;
+    for (std::size_t j = i + 1; j < a.size(); ++j)
+      pairs += may_meet(a[i].kinds, a[j].kinds) ? a[i].count * a[j].count : 0;
+  }
+  return pairs;
+}
+
+}  // namespace foresee

@@ -1,0 +1,53 @@
+// Kinds in a join: collision filtering of its pairs by category and mask (shape/kinds.h).
+//
+//   JoinQuestion question = with_kinds(in_tile(without_inert(queried), interrupt));
+//   auto candidates = meeting_candidates(make_all_pairs(count, interrupt), question.kinds);
+//
+// An object is inert if no object of the other side may meet it: then the index does not get it. Of the other
+// pairs the grid and the tree keep those that may meet; a filter does the same for the other methods.
+//
+// Guarantee: of the queried pairs exactly those remain that may meet. Cost: one pass over the rows of a
+// scene, which keeps the result; without the columns none. Join, explain and watch call these functions.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "index/candidates.h"
+#include "query/join/question.h"
+#include "shape/kinds.h"
+
+namespace foresee {
+
+/// The kinds of a scene's objects, by row number.
+struct SceneKinds {
+  std::vector<Kinds> of;
+  Kinds all = Kinds::none();  ///< or-ed
+};
+
+/// The kinds of both sides.
+struct PairKinds {
+  std::shared_ptr<const SceneKinds> a, b;  ///< equal where both sides are one scene
+
+  bool may_meet(const Pair& pair) const { return foresee::may_meet(a->of[pair.a], b->of[pair.b]); }
+};
+
+/// Whether a side has category or mask.
+bool has_kinds(const JoinQuestion& question);
+
+/// The same `JoinQuestion` without the inert objects of its scenes. A scene with outlines or meshes, or with the levels
+/// that the method needs, keeps all its objects.
+JoinQuestion without_inert(JoinQuestion question);
+
+/// Sets `kinds` if a side has category or mask. Row numbers must not change afterwards.
+JoinQuestion with_kinds(JoinQuestion question);
+
+/// The candidates that may meet, in their order.
+std::unique_ptr<Candidates> meeting_candidates(std::unique_ptr<Candidates> all,
+                                               std::shared_ptr<const PairKinds> kinds);
+
+/// The number of queried pairs that may meet; in a tile, of the objects that it needs. Requires: `kinds` is set.
+/// Cost: the square of the number of different kinds.
+std::uint64_t count_meeting(const JoinQuestion& question, Interrupt& interrupt);
+
+}  // namespace foresee
