@@ -11,6 +11,7 @@
 #include "contact/window_contact.h"
 #include "index/tpr_tree/search/nearest_walk.h"
 #include "query/input_checks.h"
+#include "shape/kinds.h"
 
 namespace foresee {
 namespace {
@@ -60,6 +61,7 @@ class Search {
         horizon_{question.now, question.h},
         best_(question.k),
         point_(faces_of(question), {.axes = D}, question.now) {
+    if (question.mask) test_ = KindTest::of_categories(*question.mask);
     setup_.a = point_.bodies();
     setup_.horizon = horizon_;
   }
@@ -70,6 +72,7 @@ class Search {
     const MovingBox<D> question = moving_window<D>(place(), place(), velocity(), horizon_);
     for (std::size_t i = 0; i < bodies.count; ++i) {
       if (i % 256 == 0) interrupt_.check();
+      if (test_ && !test_->accepts(kinds_of(bodies.row(i), bodies.at))) continue;
       const MovingBox<D> box =
           moving_box<D>(motion_of<D>(bodies, i), Extents<D>::none(), horizon_, Vec<D>::Zero());
       if (box.span.is_empty() || min_distance(box, question, box.span) > best_.reach()) continue;
@@ -82,7 +85,7 @@ class Search {
     setup_.b = Bodies(tree.layout(), nullptr, 0);
     const auto record_size = static_cast<std::size_t>(record_offsets(tree.layout()).size);
     std::vector<double> row(static_cast<std::size_t>(setup_.b.at.size));
-    NearestWalk<D> walk(tree, place(), velocity(), horizon_, interrupt_);
+    NearestWalk<D> walk(tree, place(), velocity(), horizon_, interrupt_, test_);
     for (LeafHits hits; walk.next(best_.reach(), hits);)
       for (std::size_t i = 0; i < hits.slots.size() && hits.distances[i] <= best_.reach(); ++i) {
         const std::uint32_t slot = hits.slots[i];
@@ -113,6 +116,7 @@ class Search {
   Horizon horizon_;
   Best best_;
   MovingWindow point_;
+  std::optional<KindTest> test_;
   Setup setup_;
 };
 

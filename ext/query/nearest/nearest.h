@@ -28,6 +28,7 @@ struct NearestQuestion {
   std::int64_t k = 1;
   std::array<std::optional<double>, 3> point = {};  ///< the place of the point at `now`, one number per axis
   std::array<double, 3> velocity = {};
+  std::optional<std::uint32_t> mask = {};  ///< only objects whose category has a bit of it
 };
 
 struct NearestRow {

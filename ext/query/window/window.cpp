@@ -18,8 +18,8 @@ constexpr std::uint32_t batch_size = 256;
 
 class AllOfScene final : public ObjectCandidates {
  public:
-  AllOfScene(std::shared_ptr<const Scene> scene, Interrupt& interrupt)
-      : scene_(std::move(scene)), bodies_(scene_->bodies()), interrupt_(interrupt) {}
+  AllOfScene(std::shared_ptr<const Scene> scene, Interrupt& interrupt, const std::optional<KindTest>& test)
+      : scene_(std::move(scene)), bodies_(scene_->bodies()), interrupt_(interrupt), test_(test) {}
 
   const Bodies& bodies() const override { return bodies_; }
   std::int64_t id(std::uint32_t row) const override { return scene_->ids[row]; }
@@ -31,13 +31,18 @@ class AllOfScene final : public ObjectCandidates {
     batch.doubtful.resize(std::min(batch_size, count - next_));
     std::iota(batch.doubtful.begin(), batch.doubtful.end(), next_);
     next_ += static_cast<std::uint32_t>(batch.doubtful.size());
-    return !batch.empty();
+    const bool more = !batch.empty();
+    if (test_) std::erase_if(batch.doubtful, [this](std::uint32_t row) { return !accepts(row); });
+    return more;
   }
 
  private:
+  bool accepts(std::uint32_t row) const { return test_->accepts(kinds_of(bodies_.row(row), bodies_.at)); }
+
   std::shared_ptr<const Scene> scene_;
   Bodies bodies_;
   Interrupt& interrupt_;
+  std::optional<KindTest> test_;
   std::uint32_t next_ = 0;
 };
 
@@ -51,14 +56,14 @@ template <int D>
 class WindowOfTree final : public ObjectCandidates {
  public:
   WindowOfTree(std::shared_ptr<NodeSource> tree, const WindowFaces& faces, bool is_zone,
-               const Horizon& horizon, Interrupt& interrupt)
+               const Horizon& horizon, Interrupt& interrupt, const std::optional<KindTest>& test)
       : tree_(std::move(tree)),
         interrupt_(interrupt),
         is_zone_(is_zone),
         walk_(*tree_,
               moving_window<D>(vector_of<D>(faces.lower), vector_of<D>(faces.upper),
                                vector_of<D>(faces.velocity), horizon),
-              horizon, Vec<D>::Zero(), interrupt),
+              horizon, Vec<D>::Zero(), interrupt, test),
         reader_(tree_->layout()),
         lower_(vector_of<D>(faces.lower)),
         upper_(vector_of<D>(faces.upper)),
@@ -126,11 +131,12 @@ class WindowOfTree final : public ObjectCandidates {
 
 std::unique_ptr<ObjectCandidates> window_candidates(const SearchTarget& objects, const WindowFaces& faces,
                                                     bool is_zone, const Horizon& horizon,
-                                                    Interrupt& interrupt) {
+                                                    Interrupt& interrupt,
+                                                    const std::optional<KindTest>& test) {
   const FloatEnvironment environment;
-  if (objects.scene) return std::make_unique<AllOfScene>(objects.scene, interrupt);
+  if (objects.scene) return std::make_unique<AllOfScene>(objects.scene, interrupt, test);
   return with_axes(objects.layout().axes, [&]<int D>(Axes<D>) -> std::unique_ptr<ObjectCandidates> {
-    return std::make_unique<WindowOfTree<D>>(objects.tree, faces, is_zone, horizon, interrupt);
+    return std::make_unique<WindowOfTree<D>>(objects.tree, faces, is_zone, horizon, interrupt, test);
   });
 }
 
@@ -200,8 +206,10 @@ Window::Window(WindowQuestion question, Interrupt& interrupt)
     : question_(checked(std::move(question))),
       interrupt_(interrupt),
       window_(question_.faces, question_.objects.layout(), question_.now, question_.zone),
-      candidates_(window_candidates(question_.objects, faces_around(question_), question_.zone != nullptr,
-                                    {question_.now, question_.h}, interrupt)),
+      candidates_(window_candidates(
+          question_.objects, faces_around(question_), question_.zone != nullptr, {question_.now, question_.h},
+          interrupt,
+          question_.mask ? std::optional(KindTest::of_categories(*question_.mask)) : std::nullopt)),
       contact_(make_window_contact(window_, candidates_->bodies(), {question_.now, question_.h})) {
   contact_->set_interrupt(interrupt);
 }

@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "contact/window_contact.h"
 #include "query/search_target.h"
+#include "shape/kinds.h"
 
 namespace foresee {
 
@@ -49,10 +50,12 @@ class ObjectCandidates {
 };
 
 /// Every object that can touch the window during the horizon, once, and others. `is_zone`: the window is a
-/// zone that the faces enclose, so a point between the faces need not be in the window.
+/// zone that the faces enclose, so a point between the faces need not be in the window. `test`: only objects that
+/// it accepts.
 std::unique_ptr<ObjectCandidates> window_candidates(const SearchTarget& objects, const WindowFaces& faces,
                                                     bool is_zone, const Horizon& horizon,
-                                                    Interrupt& interrupt);
+                                                    Interrupt& interrupt,
+                                                    const std::optional<KindTest>& test = {});
 
 struct WindowWants {
   bool starts = true;  ///< t, dt
@@ -65,6 +68,7 @@ struct WindowQuestion {
   double h = 0;
   WindowFaces faces = {};                               ///< infinite: no bound
   std::shared_ptr<const SharedOutline> zone = nullptr;  ///< replaces the faces in x and y; moves with them
+  std::optional<std::uint32_t> mask = {};               ///< only objects whose category has a bit of it
   WindowWants wants = {};
 };
 

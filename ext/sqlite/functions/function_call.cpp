@@ -97,6 +97,17 @@ std::int64_t FunctionCall::required_integer(int input) const {
   reject(input, "a whole number");
 }
 
+std::optional<std::uint32_t> FunctionCall::bits(int input) const {
+  constexpr double max = std::numeric_limits<std::uint32_t>::max();
+  if (!inputs_[static_cast<std::size_t>(input)]) return std::nullopt;
+  constexpr const char* kind = "a whole number from 0 to 4294967295";
+  const int type = sqlite3_value_numeric_type(inputs_[static_cast<std::size_t>(input)]);
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, kind);
+  const double number = sqlite3_value_double(inputs_[static_cast<std::size_t>(input)]);
+  if (!(0 <= number && number <= max && integer_of(number))) reject(input, kind);
+  return static_cast<std::uint32_t>(number);
+}
+
 std::optional<std::string> FunctionCall::text(int input, const char* kind) const {
   sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
   if (!value) return std::nullopt;

@@ -112,6 +112,8 @@ class FunctionCall {
   std::optional<double> number(int input) const;
   double required_number(int input) const;
   std::int64_t required_integer(int input) const;
+  /// 32 bits, as a whole number from 0 to 4294967295; nothing if it was left out.
+  std::optional<std::uint32_t> bits(int input) const;
   /// `kind`: the kind of text that is expected, for the message about a value that is not a text.
   std::optional<std::string> text(int input,
                                   const char* kind = "a name in quotes, or NULL to leave it out") const;

@@ -21,7 +21,8 @@ enum NearestInput {
   in_method = in_qvx + 3,
   in_schema,
   in_lat,
-  in_lon
+  in_lon,
+  in_mask
 };
 
 class NearestRows final : public FunctionRows {
@@ -94,6 +95,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     question.velocity[j] = call.number(in_qvx + axis).value_or(0);
     call.used(in_qvx + axis, 0.0);
   }
+  question.mask = call.bits(in_mask);
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
   take_place(call, table, question);
   question.objects = std::move(table.objects);
@@ -107,8 +109,8 @@ const TableFunction& predictive_nearest() {
   static const TableFunction function = {
       .name = "predictive_nearest",
       .outputs = {"id INTEGER", "rank INTEGER", "distance REAL", "t REAL", "dt REAL"},
-      .inputs = {"h", "tbl", "k", "x", "y", "z", "now", "qvx", "qvy", "qvz", "method", "schema", "lat",
-                 "lon"},
+      .inputs = {"h", "tbl", "k", "x", "y", "z", "now", "qvx", "qvy", "qvz", "method", "schema", "lat", "lon",
+                 "mask"},
       .key = "id",
       .hinted = 0,
       .estimate = estimate_nearest,

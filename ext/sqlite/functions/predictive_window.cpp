@@ -18,7 +18,8 @@ enum WindowInput {
   in_wvx,
   in_method = in_wvx + 3,
   in_schema,
-  in_zone
+  in_zone,
+  in_mask
 };
 
 class WindowRows final : public FunctionRows {
@@ -92,6 +93,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     faces.velocity[j] = call.number(in_wvx + axis).value_or(0);
     call.used(in_wvx + axis, 0.0);
   }
+  question.mask = call.bits(in_mask);
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
   question.zone = zone_of(call, table.frame);
   question.objects = std::move(table.objects);
@@ -108,7 +110,7 @@ const TableFunction& predictive_window() {
       .name = "predictive_window",
       .outputs = {"id INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL"},
       .inputs = {"h", "tbl", "x0", "x1", "y0", "y1", "z0", "z1", "now", "wvx", "wvy", "wvz", "method",
-                 "schema", "zone"},
+                 "schema", "zone", "mask"},
       .key = "id",
       .hinted = 0,
       .estimate = estimate_window,

@@ -99,12 +99,13 @@ double min_point_distance(const MovingBox<D>& point, const MovingBox<D>& query) 
 
 template <int D>
 NearestWalk<D>::NearestWalk(NodeSource& source, const Vec<D>& point, const Vec<D>& velocity,
-                            const Horizon& horizon, Interrupt& interrupt)
+                            const Horizon& horizon, Interrupt& interrupt, const std::optional<KindTest>& test)
     : source_(source),
       interrupt_(interrupt),
       reader_(source.layout()),
       horizon_(horizon),
-      query_(moving_window<D>(point, point, velocity, horizon)) {
+      query_(moving_window<D>(point, point, velocity, horizon)),
+      test_(test) {
   if (source.find_root() != 0) open_.push_back({0, unread_root(source)});
 }
 
@@ -134,6 +135,7 @@ bool NearestWalk<D>::next(double reach, LeafHits& hits) {
 template <int D>
 [[gnu::flatten]] void NearestWalk<D>::open_children(NodeNumber number, const Node& inner, double reach) {
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
+    if (test_ && !test_->accepts(kinds_at(inner, slot))) continue;
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
     if (box.span.is_empty()) continue;
     const double distance = min_distance(box, query_, box.span);
@@ -147,6 +149,7 @@ template <int D>
 [[gnu::flatten]] void NearestWalk<D>::find_in_leaf(const Node& leaf, double reach, LeafHits& hits) {
   near_.clear();
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
+    if (test_ && !test_->accepts(reader_.kinds(reader_.record(leaf, slot)))) continue;
     const Motion<D> motion = reader_.motion(reader_.record(leaf, slot));
     const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::Zero());
     if (box.span.is_empty()) continue;

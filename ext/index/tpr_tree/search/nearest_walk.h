@@ -8,8 +8,8 @@
 //       …                                                // measure exactly, shrink reach
 //
 // Guarantee: once next() returns false, every object that was not returned has its centre farther than
-// `reach` from the point. That holds at every time of the horizon at which the object exists. The objects of
-// one leaf are sorted by a lower bound of their distance.
+// `reach` from the point, or `test` does not accept it. That holds at every time of the horizon at which the
+// object exists. The objects of one leaf are sorted by a lower bound of their distance.
 #pragma once
 
 #include "base/error.h"
@@ -30,7 +30,7 @@ class NearestWalk {
  public:
   /// The point is at `point` at `now` and then moves with `velocity`.
   NearestWalk(NodeSource& source, const Vec<D>& point, const Vec<D>& velocity, const Horizon& horizon,
-              Interrupt& interrupt);
+              Interrupt& interrupt, const std::optional<KindTest>& test = {});
 
   /// Returns the next leaf with at least one object that may come within `reach`; false once no such leaf is
   /// left. Requires: `reach` does not increase from call to call.
@@ -52,7 +52,8 @@ class NearestWalk {
   LeafReader<D> reader_;
   Horizon horizon_;
   MovingBox<D> query_;
-  std::vector<Open> open_;  ///< a heap
+  std::optional<KindTest> test_;  ///< of the objects that are returned
+  std::vector<Open> open_;        ///< a heap
   std::vector<std::pair<double, std::uint32_t>> near_;
 };
 

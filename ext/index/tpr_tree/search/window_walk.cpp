@@ -4,8 +4,13 @@ namespace foresee {
 
 template <int D>
 WindowWalk<D>::WindowWalk(NodeSource& source, const MovingBox<D>& query, const Horizon& horizon,
-                          const Vec<D>& margin, Interrupt& interrupt)
-    : source_(source), interrupt_(interrupt), reader_(source.layout()), horizon_(horizon), query_(query) {
+                          const Vec<D>& margin, Interrupt& interrupt, const std::optional<KindTest>& test)
+    : source_(source),
+      interrupt_(interrupt),
+      reader_(source.layout()),
+      horizon_(horizon),
+      query_(query),
+      test_(test) {
   query_.lower = lower_end<D>(query.lower - margin, (query.lower.abs() + margin) * rounding_pad);
   query_.upper = upper_end<D>(query.upper + margin, (query.upper.abs() + margin) * rounding_pad);
   if (source.find_root() != 0) open_.push_back(unread_root(source));
@@ -36,6 +41,7 @@ bool WindowWalk<D>::next(LeafHits& hits) {
 template <int D>
 [[gnu::flatten]] void WindowWalk<D>::open_children(NodeNumber number, const Node& inner) {
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
+    if (test_ && !test_->accepts(kinds_at(inner, slot))) continue;
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
     SharedInterval span = shared_span(box, query_);
     if (!span.is_empty() && narrow_to_contact(box, query_, span))
@@ -46,6 +52,7 @@ template <int D>
 template <int D>
 [[gnu::flatten]] void WindowWalk<D>::find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const {
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
+    if (test_ && !test_->accepts(reader_.kinds(reader_.record(leaf, slot)))) continue;
     const Mover<D> mover(reader_, reader_.record(leaf, slot));
     const MovingBox<D> box = mover.box(horizon_, Vec<D>::Zero());
     SharedInterval span = shared_span(box, query_);

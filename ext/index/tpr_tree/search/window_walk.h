@@ -10,9 +10,9 @@
 // distance that `within` adds for both together.
 //
 // Guarantee: every object is returned exactly once whose box, grown by `margin`, meets the query box at a
-// time of the horizon at which the object exists. Others may be returned too. The walk reads nodes on demand;
-// between calls it holds only the numbers of unread nodes. So if the tree changes between calls, the source
-// must be a snapshot (pages.h).
+// time of the horizon at which the object exists. Others may be returned too, but none that `test` rejects.
+// The walk reads nodes on demand; between calls it holds only the numbers of unread nodes. So if the tree
+// changes between calls, the source must be a snapshot (pages.h).
 #pragma once
 
 #include "base/error.h"
@@ -24,7 +24,7 @@ template <int D>
 class WindowWalk {
  public:
   WindowWalk(NodeSource& source, const MovingBox<D>& query, const Horizon& horizon, const Vec<D>& margin,
-             Interrupt& interrupt);
+             Interrupt& interrupt, const std::optional<KindTest>& test = {});
 
   /// Returns the next leaf with at least one object that may meet the query box; false once no such leaf is
   /// left.
@@ -38,7 +38,8 @@ class WindowWalk {
   Interrupt& interrupt_;
   LeafReader<D> reader_;
   Horizon horizon_;
-  MovingBox<D> query_;  ///< grown by the margin
+  MovingBox<D> query_;            ///< grown by the margin
+  std::optional<KindTest> test_;  ///< of the objects that are returned
   std::vector<Unread> open_;
 };
 
