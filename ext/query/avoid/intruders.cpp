@@ -3,6 +3,7 @@
 #include "base/axes.h"
 #include "index/tpr_tree/search/window_walk.h"
 #include "query/join/question.h"
+#include "shape/kinds.h"
 #include "shape/swept_boxes.h"
 
 namespace foresee {
@@ -61,8 +62,9 @@ void append_row(Scene& near, const double* row, std::int64_t id) {
 
 template <int D>
 void walk_tree(NodeSource& tree, const MovingBox<D>& box, const Horizon& horizon,
-               std::optional<std::int64_t> itself, Interrupt& interrupt, Scene& near) {
-  WindowWalk<D> walk(tree, box, horizon, Vec<D>::Zero(), interrupt);
+               std::optional<std::int64_t> itself, const KindTest& partners, Interrupt& interrupt,
+               Scene& near) {
+  WindowWalk<D> walk(tree, box, horizon, Vec<D>::Zero(), interrupt, partners);
   const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
   std::vector<double> row(static_cast<std::size_t>(row_offsets(near.layout).size));
   for (LeafHits hits; walk.next(hits);)
@@ -77,12 +79,14 @@ void walk_tree(NodeSource& tree, const MovingBox<D>& box, const Horizon& horizon
 /// The same objects as from a tree: those whose boxes meet the box.
 template <int D>
 void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
-                std::optional<std::int64_t> itself, Interrupt& interrupt, Scene& near) {
+                std::optional<std::int64_t> itself, const KindTest& partners, Interrupt& interrupt,
+                Scene& near) {
   box.lower = lower_end<D>(box.lower, box.lower.abs() * rounding_pad);
   box.upper = upper_end<D>(box.upper, box.upper.abs() * rounding_pad);
   const Bodies bodies = all.bodies();
   for (std::size_t i = 0; i < bodies.count; ++i) {
     if (i % 1024 == 0) interrupt.check();
+    if (!partners.accepts(kinds_of(bodies.row(i), bodies.at))) continue;
     const MovingBox<D> other = moving_box<D>(bodies, i, horizon, Vec<D>::Zero());
     SharedInterval span = shared_span(other, box);
     if (all.ids[i] != itself && !span.is_empty() && narrow_to_contact(other, box, span))
@@ -99,14 +103,16 @@ std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnM
   auto near = std::make_shared<Scene>();
   near->name = others.name, near->layout = others.layout();
   const Horizon horizon{question.now, question.h};
+  const Bodies own = question.own->bodies();
+  const KindTest partners = KindTest::of_partners(kinds_of(own.row(0), own.at));
   with_axes(near->layout.axes, [&]<int D>(Axes<D>) {
     const MotionSet<D> all = motions_between<D>(base, change, queried.lo, queried.hi);
     const Vec<D> margin = 2 * margin_of<D>(reach);  // of both together
     const MovingBox<D> box = box_around<D>(question, base, change, all, margin);
     if (others.scene)
-      walk_scene<D>(*others.scene, box, horizon, itself, interrupt, *near);
+      walk_scene<D>(*others.scene, box, horizon, itself, partners, interrupt, *near);
     else
-      walk_tree<D>(*others.tree, box, horizon, itself, interrupt, *near);
+      walk_tree<D>(*others.tree, box, horizon, itself, partners, interrupt, *near);
   });
   if (others.tree) near->take_forms(others.tree->forms(), interrupt);
   return near;

@@ -18,13 +18,21 @@ void take(Scene& near, const Node& leaf, std::uint32_t slot) {
                   near.rows.data() + near.rows.size() - row_size);
 }
 
+/// Accepts what may meet the object; nothing if all may.
+std::optional<KindTest> partners_of(const Scene& one, const Layout& others) {
+  if (!has_kinds(one.layout) && !has_kinds(others)) return {};
+  const Bodies body = one.bodies();
+  return KindTest::of_partners(kinds_of(body.row(0), body.at));
+}
+
 template <int D>
 void walk(const Scene& one, NodeSource& tree, const Horizon& horizon, const Contact::Reach& reach,
           Interrupt& interrupt, const std::function<bool(std::int64_t)>& keep, Scene& near) {
   const Bodies body = one.bodies();
   // The object's box is inflated by one half of the reach, those in the tree by the other.
   const Vec<D> margin = margin_of<D>(reach);
-  WindowWalk<D> found(tree, moving_box<D>(body, 0, horizon, margin), horizon, margin, interrupt);
+  WindowWalk<D> found(tree, moving_box<D>(body, 0, horizon, margin), horizon, margin, interrupt,
+                      partners_of(one, tree.layout()));
   for (LeafHits hits; found.next(hits);)
     for (const std::uint32_t slot : hits.slots)
       if (keep(hits.leaf->keys[slot])) take(near, *hits.leaf, slot);

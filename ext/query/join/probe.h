@@ -4,8 +4,9 @@
 //                            [](std::int64_t id) { return id != 42; });
 //
 // Guarantee: every object of the tree that `keep` accepts and that touches the object in `one` during the
-// horizon is in the result, once; others may be too. `one` is a scene of at most one row. Cost: the nodes
-// whose bounds intersect the object's moving box. Memory: the result.
+// horizon is in the result, once; others may be too. Those that may not meet it (shape/kinds.h) are not.
+// `one` is a scene of at most one row. Cost: the nodes whose bounds intersect the object's moving box.
+// Memory: the result.
 #pragma once
 
 #include <functional>

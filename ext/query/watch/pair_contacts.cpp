@@ -5,6 +5,7 @@
 
 #include "base/float_environment.h"
 #include "query/join/contact_stage.h"
+#include "query/join/pair_kinds.h"
 
 namespace foresee {
 namespace {
@@ -19,13 +20,16 @@ class NoCandidates final : public Candidates {
 
 }  // namespace
 
-std::vector<JoinRow> pair_contacts(const JoinQuestion& question, std::span<const Pair> pairs,
+std::vector<JoinRow> pair_contacts(const JoinQuestion& queried, std::span<const Pair> pairs,
                                    Interrupt& interrupt) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const FloatEnvironment environment;
-  require_valid(question);
+  require_valid(queried);
   std::vector<JoinRow> rows;
   if (pairs.empty()) return rows;
+  std::optional<JoinQuestion> with;
+  if (has_kinds(queried)) with = with_kinds(queried);
+  const JoinQuestion& question = with ? *with : queried;
   ContactStage stage(question, interrupt);
   const TimeSlab all{-inf, inf, {question.now, question.h}};
   const NoCandidates none;
@@ -34,6 +38,8 @@ std::vector<JoinRow> pair_contacts(const JoinQuestion& question, std::span<const
     interrupt.check();
     const auto part = pairs.subspan(begin, std::min(batch_size, pairs.size() - begin));
     batch.assign(part.begin(), part.end());
+    if (question.kinds)
+      std::erase_if(batch, [&](const Pair& pair) { return !question.kinds->may_meet(pair); });
     stage.answer(none, batch, all, rows);
   }
   return rows;

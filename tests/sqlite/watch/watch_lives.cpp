@@ -6,6 +6,12 @@ namespace {
 constexpr const char* planar = "t, x, y, vx, vy, r";
 constexpr const char* disc = "T, N, N, V, V, S";
 
+/// A column of kinds among the columns; null without one.
+const char* of_kinds(std::string_view columns) {
+  if (columns.ends_with("mask")) return "mask";
+  return columns.ends_with("category") ? "category" : nullptr;
+}
+
 }  // namespace
 
 const std::vector<WatchLife>& watch_lives() {
@@ -19,6 +25,13 @@ const std::vector<WatchLife>& watch_lives() {
       {"Ahead", planar, disc, "horizon = 15, ahead = 3", "h = 15"},
       {"FarHorizon", planar, disc, "horizon = 1e7, within = 1", "h = 1e7 AND within = 1"},
       {"WithItself", planar, disc, "horizon = 12, other = ships", "h = 12 AND other = 'ships'"},
+      {"Kinds", "t, x, y, vx, vy, r, category, mask", "T, N, N, V, V, S, 1 + S, 3 - S",
+       "horizon = 12, within = 4", "h = 12 AND within = 4"},
+      {"KindsAhead", "t, x, y, vx, vy, r, mask", "T, N, N, V, V, S, S", "horizon = 15, within = 3, ahead = 3",
+       "h = 15 AND within = 3"},
+      {"KindsAndPlain", "t, x, y, vx, vy, r, category, mask", "T, N, N, V, V, S, 1 + S, 3 - S",
+       "horizon = 9, within = 4, other = ferries", "h = 9 AND within = 4 AND other = 'ferries'",
+       "x, y, vx, vy, r, category", "N, N, V, V, S, S"},
       {"TwoTables", planar, disc, "horizon = 12, other = ferries", "h = 12 AND other = 'ferries'", planar,
        disc},
       {"DiscsAndBoxes", planar, disc, "horizon = 8, within = 1, other = ferries",
@@ -94,6 +107,8 @@ std::string LifeScript::change() {
     case 1:
       return "UPDATE OR REPLACE " + table + " SET id = " + std::to_string(below(50)) + " WHERE id = " + id;
     case 2:
+      if (const char* kind = of_kinds(of_other ? life_.other_columns : life_.columns); kind && below(4))
+        return "UPDATE " + table + " SET " + kind + " = " + std::to_string(below(4)) + " WHERE id = " + id;
       return "UPDATE " + table + " SET y = y + 1 WHERE id = " + id;
     case 3:  // the newest row
       return "DELETE FROM " + table + " WHERE id = (SELECT max(id) FROM " + table + ")";
