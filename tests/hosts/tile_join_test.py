@@ -129,6 +129,10 @@ class Whole(Fleet):
         self.check(Question("ships", 60.0, other="zones", now=60.0),
                    ships=(f"id, t, lat, lon, speed, course, r, +name TEXT, {about}", rows), zones=(f"id, lat, lon, r, {about}", zones))
 
+    def test_kinds(self):
+        rows = [(*row[:7], 1 << i % 3, (3, 6, 0, 7)[i % 4]) for i, row in enumerate(ships(500))]
+        self.check(Question("ships", 60.0, now=60.0, within=20.0), ships=("id, t, x, y, vx, vy, r, category, mask", rows))
+
     def test_numbers_on_edges_and_beyond(self):
         lattice = [(i, 10.0 * (i % 12), 10.0 * (i // 12), 5, 5) for i in range(144)]
         self.check(Question("ships", 0.0), ships=("id, x, y, hx, hy", lattice))
