@@ -30,3 +30,15 @@ SELECT time(j.t, 'unixepoch') AS within_926_m, j.a AS mmsi, j.b AS mmsi, time(j.
   JOIN ais_ships s ON s.id = j.a JOIN ais_ships o ON o.id = j.b
   WHERE j.dt > 0 AND (s.vx <> 0 OR s.vy <> 0) AND (o.vx <> 0 OR o.vy <> 0)
   ORDER BY j.t LIMIT 10;
+
+.print
+.print "Moored ships left out: a watch of all of them, and one that leaves out pairs of two ships slower than half a knot"
+.print
+CREATE VIRTUAL TABLE all_pairs USING predictive_watch(ais_ships, horizon = 600, within = 926);
+CREATE VIRTUAL TABLE traffic USING moving_objects(id, t, x, y, vx, vy, category, mask);
+INSERT INTO traffic
+  SELECT id, t, x, y, vx, vy, iif(vx = 0 AND vy = 0, 1, 2), iif(vx = 0 AND vy = 0, 2, 3) FROM ais_ships;
+CREATE VIRTUAL TABLE under_way USING predictive_watch(traffic, horizon = 600, within = 926);
+SELECT 'all_pairs' AS watch, count(*) AS pairs, sum(t <= now) AS close_already, sum(t > now) AS news
+  FROM predictive_changes('all_pairs', 0)
+UNION ALL SELECT 'under_way', count(*), sum(t <= now), sum(t > now) FROM predictive_changes('under_way', 0);
