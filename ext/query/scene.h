@@ -25,8 +25,8 @@ struct Scene {
   std::vector<double> rows;               ///< ids.size() rows of row_offsets(layout).size doubles
   std::optional<TreeLevels> levels = {};  ///< for joins by the tree: rows are in leaf order
   std::unique_ptr<RowForms> forms = {};   ///< if the layout has outlines or meshes
-  mutable std::shared_ptr<const SceneKinds> kinds =
-      {};  ///< set by the first join that needs them (join/pair_kinds.h)
+  /// Kept by the first join that needs it (join/pair_kinds.h). Requires: joins of a scene start one at a time.
+  mutable std::shared_ptr<SceneKinds> kinds = {};
 
   std::size_t size() const { return ids.size(); }
   Bodies bodies() const {

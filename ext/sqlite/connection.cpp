@@ -1,13 +1,17 @@
 #include "sqlite/connection.h"
 
 #include "base/float_environment.h"
+#include "query/join/pair_kinds.h"
 #include "sqlite/sql_tokens.h"
 
 namespace foresee {
 namespace {
 
 std::size_t memory_of(const Scene& scene) {
-  return scene.ids.size() * sizeof(std::int64_t) + scene.rows.size() * sizeof(double) +
+  const std::size_t of_kinds = scene.kinds ? scene.kinds->of.size() * sizeof(Kinds) +
+                                                 (scene.kinds->active ? memory_of(*scene.kinds->active) : 0)
+                                           : 0;
+  return of_kinds + scene.ids.size() * sizeof(std::int64_t) + scene.rows.size() * sizeof(double) +
          (scene.forms ? scene.forms->memory() : 0);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "query/tile/ownership.h"
@@ -9,7 +10,7 @@
 namespace foresee {
 namespace {
 
-std::shared_ptr<const SceneKinds> kinds_of(const Scene& scene) {
+std::shared_ptr<SceneKinds> kinds_of(const Scene& scene) {
   if (scene.kinds) return scene.kinds;
   auto kinds = std::make_shared<SceneKinds>();
   const Bodies bodies = scene.bodies();
@@ -21,26 +22,37 @@ std::shared_ptr<const SceneKinds> kinds_of(const Scene& scene) {
   return scene.kinds = std::move(kinds);
 }
 
-/// The objects of a scene that may meet an object of these kinds, or-ed. The scene itself if all may.
-std::shared_ptr<const Scene> active(const std::shared_ptr<const Scene>& scene, Kinds others,
-                                    JoinMethod method) {
-  const bool needs_levels = method == JoinMethod::tree && scene->levels;
-  if (needs_levels || scene->forms) return scene;
-  const std::shared_ptr<const SceneKinds> kinds = kinds_of(*scene);
-  const auto meets = [&](Kinds one) { return may_meet(one, others); };
-  const auto count = static_cast<std::size_t>(std::count_if(kinds->of.begin(), kinds->of.end(), meets));
-  if (count == scene->size()) return scene;
-  const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
+/// The objects of a scene whose kinds `meets` accepts. Leaves of the tree without such an object stay, empty.
+template <class Meets>
+std::shared_ptr<const Scene> some_of(const Scene& scene, const std::vector<Kinds>& kinds, std::size_t count,
+                                     Meets meets) {
+  const auto row_size = static_cast<std::size_t>(row_offsets(scene.layout).size);
   auto some = std::make_shared<Scene>();
-  some->name = scene->name, some->layout = scene->layout;
+  some->name = scene.name, some->layout = scene.layout, some->levels = scene.levels;
   some->ids.reserve(count), some->rows.reserve(count * row_size);
-  for (std::size_t i = 0; i < scene->size(); ++i) {
-    if (!meets(kinds->of[i])) continue;
-    some->ids.push_back(scene->ids[i]);
-    const double* const row = scene->rows.data() + i * row_size;
+  const auto first_rows = some->levels ? std::span(some->levels->starts.at(0)) : std::span<std::uint32_t>();
+  auto start = first_rows.begin();
+  for (std::size_t i = 0; i <= scene.size(); ++i) {
+    for (; start != first_rows.end() && *start == i; ++start)
+      *start = static_cast<std::uint32_t>(some->size());
+    if (i == scene.size() || !meets(kinds[i])) continue;
+    some->ids.push_back(scene.ids[i]);
+    const double* const row = scene.rows.data() + i * row_size;
     some->rows.insert(some->rows.end(), row, row + row_size);
   }
   return some;
+}
+
+/// The objects of a scene that may meet one of `others`; the scene itself if all may.
+std::shared_ptr<const Scene> active(const std::shared_ptr<const Scene>& scene, Kinds others) {
+  if (scene->forms) return scene;
+  const std::shared_ptr<SceneKinds> kinds = kinds_of(*scene);
+  if (kinds->active && kinds->others == others) return kinds->active;
+  const auto meets = [&](Kinds one) { return may_meet(one, others); };
+  const auto count = static_cast<std::size_t>(std::count_if(kinds->of.begin(), kinds->of.end(), meets));
+  if (count == scene->size()) return scene;
+  kinds->active = some_of(*scene, kinds->of, count, meets), kinds->others = others;
+  return kinds->active;
 }
 
 class MeetingCandidates final : public Candidates {
@@ -96,11 +108,11 @@ JoinQuestion without_inert(JoinQuestion question) {
   if (!has_kinds(question)) return question;
   const bool itself = question.b == question.a;
   const auto a = kinds_of(*question.a), b = question.b ? kinds_of(*question.b) : a;
-  question.a = active(question.a, b->all, question.method);
+  question.a = active(question.a, b->all);
   if (itself)
     question.b = question.a;
   else if (question.b)
-    question.b = active(question.b, a->all, question.method);
+    question.b = active(question.b, a->all);
   return question;
 }
 

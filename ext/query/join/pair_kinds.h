@@ -23,6 +23,10 @@ namespace foresee {
 struct SceneKinds {
   std::vector<Kinds> of;
   Kinds all = Kinds::none();  ///< or-ed
+
+  /// The scene without the objects that may meet none of `others`, of the last join that left some out.
+  std::shared_ptr<const Scene> active = nullptr;
+  Kinds others = Kinds::none();
 };
 
 /// The kinds of both sides.
@@ -35,8 +39,7 @@ struct PairKinds {
 /// Whether a side has category or mask.
 bool has_kinds(const JoinQuestion& question);
 
-/// The same `JoinQuestion` without the inert objects of its scenes. A scene with outlines or meshes, or with the levels
-/// that the method needs, keeps all its objects.
+/// The same `JoinQuestion` without the inert objects of its scenes. A scene with outlines or meshes keeps them.
 JoinQuestion without_inert(JoinQuestion question);
 
 /// Sets `kinds` if a side has category or mask. Row numbers must not change afterwards.

@@ -4,6 +4,8 @@
 
 #include <map>
 
+#include "index/memory_pages.h"
+#include "index/tpr_tree/tpr_tree.h"
 #include "query/join/explain.h"
 #include "query/join/pair_kinds.h"
 #include "query/join_cases.h"
@@ -80,6 +82,27 @@ TEST(JoinKinds, InertObjectsAreLeftOutBeforeTheIndex) {
   between.b = scene_of(random_scene({.layout = testing::discs, .count = 10, .seed = 3}), "plain");
   EXPECT_EQ(without_inert(between).a->size(), 0u) << "the default category is 1, which no mask has";
   EXPECT_EQ(pairs_of(between), IdPairs{});
+}
+
+TEST(JoinKinds, AnActiveSceneIsKeptAndKeepsItsTree) {
+  const RandomScene scene = half_inert(300);
+  MemoryPages pages(scene.layout);
+  make_tpr_tree(pages, 3)->bulk_load(scene.ids, scene.rows, never);
+  TreeScene tree = read_tree(pages, never);
+  auto with_levels = std::make_shared<Scene>();
+  with_levels->name = "ships", with_levels->layout = scene.layout;
+  with_levels->ids = tree.ids, with_levels->rows = tree.rows, with_levels->levels = tree.levels;
+  JoinQuestion question = question_about(scene);
+  question.a = with_levels, question.method = JoinMethod::tree;
+  const JoinQuestion active = without_inert(question);
+  EXPECT_EQ(active.a->size(), 150u);
+  EXPECT_EQ(active.a->levels->starts.at(0).back(), 150u);
+  EXPECT_EQ(active.a->levels->starts.size(), tree.levels.starts.size());
+  EXPECT_EQ(without_inert(question).a, active.a);
+  EXPECT_EQ(numbers_of(rows_of(question)), numbers_of(filtered(scene)));
+  question.b = scene_of(random_scene({.layout = testing::discs, .count = 10, .seed = 3}), "plain");
+  question.method = JoinMethod::scan;
+  EXPECT_EQ(without_inert(question).a->size(), 0u) << "others than those that the kept scene is for";
 }
 
 TEST(JoinKinds, ExplainCountsThePairsThatMayMeetFirst) {
