@@ -204,11 +204,10 @@ class Explanation {
 };
 
 /// The pairs that may meet, of all queried ones. Nothing for tables without category and mask.
-std::optional<StageCount> count_kinds(const JoinQuestion& queried, Interrupt& interrupt) {
-  if (!has_kinds(queried)) return {};
+std::optional<StageCount> count_kinds(const JoinQuestion& all, Interrupt& interrupt) {
+  if (!all.kinds) return {};
   const double begin = thread_seconds();
-  const JoinQuestion question = with_kinds(in_tile(queried, interrupt));
-  StageCount count{.before = queried_pairs(question), .after = count_meeting(question, interrupt)};
+  StageCount count{.before = queried_pairs(all), .after = count_meeting(all, interrupt)};
   count.seconds = thread_seconds() - begin;
   return count;
 }
@@ -217,13 +216,13 @@ std::optional<StageCount> count_kinds(const JoinQuestion& queried, Interrupt& in
 
 std::vector<ExplainRow> explain_join(const JoinQuestion& whole, Interrupt& interrupt) {
   const FloatEnvironment environment;
-  const std::optional<StageCount> kinds = count_kinds(whole, interrupt);
-  JoinQuestion question = with_kinds(in_tile(without_inert(whole), interrupt));
+  const JoinQuestion all = with_kinds(in_tile(whole, interrupt));
+  JoinQuestion question = all.kinds ? with_kinds(in_tile(without_inert(whole), interrupt)) : all;
   question.only_a = question.only_b = {};
   question.queried_t = question.queried_dt = {};
-  Explanation explanation(question, kinds, interrupt);
-  if (whole.a->size() == 0 || (whole.b && whole.b->size() == 0)) return {};
-  if (!kinds && question.own && (question.own->needed_a == 0 || question.own->needed_b == 0)) return {};
+  Explanation explanation(question, count_kinds(all, interrupt), interrupt);
+  if (all.a->size() == 0 || (all.b && all.b->size() == 0)) return {};
+  if (all.own && (all.own->needed_a == 0 || all.own->needed_b == 0)) return {};
   explanation.run();
   return explanation.rows();
 }

@@ -159,6 +159,10 @@ TEST_P(KindsOfEveryLayout, TilesGiveTheWholeJoin) {
                               " AND own_x0 = " + std::to_string(side / 2)),
               scene.db().rows("SELECT count(*) FROM predictive_join" + scene.inputs("ships", other) +
                               " AND own_x0 = " + std::to_string(side / 2)));
+    EXPECT_EQ(scene.db().rows("SELECT * FROM predictive_explain" + scene.inputs("ships", other) +
+                              " AND own_x0 = 1e9"),
+              "")
+        << "a tile that needs no object";
   }
 }
 
