@@ -1,16 +1,20 @@
 """sql/import_ais.sql puts ships where they are, leaves out what is not available, and finds the real encounters."""
 import csv
 import math
+import re
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from house import SHARED_DATA, main, shell
+from house import ROOT, SHARED_DATA, main, shell
 
 MAJOR, FLATTENING = 6378137.0, 1 / 298.257223563     # WGS84
 MINOR = MAJOR * (1 - FLATTENING)
 MOMENT = 1641168600  # 2022-01-03 00:10:00
 CENTRE = (30.0, -90.5)
+BUNDLED = ROOT / "sql/data/new_york_20220103.csv"
 
 # mmsi, t - MOMENT, lat, lon, sog_kn, cog_deg
 REPORTS = [
@@ -141,6 +145,89 @@ class MadeUpReports(unittest.TestCase):
         ships = self.ships(reports=reports, parameters="")
         self.assertEqual(sorted(ships), [1, 2])  # the newest report is the moment: 3 was heard too long ago
         self.assertAlmostEqual(ships[1][1], -ships[2][1], delta=1e-6)  # the plane's centre is in the middle
+
+
+# The reports of other layouts: ship 1 under way, ship 2 at rest, and what does not count.
+NOAA = """MMSI,BaseDateTime,LAT,LON,SOG,COG,Heading,VesselName,IMO,CallSign,VesselType,Status,Length,Width,Draft,Cargo,TransceiverClass
+1,2022-01-03T00:08:20,30.2,-90.1,12.0,30.0,31,,,,70,0,180,32,,,A
+1,2022-01-03T00:09:50,30.21,-90.09,11.0,215.5,215,ANNA,,,70,0,180,32,,,A
+1,2022-01-03T00:09:55,,-90.09,11.0,215.5,215,ANNA,,,70,0,180,32,,,A
+2,2022-01-03T00:09:40,29.1,-91.3,0.4,360.0,511,,,,,,,,,,B
+3,2022-01-03T00:09:40,29.2,-91.3,102.3,10.0,511,,,,,,,,,,B
+"""
+NOAA_2025 = """mmsi,base_date_time,longitude,latitude,sog,cog,heading,vessel_name,imo,call_sign,vessel_type,status,length,width,draft,cargo,transceiver
+1,2022-01-03 00:09:50,-90.09,30.21,11.0,215.5,215,ANNA,,,70,0,180,32,,,A
+2,2022-01-03 00:09:40,-91.3,29.1,0.4,360.0,511,,,,,,,,,,B
+"""
+DMA = """# Timestamp,Type of mobile,MMSI,Latitude,Longitude,Navigational status,ROT,SOG,COG,Heading,IMO,Callsign,Name,Ship type
+03/01/2022 00:09:50,Class A,1,30.210000,-90.090000,Under way using engine,0.0,11.0,215.5,215,Unknown,Unknown,ANNA,Cargo
+03/01/2022 00:09:40,Class B,2,29.100000,-91.300000,Unknown value,,0.4,,,Unknown,Unknown,,Undefined
+03/01/2022 00:09:40,Base Station,4,29.100000,-91.300000,Unknown value,,0.0,,,Unknown,Unknown,,Undefined
+03/01/2022 00:09:40,Class A,5,29.100000,-91.300000,Unknown value,,,,,Unknown,Unknown,,Undefined
+"""
+OWN = """mmsi,t,lat,lon,sog_kn,cog_deg,name
+1,1641168590,30.21,-90.09,11.0,215.5,ANNA
+2,1641168580,29.1,-91.3,0.4,360,
+"""
+
+
+class Layouts(unittest.TestCase):
+    def imported(self, text, *statements, fails=False):
+        """(status, output) of the statements after `text` was imported."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "reports.csv"
+            path.write_text(text)
+            script = [".load build/release/foresee", ".mode csv", f".import --csv {path} ais_reports", SET_PARAMETERS, *statements, ""]
+            status, output = shell("\n".join(script))
+        if (status != 0) != fails:
+            raise AssertionError(output)
+        return output
+
+    ALL = "SELECT id, t, name, printf('%!.17g,%!.17g,%!.17g,%!.17g', x, y, vx, vy) FROM ais_ships ORDER BY id;"
+
+    def test_every_layout_gives_the_same_ships(self):
+        wanted = self.imported(OWN, ".read sql/import_ais.sql", self.ALL)
+        self.assertEqual([line.split(",")[:3] for line in wanted.splitlines()], [["1", "1641168590.0", "ANNA"], ["2", "1641168580.0", ""]])
+        for name, text in (("NOAA", NOAA), ("NOAA from 2025 on", NOAA_2025), ("DMA", DMA)):
+            with self.subTest(name):
+                self.assertEqual(self.imported(text, ".read sql/import_ais.sql", self.ALL), wanted)
+
+    def test_missing_columns_are_named_and_change_nothing(self):
+        rest = {"mmsi": "ship", "BaseDateTime": "time", "LAT": "latitude", "LON": "longitude", "SOG": "speed", "COG": "course"}
+        for column, quantity in rest.items():
+            with self.subTest(column):
+                text = re.sub(rf"\b{column}\b", "Renamed", NOAA, count=1, flags=re.I)
+                output = self.imported(text, "CREATE VIRTUAL TABLE ais_ships USING moving_objects(id, t, x, y, vx, vy, +name TEXT);",
+                                       "INSERT INTO ais_ships(id, t, x, y) VALUES (9, 0, 0, 0);", ".read sql/import_ais.sql",
+                                       "SELECT id FROM ais_ships;", "SELECT count(*) FROM ais_parameters;", fails=True)
+                self.assertIn(f"ais_reports has no column for the {quantity}: ", output)
+                self.assertIn(f"ais_reports: no column for the {quantity}; .import a file with", output)
+                self.assertEqual(output.splitlines()[-2:], ["9", "3"])
+
+    def test_all_missing_columns_are_listed(self):
+        output = self.imported(OWN.replace("lat,lon,", "north,east,"), ".read sql/import_ais.sql", fails=True)
+        self.assertIn("latitude: lat or Latitude", output)
+        self.assertIn("longitude: lon or Longitude", output)
+
+    def test_without_reports_the_import_is_named(self):
+        status, output = shell(".load build/release/foresee\n.read sql/import_ais.sql\n", "-bail")
+        self.assertEqual(status, 1)
+        self.assertIn("ais_reports: there is no such table; .import --csv FILE ais_reports first", output)
+
+
+class BundledReports(unittest.TestCase):
+    def test_the_file_is_small_and_in_the_layout_of_noaa(self):
+        self.assertLessEqual(BUNDLED.stat().st_size, 400_000)
+        self.assertEqual(BUNDLED.read_text().splitlines()[0], NOAA.splitlines()[0])
+
+    def test_the_file_is_the_cut_that_its_script_makes(self):
+        reports = SHARED_DATA / "ships_us_20220103.csv.gz"
+        if not reports.exists():
+            self.skipTest(f"no AIS data in {SHARED_DATA}")
+        with tempfile.TemporaryDirectory() as folder:
+            made = Path(folder) / BUNDLED.name
+            subprocess.run([sys.executable, BUNDLED.parent / "make_cut.py", reports, made], check=True)
+            self.assertEqual(made.read_bytes(), BUNDLED.read_bytes())
 
 
 class RealReports(unittest.TestCase):
