@@ -36,6 +36,9 @@ host_packages=(
   "golang-go: file /usr/bin/go"
   "golang-github-mattn-go-sqlite3-dev: file /usr/share/gocode/src/github.com/mattn/go-sqlite3/go.mod"
   "sqlite-utils: file /usr/bin/sqlite-utils"
+  "mosquitto: command mosquitto"
+  "python3-paho-mqtt: python paho.mqtt.client"
+  "gpsd-clients: command gpsdecode"
 )
 
 # What builds and asks the modules for other machines; zig comes by npm (ext/hosts/release/fetch_roots.sh).
@@ -72,7 +75,7 @@ is_there() {
   local kind=$1
   shift
   case $kind in
-    command) command -v "$1" >/dev/null 2>&1 ;;
+    command) PATH=$PATH:/usr/sbin command -v "$1" >/dev/null 2>&1 ;;
     file) [ -e "$1" ] ;;
     header) has_header "$@" ;;
     sanitizers) has_sanitizers ;;

@@ -106,8 +106,9 @@ except RuntimeError as error:
         asked = max(int(n) for n in re.findall(rb"GLIBC_2\.(\d+)\0", module))
         self.assertGreaterEqual(int(tag.group(1)), asked)
         self.assertIn("foresee/py.typed", names)
-        sources = [file.name for file in (ROOT / "ext/hosts/python/src/foresee_dask").glob("*.py")]
-        self.assertEqual([name for name in sources if f"foresee_dask/{name}" not in names], [])
+        sources = ROOT / "ext/hosts/python/src"
+        files = [str(file.relative_to(sources)) for pattern in ("*/*.py", "foresee/page/*") for file in sources.glob(pattern)]
+        self.assertEqual([name for name in files if name not in names], [])
         self.assertTrue(any(name.endswith("LICENSE") for name in names), names)
         self.assertEqual([name for name in names if os.path.basename(name) in ("setup.py", "pyproject.toml")], [])
 

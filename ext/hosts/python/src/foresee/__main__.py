@@ -1,0 +1,87 @@
+"""The command line: python3 -m foresee feed | alerts | map; --help describes their options. An error is one line and status 1."""
+import argparse
+
+from .process import not_negative, place, positive, run_command
+
+EPILOG = {
+    "feed": """\
+examples:
+  python3 -m foresee feed fleet.db --table ships --watch alerts --horizon 600 --within 926 < AIS_2022_01_03.csv
+  nc receiver 10110 | python3 -m foresee feed fleet.db --table ships
+  python3 -m foresee feed fleet.db --table ships --mqtt 'mqtt://broker.local/ais/#'
+
+input, recognised by its first line: CSV with a header (mmsi, t, lat, lon, sog, cog, name, or the columns of NOAA and DMA), lines of
+JSON with the same names, NMEA sentences (by gpsdecode). Speeds are knots, courses degrees from north, times Unix seconds or dates.""",
+    "alerts": """\
+examples:
+  python3 -m foresee alerts fleet.db alerts
+  python3 -m foresee alerts fleet.db alerts --news --json
+  python3 -m foresee alerts fleet.db alerts --webhook https://example.org/hook
+
+A line per change: + a pair is new, ~ its time moved, - it is over. For information, not for navigation.""",
+    "map": """\
+example:
+  python3 -m foresee map fleet.db
+
+Serves one page on this machine. Nothing is requested from any other. For information, not for navigation.""",
+}
+
+
+def command(commands, name, does):
+    parser = commands.add_parser(name, help=does, description=does, epilog=EPILOG[name],
+                                 formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("file", metavar="FILE.db", help="the database")
+    return parser
+
+
+def arguments(given=None):
+    parser = argparse.ArgumentParser(prog="python3 -m foresee", description="From reports to alerts: feed, alerts, map.")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="feed | alerts | map")
+
+    feed = command(commands, "feed", "Stores position reports of ships in a table of moving objects.")
+    feed.add_argument("--table", required=True, help="the table; it is created where it is not there")
+    feed.add_argument("--origin", type=place, help="'LAT LON' of the plane (a new table: from the first report)")
+    feed.add_argument("--watch", help="a watch of the table to create where it is not there")
+    feed.add_argument("--horizon", type=not_negative, default=600.0, help="of the new watch, in seconds (%(default)g)")
+    feed.add_argument("--within", type=not_negative, default=926.0, help="of the new watch, in metres (%(default)g, half a nautical mile)")
+    feed.add_argument("--tolerance", type=not_negative, default=30.0,
+                      help="of the new watch: smaller moves of a pair's time are no change, in seconds (%(default)g)")
+    feed.add_argument("--format", dest="layout", choices=("auto", "csv", "json", "nmea"), default="auto",
+                      help="of standard input (%(default)s)")
+    feed.add_argument("--resume", action="store_true", help="skip the lines of standard input that were committed before")
+    feed.add_argument("--every", type=positive, default=1.0, help="seconds between transactions; 1,000 rows end one before (%(default)g)")
+    feed.add_argument("--forget", type=positive, default=900.0,
+                      help="seconds after its last report at which a ship ends, in a table with until (%(default)g)")
+    feed.add_argument("--no-kinds", dest="kinds", action="store_false", help="do not write moored and under way into category and mask")
+    feed.add_argument("--mqtt", metavar="URL", help="mqtt://[user:password@]host[:port]/topic, or mqtts: read from a broker")
+    feed.add_argument("--client-id", help="of the persistent MQTT session (from host, file, table and topic)")
+
+    alerts = command(commands, "alerts", "Follows a watch: a line per change, each at least once.")
+    alerts.add_argument("watch", metavar="WATCH", help="the watch")
+    alerts.add_argument("--json", action="store_true", help="lines of JSON")
+    alerts.add_argument("--news", action="store_true", help="only new pairs whose encounter is still to come")
+    alerts.add_argument("--webhook", metavar="URL", help="POST each change as JSON; what fails is repeated, in order")
+    alerts.add_argument("--reader", default="alerts", help="whose position in the watch is kept (%(default)s)")
+    alerts.add_argument("--from-start", action="store_true", help="the whole watch first, as for a new reader")
+    alerts.add_argument("--once", action="store_true", help="end when all changes are delivered")
+    alerts.add_argument("--poll", type=positive, default=0.05, help="seconds between two reads of the file (%(default)g)")
+
+    page = command(commands, "map", "Serves a map of the ships and their alerts on 127.0.0.1.")
+    page.add_argument("--table", help="the table (the only one)")
+    page.add_argument("--port", type=int, default=8137, help="%(default)s; 0: any that is free")
+    return parser.parse_args(given)
+
+
+def main():
+    options = arguments()
+    if options.command == "feed":
+        from .feed import run
+    elif options.command == "alerts":
+        from .alerts import run
+    else:
+        from .map_server import run
+    run_command(options.command, lambda: run(options))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,150 @@
+"""The command alerts: follows a watch and prints a line per change, or sends it to a web server, at least once and in order.
+
+    python3 -m foresee alerts fleet.db alerts
+    python3 -m foresee alerts fleet.db alerts --json --webhook https://example.org/alerts
+
+The number of the last change that was delivered is a row of the file (foresee_readers): a reader that is killed goes on behind it, and
+repeats at most the changes that it was delivering. The first time a reader gets the whole watch as `+`.
+"""
+import json
+import math
+import os
+import sys
+import time
+from datetime import datetime, timezone
+
+from .encounters import Encounters
+from .files import committed, one_state, opened, watch_of
+from .process import Refusal, Stop
+from .webhook import Webhook
+
+AT_ONCE = 1000          # changes that are read before they are delivered; the position moves after each such group
+
+
+def say(text):
+    print(f"foresee alerts: {text}", file=sys.stderr, flush=True)
+
+
+class Reader:
+    """The position of a reader of a watch, in the file."""
+
+    def __init__(self, db, watch, name):
+        self.db, self.watch, self.name, self.at = db, watch, name, 0
+        with committed(db):
+            db.execute("CREATE TABLE IF NOT EXISTS foresee_readers(watch TEXT, reader TEXT, seq INTEGER NOT NULL, "
+                       "PRIMARY KEY(watch, reader))")
+            db.execute("INSERT OR IGNORE INTO foresee_readers VALUES (?, ?, 0)", (watch, name))
+        # The position may be lost in a power failure: changes are then repeated. It need not wait for the disk.
+        db.execute("PRAGMA synchronous = NORMAL")
+
+    def position(self):
+        return self.db.execute("SELECT seq FROM foresee_readers WHERE watch = ? AND reader = ?", (self.watch, self.name)).fetchone()[0]
+
+    def move(self, seq):
+        with committed(self.db):
+            self.db.execute("UPDATE foresee_readers SET seq = ? WHERE watch = ? AND reader = ?", (seq, self.watch, self.name))
+
+
+def changes_after(db, watch, position):
+    """(changes, position behind them, whether they are the whole watch, because the next ones are no longer kept)."""
+    _, _, _, seq, oldest, fault = watch_of(db, watch)
+    if fault and "damaged" in fault:
+        raise Refusal(fault)
+    if position > seq or (position and position < oldest):
+        say(f"{watch} has changes {oldest} to {seq}, and the position was {position}: the whole watch follows")
+        position = 0
+    if position == seq and seq:
+        return [], position, False
+    limit = -1 if position == 0 else AT_ONCE       # the whole watch has one position: its rows are delivered together
+    rows = db.execute("SELECT seq, op, a, b, t, now FROM predictive_changes(?, ?) LIMIT ?", (watch, position, limit)).fetchall()
+    return rows, rows[-1][0] if rows else seq, position == 0
+
+
+def time_of(clock):
+    """A date where the clock of the watch is Unix seconds."""
+    if not 0 <= clock < 2e11:
+        return f"{clock:.0f} s"
+    return datetime.fromtimestamp(clock, timezone.utc).strftime("%Y-%m-%d %H:%M:%S")
+
+
+def as_text(change):
+    line = f"{time_of(change['now'])}  {change['op']}  {change['a_name']}, {change['b_name']}"
+    if change["op"] == "-":
+        return line + "  over"
+    if change["near"]:
+        line += f"  within {change['within_m']:.0f} m"
+    if change["tcpa_min"] is not None:
+        line += f"  TCPA {change['tcpa_min']:.1f} min  CPA {change['cpa_m']:.0f} m"
+    if change["lat"] is not None:
+        north, east = "NS"[change["lat"] < 0], "EW"[change["lon"] < 0]
+        line += f"  {abs(change['lat']):.4f} {north} {abs(change['lon']):.4f} {east}"
+    elif change["x"] is not None:
+        line += f"  x {change['x']:.0f} m  y {change['y']:.0f} m"
+    return line
+
+
+def is_news(change):
+    """A new pair whose encounter is still to come."""
+    return change["op"] == "+" and not change["near"]
+
+
+def urgency(change):
+    """What comes first, then what is near already."""
+    return change["near"], math.inf if change["tcpa_min"] is None else change["tcpa_min"]
+
+
+def write_line(text):
+    """In one call, so that a killed reader leaves no half line."""
+    sys.stdout.flush()
+    data = (text + "\n").encode()
+    while data:
+        data = data[os.write(sys.stdout.fileno(), data):]
+
+
+def deliver(changes, options, hook, reader):
+    """Whether all were delivered."""
+    for change in changes:
+        if not options.news or is_news(change):
+            if hook and not hook.deliver(change):
+                return False
+            write_line(json.dumps(change) if options.json else as_text(change))
+            if hook and change["seq"] > reader.at:
+                reader.move(change["seq"])
+    return True
+
+
+def run(options):
+    stop = Stop()
+    hook = Webhook(options.webhook, say, stop) if options.webhook else None
+    db = opened(options.file)
+    try:
+        table, other, within, *_ = watch_of(db, options.watch)
+        encounters = Encounters(db, options.watch, table, other, within)
+        reader = Reader(db, options.watch, options.reader)
+        if options.from_start:
+            reader.move(0)
+        seen, more = None, True
+        while not stop():
+            version = db.execute("PRAGMA data_version").fetchone()[0]
+            if version == seen and not more:
+                if options.once:
+                    return
+                time.sleep(options.poll)
+                continue
+            seen = version
+            with one_state(db):
+                reader.at = before = reader.position()
+                rows, position, is_whole = changes_after(db, options.watch, before)
+                changes = [encounters.describe(row) for row in rows]
+            if is_whole:
+                changes.sort(key=urgency)
+                reader.at = position        # rows of the whole watch share it: it moves once all of them are delivered
+            if not deliver(changes, options, hook, reader):
+                return
+            if position != before:
+                reader.move(position)
+            more = len(rows) == AT_ONCE
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())     # head has read enough
+    finally:
+        db.close()

@@ -1,0 +1,53 @@
+"""A change of a watch in words and numbers for people: names, time to the closest approach, its distance, its place.
+
+    encounters = Encounters(db, "alerts", "ships", None, 926.0)
+    encounters.describe((7, "+", 1, 2, 1641168629.0, 1641168600.0))
+
+gives a dictionary that JSON can hold. TCPA, CPA and place are those of the pair as the watch has it now; they are None once it is gone.
+"""
+from .files import quoted
+from .tables import Table
+
+KEYS = ("watch", "seq", "op", "a", "b", "a_name", "b_name", "now", "t", "near", "tcpa_min", "cpa_m", "lat", "lon", "x", "y", "within_m")
+
+
+class Encounters:
+    def __init__(self, db, watch, table, other, within):
+        self.db, self.watch, self.within = db, watch, within
+        self.first = Table(db, table)
+        self.second = Table(db, other) if other else self.first
+        self.pair = f"SELECT t_cpa, d_cpa FROM {quoted(watch)} WHERE a = ? AND b = ?"
+
+    def name(self, table, number):
+        """Its name, else its number."""
+        if table.named:
+            row = self.db.execute(f"SELECT {table.named} FROM {quoted(table.name)} WHERE id = ?", (number,)).fetchone()
+            if row and row[0]:
+                return printable(str(row[0]))
+        return str(number)
+
+    def place_at(self, number, t):
+        """(latitude, longitude, x, y) of an object of the first table at a time, as far as they are known."""
+        row = self.db.execute("SELECT x, y FROM predictive_position(?, ?) WHERE id = ?", (t, self.first.name, number)).fetchone()
+        if row is None or row[1] is None:
+            return None, None, row and row[0], None
+        place = self.first.place(*row)
+        return (*(place or (None, None)), *row)
+
+    def describe(self, row):
+        seq, op, a, b, t, now = row
+        closest = None if op == "-" else self.db.execute(self.pair, (a, b)).fetchone()
+        tcpa = cpa = None
+        place = (None, None, None, None)
+        if closest is not None:
+            t_cpa, cpa = closest
+            tcpa = max(t_cpa - now, 0.0) / 60
+            place = self.place_at(a, t_cpa)
+        near = t is not None and t <= now
+        return dict(zip(KEYS, (self.watch, seq, op, a, b, self.name(self.first, a), self.name(self.second, b), now, t, near, tcpa, cpa,
+                               *place, self.within)))
+
+
+def printable(text):
+    """Without the control characters that could rewrite a terminal."""
+    return "".join(character if character.isprintable() else "?" for character in text)

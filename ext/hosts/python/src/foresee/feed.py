@@ -1,0 +1,121 @@
+"""The command feed: reports from standard input or an MQTT broker into a table of moving objects.
+
+    python3 -m foresee feed fleet.db --table ships < reports.csv
+    python3 -m foresee feed fleet.db --table ships --mqtt 'mqtt://127.0.0.1/ais/#'
+
+The options are those of __main__.py. One transaction holds what comes in a second, at most 1,000 rows. A SIGTERM or SIGINT ends it
+after the last batch; after kill −9 the same command goes on, with --resume where standard input is a file.
+"""
+import hashlib
+import os
+import socket
+import sys
+import time
+
+from .batches import MAX_ROWS, Batches, Progress, line_groups
+from .files import committed, opened, quoted
+from .layouts import MissingColumns, decoder_of
+from .mqtt_source import Address, MqttSource, number_in
+from .nmea import NoDecoder, Sentences
+from .process import Refusal, Stop
+from .reports import BadReport, by_quantity, json_object, report_of
+from .tables import Table, create
+
+
+def prepared(db, options):
+    """The table, created with its watch where --watch names one and they are not there."""
+    with committed(db):
+        if not exists(db, options.table):
+            create(db, options.table, options.origin)
+        elif options.origin:
+            db.execute("INSERT INTO foresee_feed(tbl, origin) VALUES (?, ?) ON CONFLICT(tbl) DO UPDATE SET origin = excluded.origin",
+                       (options.table, f"{options.origin[0]!r} {options.origin[1]!r}"))
+        if options.watch and not exists(db, options.watch):
+            db.execute(f"CREATE VIRTUAL TABLE {quoted(options.watch)} USING predictive_watch({quoted(options.table)}, "
+                       f"horizon = {options.horizon!r}, within = {options.within!r}, tolerance = {options.tolerance!r}, ahead = 3600)")
+    table = Table(db, options.table)
+    table.prepare(options.forget, options.kinds)
+    return table
+
+
+def exists(db, name):
+    return db.execute("SELECT 1 FROM sqlite_master WHERE lower(name) = lower(?)", (name,)).fetchone() is not None
+
+
+def from_standard_input(batches, options, stop):
+    skip = 0
+    if options.resume:
+        row = batches.db.execute("SELECT line FROM foresee_feed WHERE tbl = ?", (batches.table.name,)).fetchone()
+        skip = row[0] if row else 0
+        batches.progress.say(f"going on after line {skip}")
+    decoder = None
+    for group in line_groups(sys.stdin.fileno(), options.every, MAX_ROWS, stop):
+        if decoder is None:
+            first = next((text for _, text in group if text.strip()), None)
+            if first is None:
+                continue
+            decoder = decoder_of(first, options.layout)
+            batches.progress.left_out = lambda: decoder.left_out
+            if skip and options.layout in ("auto", "csv"):
+                decoder.read(group[:1])     # the header
+        fresh = [line for line in group if line[0] > skip]
+        if fresh:
+            reports, bad = decoder.read(fresh)
+            batches.commit(reports, bad, len(fresh), fresh[-1][0])
+
+
+class Payloads:
+    """A decoder of messages: JSON, NMEA sentences, or lines of either."""
+
+    def __init__(self):
+        self.sentences, self.left_out = None, 0
+
+    def read(self, messages):
+        now, reports, bad, sentences, lines = time.time(), [], [], [], 0
+        for topic, payload in messages:
+            text = payload.decode("utf-8", "replace").strip()
+            for line in text.splitlines() if not text.startswith("{\n") else [text]:
+                lines += 1
+                if line[:1] in ("!", "$", "\\"):
+                    sentences.append((topic, line))
+                    continue
+                try:
+                    report = report_of(by_quantity(json_object(line)), now, number_in(topic))
+                except BadReport as reason:
+                    bad.append((topic, str(reason)))
+                else:
+                    self.left_out += report is None
+                    reports += [] if report is None else [report]
+        if sentences:
+            self.sentences = self.sentences or Sentences()
+            more, worse = self.sentences.read(sentences)
+            reports, bad = reports + more, bad + worse
+        return reports, bad, lines
+
+
+def from_broker(batches, options, stop):
+    path = os.path.abspath(options.file)
+    identity = hashlib.sha256(f"{socket.gethostname()} {path} {batches.table.name} {Address(options.mqtt).topic}".encode()).hexdigest()[:12]
+    source = MqttSource(options.mqtt, options.client_id or f"foresee-{identity}", batches.progress.say)
+    payloads = Payloads()
+    batches.progress.left_out = lambda: payloads.left_out + (payloads.sentences.left_out if payloads.sentences else 0)
+
+    def commit(messages):
+        reports, bad, lines = payloads.read(messages)
+        batches.commit(reports, bad, lines)
+
+    source.run(commit, options.every, MAX_ROWS, stop)
+
+
+def run(options):
+    stop = Stop()
+    db = opened(options.file, create=True)
+    try:
+        progress = Progress(sys.stderr)
+        batches = Batches(db, prepared(db, options), progress)
+        (from_broker if options.mqtt else from_standard_input)(batches, options, stop)
+        progress.show(final=True)
+    except (MissingColumns, NoDecoder) as reason:
+        raise Refusal(str(reason)) from None
+    finally:
+        db.close()

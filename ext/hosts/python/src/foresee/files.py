@@ -1,0 +1,83 @@
+"""FILE.db of the commands: opened with foresee in it, with the tables that keep the positions of feed and of readers.
+
+    db = opened("fleet.db", create=True)
+    with committed(db): db.execute("INSERT …")
+
+foresee_feed(tbl, line, messages, origin): per table the last committed line of standard input, how many messages of a broker were
+committed, and the origin of a table in metres.
+foresee_readers(watch, reader, seq): per watch and reader the last change that was delivered.
+"""
+import os
+import sqlite3
+import time
+from contextlib import contextmanager
+
+from . import connect
+from .process import Refusal
+
+BUSY_SECONDS = 30
+
+
+def quoted(name):
+    return '"' + name.replace('"', '""') + '"'
+
+
+def opened(path, create=False, **options):
+    """A connection in autocommit. The file is in WAL mode, so that a writer and readers do not wait for each other."""
+    if not create and not os.path.exists(path):
+        raise Refusal(f"there is no file {path}; feed creates it")
+    try:
+        db = connect(path, isolation_level=None, timeout=BUSY_SECONDS, **options)
+    except sqlite3.OperationalError as error:
+        raise Refusal(f"{path} cannot be opened: {error}") from None
+    try:
+        if create:
+            db.execute("PRAGMA journal_mode = WAL").fetchone()
+            db.execute("CREATE TABLE IF NOT EXISTS foresee_feed(tbl TEXT PRIMARY KEY, line INTEGER NOT NULL DEFAULT 0, "
+                       "messages INTEGER NOT NULL DEFAULT 0, origin TEXT)")
+        return db
+    except BaseException:
+        db.close()
+        raise
+
+
+@contextmanager
+def committed(db):
+    """A transaction for writing. A COMMIT that finds readers in the way is repeated."""
+    db.execute("BEGIN IMMEDIATE")
+    try:
+        yield
+        give_up = time.monotonic() + BUSY_SECONDS
+        while True:
+            try:
+                db.execute("COMMIT")
+                return
+            except sqlite3.OperationalError as error:
+                if "locked" not in str(error) or time.monotonic() > give_up:
+                    raise
+                time.sleep(0.01)
+    except BaseException:
+        if db.in_transaction:
+            db.execute("ROLLBACK")
+        raise
+
+
+@contextmanager
+def one_state(db):
+    """Several SELECTs that see the same state of the file."""
+    db.execute("BEGIN")
+    try:
+        yield
+    finally:
+        db.execute("COMMIT")
+
+
+def watch_of(db, name):
+    """(table, other, within, seq, oldest, fault) of a watch."""
+    row = db.execute("SELECT tbl, other, within, seq, oldest, fault FROM predictive_watches('main') WHERE lower(name) = lower(?)",
+                     (name,)).fetchone()
+    if row is None:
+        names = ", ".join(row[0] for row in db.execute("SELECT name FROM predictive_watches('main') ORDER BY name"))
+        raise Refusal(f"there is no watch {name}; " + (f"watches here: {names}" if names else
+                      f"CREATE VIRTUAL TABLE {name} USING predictive_watch(ships, horizon = 600, within = 926)"))
+    return row

@@ -1,0 +1,114 @@
+r"""NMEA sentences of AIS receivers, decoded by gpsdecode of Debian's gpsd-clients (gpsd-tools in newer releases).
+
+    reports, bad = Sentences().read([(1, r"\c:1641168000*5A\!AIVDM,1,1,,A,13HOI:0P0000VOHLCnHQKwvL05Ip,0*23")])
+
+The time of a report is that of its tag block (c:, Unix seconds), else the time of its arrival. gpsdecode holds its last sentences back
+until more arrive, so each group of lines has a process of its own, which takes some milliseconds. It drops what it cannot decode,
+and does not name the sentence of an output: outputs are matched with sentences by the number of the ship, in order.
+"""
+import re
+import shutil
+import subprocess
+import time
+
+from .reports import BadReport, by_quantity, json_object, report_of
+
+FIELDS = ("mmsi", "lat", "lon", "speed", "course", "shipname")
+POSITIONS_AND_NAMES = (1, 2, 3, 5, 9, 18, 19, 24, 27)
+TAG = re.compile(r"^\\([^\\]*)\\")
+SENTENCE = re.compile(r"^[!$][A-Z]{2}VD[MO],(\d),(\d),([^,]*),([^,]*),([^,]*),\d\*([0-9A-Fa-f]{2})$")
+HELD = 100              # messages of which later sentences are awaited
+
+
+class NoDecoder(Exception):
+    """gpsdecode is not installed, or fails."""
+
+
+def checksum(body):
+    total = 0
+    for character in body.encode("ascii", "replace"):
+        total ^= character
+    return total
+
+
+def ship_of(payload):
+    """The number of the ship, in bits 8 to 37 of a payload of six bits per character; None where they are not there."""
+    bits = 0
+    for character in payload[:7]:
+        value = ord(character) - 48
+        bits = bits << 6 | (value - 8 if value > 40 else value) & 63
+    return bits >> 4 & 0x3FFFFFFF if len(payload) >= 7 else None
+
+
+class Sentences:
+    """A decoder of layouts.py for NMEA."""
+
+    def __init__(self):
+        if shutil.which("gpsdecode") is None:
+            raise NoDecoder("there is no gpsdecode to read NMEA sentences; install gpsd-clients (Debian 12) or gpsd-tools (newer)")
+        self.left_out = 0
+        self.unfinished = {}                # (count, sequence, channel): the sentences so far of a message that has more
+
+    def read(self, numbered):
+        now, bad, sent, times = time.time(), [], [], []
+        for number, line in numbered:
+            if line.strip():
+                try:
+                    self.take(line.strip(), now, sent, times)
+                except BadReport as reason:
+                    bad.append((number, str(reason)))
+        return self.reports(self.decoded(sent), times), bad
+
+    def take(self, line, now, sent, times):
+        """Appends a message to `sent` once it is whole, and its ship and time to `times`."""
+        tag = TAG.match(line)
+        seconds = re.search(r"(?:^|,)c:(\d+)", tag[1]) if tag else None
+        sentence = line[tag.end():] if tag else line
+        parts = SENTENCE.match(sentence)
+        if not parts:
+            raise BadReport(f"no AIS sentence: {line[:60]!r}")
+        count, place, sequence, channel, payload, written = parts.groups()
+        if checksum(sentence[1:-3]) != int(written, 16):
+            raise BadReport(f"the checksum is wrong: {sentence[:60]!r}")
+        t = float(seconds[1]) if seconds else now
+        t = t / 1000 if t > 1e11 else t
+        message = (count, sequence, channel)
+        if place == "1":
+            self.unfinished[message] = ([], ship_of(payload), t)
+        elif message not in self.unfinished:
+            return                          # its start was not received: nothing is wrong with this line
+        whole, ship, t = self.unfinished[message]
+        whole.append(sentence)
+        if place == count:
+            sent += whole
+            times.append((ship, t))
+            del self.unfinished[message]
+        elif len(self.unfinished) > HELD:
+            del self.unfinished[next(iter(self.unfinished))]
+
+    def decoded(self, sent):
+        if not sent:
+            return []
+        done = subprocess.run(["gpsdecode", "-j"], input=("\n".join(sent) + "\n").encode(), stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, start_new_session=True)
+        if done.returncode != 0:
+            raise NoDecoder(f"gpsdecode ended with status {done.returncode}; try gpsdecode -j with the same lines")
+        return done.stdout.decode("utf-8", "replace").splitlines()
+
+    def reports(self, lines, times):
+        reports, place = [], 0
+        for line in lines:
+            try:
+                fields = json_object(line)
+                match = next((i for i in range(place, len(times)) if times[i][0] == fields.get("mmsi")), None)
+                if match is None or fields.get("type") not in POSITIONS_AND_NAMES:
+                    continue
+                place = match + 1
+                report = report_of({**by_quantity({key: fields[key] for key in FIELDS if key in fields}), "t": times[match][1]})
+            except BadReport:
+                continue                    # numbers that a transmitter sends wrong, such as a latitude of 100 degrees
+            if report is None:
+                self.left_out += 1
+            else:
+                reports.append(report)
+        return reports

@@ -1,0 +1,229 @@
+"""python3 -m foresee alerts with real parts: a watch that changes, a web server that fails now and then; killed at random it misses
+nothing and keeps the order.
+
+FORESEE_LONG=1 kills it a hundred times in place of a handful.
+"""
+import http.server
+import json
+import random
+import sqlite3
+import subprocess
+import threading
+import time
+
+from hosts import main
+from live import LONG, PYTHON, Command, Live, free_port, waited
+
+KILLS = 50 if LONG else 3       # of each of the two: lines and web server
+
+
+class Server:
+    """A web server on loopback that fails by chance: errors, closed connections, a request for patience."""
+
+    def __init__(self, test, chance=None, port=0):
+        self.received, self.failures, self.keys = [], 0, []
+        owner = self
+
+        class Handler(http.server.BaseHTTPRequestHandler):
+            def do_POST(self):
+                body = self.rfile.read(int(self.headers["Content-Length"]))
+                fate = chance.random() if chance else 1.0
+                if fate < 0.15:
+                    owner.failures += 1
+                    self.close_connection = True
+                    return                          # no answer at all
+                if fate < 0.3:
+                    owner.failures += 1
+                    self.send_response(chance.choice((500, 503, 404, 302)))
+                    self.send_header("Retry-After", "0.05")
+                    self.end_headers()
+                    return
+                owner.received.append(json.loads(body))
+                owner.keys.append(self.headers["Idempotency-Key"])
+                if fate < 0.35:
+                    self.close_connection = True
+                    return                          # it arrived, and the answer did not
+                self.send_response(204)
+                self.end_headers()
+
+            def log_message(self, *arguments):
+                pass
+
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", port), Handler)
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+        test.addCleanup(self.stop)
+        self.url = f"http://127.0.0.1:{self.server.server_port}/hook?key=secret"
+
+    def stop(self):
+        if self.server:
+            self.server.shutdown()
+            self.server.server_close()
+            self.server = None
+
+
+class Alerts(Live):
+    def setUp(self):
+        super().setUp()
+        # Two ships under way towards each other, and one at anchor near their course.
+        self.report("1,10,53.99,7.85,14,91,ANNA\n2,10,53.985,8.0,12,272,BRUNO\n3,10,53.9875,7.92,0,0,DORA\n")
+
+    def report(self, rows, *options):
+        self.command("feed", self.file, "--table", "ships", "--watch", "alerts", "--horizon", "600", "--origin", "54 8", *options,
+                     text="mmsi,t,lat,lon,sog,cog,name\n" + rows)
+
+    def alerts(self, *options):
+        return self.command("alerts", self.file, "alerts", "--once", *options)[0].splitlines()
+
+    def test_a_line_per_change_with_names_tcpa_cpa_and_place(self):
+        first = self.alerts()
+        self.assertEqual(len(first), 1, first)
+        self.assertRegex(first[0], r"^1970-01-01 00:00:10  \+  ANNA, DORA  TCPA 10\.0 min  CPA \d\d\d m  53\.9\d\d\d N 7\.9\d\d\d E$")
+        self.assertEqual(self.alerts(), [])
+        self.report("1,70,53.99,7.8612,14,91,ANNA\n2,70,53.985,7.9935,12,272,BRUNO\n")
+        self.assertEqual([line.split("  ")[1:3] for line in self.alerts()], [["+", "ANNA, BRUNO"], ["~", "ANNA, DORA"]])
+        self.report("1,80,53.99,7.8612,0,0,ANNA\n")
+        lines = self.alerts()
+        self.assertEqual([line.split("  ")[1:3] for line in lines], [["-", "ANNA, BRUNO"], ["-", "ANNA, DORA"]])
+        self.assertTrue(all(line.endswith("  over") for line in lines))
+
+    def test_json_has_what_the_watch_has(self):
+        change, = (json.loads(line) for line in self.alerts("--json"))
+        row = self.database().execute("SELECT a, b, t, t_cpa, d_cpa, now FROM alerts").fetchone()
+        self.assertEqual((change["a"], change["b"], change["t"], change["cpa_m"], change["now"]), row[:3] + row[4:])
+        self.assertEqual(change["tcpa_min"], (row[3] - row[5]) / 60)
+        self.assertEqual((change["op"], change["a_name"], change["b_name"], change["near"]), ("+", "ANNA", "DORA", False))
+        there = self.database().execute("SELECT g.lat, g.lon FROM predictive_position(?, 'ships') p, plane_to_geo(p.x, p.y, 0, 0, 54, 8) g "
+                                        "WHERE p.id = 1", (row[3],)).fetchone()
+        self.assertAlmostEqual(change["lat"], there[0], delta=1e-8)
+        self.assertAlmostEqual(change["lon"], there[1], delta=1e-8)
+
+    def test_news_leaves_out_what_is_near_already(self):
+        self.report("4,10,53.99,7.8505,14,91,ELSE\n")                # beside Anna
+        self.assertEqual([line.split("  ")[2] for line in self.alerts("--news", "--reader", "news")], ["ANNA, DORA", "DORA, ELSE"])
+        self.assertEqual(len(self.alerts()), 3)
+
+    def test_readers_have_positions_of_their_own(self):
+        self.assertEqual(self.alerts("--reader", "bridge"), self.alerts("--reader", "office"))
+        self.assertEqual(self.alerts("--reader", "bridge"), [])
+        self.assertEqual(len(self.alerts("--reader", "bridge", "--from-start")), 1)
+
+    def test_a_watch_that_was_made_again_is_read_from_its_start(self):
+        for t in range(20, 30):
+            self.report(f"1,{t},53.99,7.85,14,{91 if t % 2 else 271},ANNA\n")
+        self.alerts()
+        db = self.database()
+        db.execute("DROP TABLE alerts")
+        db.execute("CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 600, within = 926)")
+        out, errors = self.command("alerts", self.file, "alerts", "--once")
+        self.assertIn("the whole watch follows", errors)
+        self.assertEqual(len(out.splitlines()), 1)
+
+    def test_errors_are_one_line(self):
+        for arguments, message in (((self.file, "nowhere"), "there is no watch nowhere; watches here: alerts"),
+                                   ((self.folder / "gone.db", "alerts"), "there is no file"),
+                                   ((self.file, "alerts", "--webhook", "ftp://x"), "--webhook is no web address")):
+            with self.subTest(message):
+                errors = self.command("alerts", *arguments, fails=True)[1]
+                self.assertEqual(errors.count("\n"), 1, errors)
+                self.assertIn(f"foresee alerts: {message}", errors)
+
+    def test_a_reader_of_the_lines_that_has_enough_ends_it(self):
+        self.report("".join(f"{i},10,53.99,{7.85 + i / 1e4},14,91,S{i}\n" for i in range(10, 200)))
+        shown = subprocess.run(f"{PYTHON} -m foresee alerts {self.file} alerts | head -1", shell=True, cwd=self.folder, env=self.environment,
+                               text=True, capture_output=True, timeout=60)
+        self.assertEqual((shown.stdout.count("\n"), shown.stderr), (1, ""))
+
+    # A fleet that changes while the reader runs
+
+    def write_changes(self, count, pause):
+        """Ship 1 turns away and back, commit after commit, in a thread; the thread."""
+        def write():
+            db = self.database_of_thread()
+            for i in range(count):
+                db.execute("UPDATE ships SET t = ?, course = ? WHERE id = 1", (10 + i / 1000, 91 if i % 2 else 271))
+                time.sleep(pause)
+            db.close()
+        thread = threading.Thread(target=write)
+        thread.start()
+        return thread
+
+    def database_of_thread(self):
+        db = sqlite3.connect(self.file, isolation_level=None, timeout=30)
+        db.enable_load_extension(True)
+        db.load_extension(str(self.site / "foresee/foresee"))
+        return db
+
+    def published(self, after):
+        return [row[0] for row in self.database().execute("SELECT seq FROM predictive_changes('alerts', ?)", (after,))]
+
+    def assert_each_in_order(self, seen, wanted, runs=None):
+        """All of `wanted`, in order; only what was being delivered when a reader was killed comes twice."""
+        self.assertEqual(sorted(set(seen)), wanted)
+        for run in runs or [seen]:
+            self.assertEqual(run, sorted(run))
+
+    def test_killed_at_random_it_misses_no_line(self):
+        chance, out = random.Random(41), self.folder / "alerts.jsonl"
+        self.alerts()                                                # a position, from which on nothing may be missed
+        start = self.published(0)[0]
+        thread, runs, before = self.write_changes(8000 if LONG else 800, 0.001), [], 0
+        for _ in range(KILLS):
+            with out.open("a") as stdout:
+                reader = Command(self, "alerts", self.file, "alerts", "--json", stdout=stdout)
+                size = out.stat().st_size
+                waited(lambda: out.stat().st_size > size or not thread.is_alive())
+                time.sleep(chance.uniform(0.0, 0.1))
+                reader.kill()
+            runs.append([json.loads(line)["seq"] for line in out.read_text().splitlines()[before:]])
+            before += len(runs[-1])
+        thread.join()
+        runs.append([json.loads(line)["seq"] for line in self.alerts("--json")])
+        seen = [seq for run in runs for seq in run]
+        self.assert_each_in_order(seen, self.published(start), runs)
+        print(f"{KILLS} kills of alerts: {len(set(seen))} changes, none missed, {len(seen) - len(set(seen))} repeated")
+
+    def test_a_server_that_fails_now_and_then_gets_every_change_in_order(self):
+        self.alerts()
+        start = self.published(0)[0]
+        server = Server(self, random.Random(43))
+        thread = self.write_changes(40, 0.002)
+        reader = Command(self, "alerts", self.file, "alerts", "--webhook", server.url)
+        thread.join()
+        wanted = self.published(start)
+        waited(lambda: server.received and server.received[-1]["seq"] == wanted[-1], 60, "the last change")
+        self.assertEqual(reader.end(), 0)
+        self.assertGreater(server.failures, 3)
+        self.assert_each_in_order([change["seq"] for change in server.received], wanted)
+        self.assertEqual(server.keys[0], f"alerts-{wanted[0]}-1-3")
+        self.assertFalse(any("secret" in line for line in reader.errors), reader.errors)
+        self.assertTrue(reader.said("127.0.0.1: answers 50") or reader.said("127.0.0.1: Remote end closed"), reader.errors)
+
+    def test_killed_at_random_it_misses_no_post(self):
+        self.alerts()
+        start, chance = self.published(0)[0], random.Random(47)
+        port = free_port()                                           # no server at first
+        reader = Command(self, "alerts", self.file, "alerts", "--webhook", f"http://127.0.0.1:{port}/")
+        thread = self.write_changes(1000 if LONG else 200, 0.001)
+        waited(lambda: reader.said("Connection refused"), what="the first attempt")
+        server, runs, before = Server(self, port=port), [], 0
+        for _ in range(KILLS):
+            waited(lambda: len(server.received) > before or not thread.is_alive())
+            time.sleep(chance.uniform(0.0, 0.1))
+            reader.kill()
+            time.sleep(0.05)
+            runs.append([change["seq"] for change in server.received[before:]])
+            before = len(server.received)
+            reader = Command(self, "alerts", self.file, "alerts", "--webhook", f"http://127.0.0.1:{port}/")
+        thread.join()
+        wanted = self.published(start)
+        waited(lambda: server.received and server.received[-1]["seq"] == wanted[-1], 120, "the last change")
+        self.assertEqual(reader.end(), 0)
+        runs.append([change["seq"] for change in server.received[before:]])
+        seen = [seq for run in runs for seq in run]
+        self.assert_each_in_order(seen, wanted, runs)
+        self.assertLessEqual(len(seen) - len(set(seen)), KILLS)      # the one that was being delivered
+        print(f"{KILLS} kills of alerts with a web server: {len(set(seen))} changes, none missed, {len(seen) - len(set(seen))} repeated")
+
+
+if __name__ == "__main__":
+    main()
