@@ -124,7 +124,7 @@ void compare(const Scene& scene, int repetitions) {
   Draw draw(scene.around);
   const Fleet a(draw, scene.fleet, scene.around, scene.rings),
       b(draw, scene.fleet, scene.around, scene.rings);
-  const Setup setup{a.bodies(), b.bodies(), {0, h}, 0};
+  const Setup setup{a.bodies(), b.bodies(), {0, h}, PairRule(a.bodies().layout, b.bodies().layout)};
   const auto contact = make_mesh_contact(setup, {&a, &b}, 1);
   PairCosts costs(*contact, candidates(a, b, scene.max_pairs));
   if (scene.plain_pairs > 0)

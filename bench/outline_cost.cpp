@@ -44,7 +44,8 @@ void add_textbook(PairCosts& costs, const OutlineScene& scene, int repetitions) 
 
 /// Methods that sample run on few pairs.
 void compare(const OutlineScene& scene, int repetitions, std::size_t sampled_pairs) {
-  const Setup setup{scene.a.bodies(), scene.b.bodies(), {0, scene.h}, scene.within};
+  const Bodies a = scene.a.bodies(), b = scene.b.bodies();
+  const Setup setup{a, b, {0, scene.h}, PairRule(a.layout, b.layout, scene.within)};
   const auto contact = make_outline_contact(setup, {&scene.a, &scene.b}, 1);
   PairCosts costs(*contact, candidates(scene, max_pairs));
   if (scene.within == 0) add_textbook(costs, scene, repetitions);

@@ -8,13 +8,13 @@
 #include "contact/certain/crossing.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/oracle.h"
-#include "contact/set/shape_pairs.h"
+#include "contact/set/minkowski_sum.h"
 
 namespace foresee::bench {
 namespace {
 
 Setup setup_of(const Family& family) {
-  return {family.a(), family.b(), family.horizon, 0, 0};
+  return {family.a(), family.b(), family.horizon, PairRule(family.a().layout, family.b().layout)};
 }
 
 /// One pair in the contact module, one stage after another.
@@ -22,7 +22,7 @@ class Stages {
  public:
   explicit Stages(const Family& family)
       : setup_(setup_of(family)),
-        set_(family.balls() ? ball_ball_set(setup_) : box_box_set(setup_)),
+        set_(contact_set(setup_)),
         certain_scratch_(set_),
         crossing_scratch_(set_) {}
 

@@ -1,7 +1,7 @@
 // Factories of the implementations of Contact, for make_contact() and make_window_contact() to choose from,
 // once per statement: contact sets, boxes in lanes, outlines and meshes.
 //
-//   make_typed<SetContact>(setup.a.layout.axes, degree, setup, box_box_set(setup));      // a SetContact<2, 1>
+//   make_typed<SetContact>(setup.a.layout.axes, degree, setup, contact_set(setup));      // a SetContact<2, 1>
 //
 //   const OutlineRows* outlines = …;                   // makes the pieces of a row at the first access
 //   auto contact = make_outline_contact(setup, {.a = outlines, .b = nullptr}, degree);
@@ -33,7 +33,7 @@ namespace foresee {
 
 /// Contact of one contact set for all pairs. `degree`: of the relative motion, at most 2.
 std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, int degree);
-/// Contact of box_box_set(), sixteen pairs at a time (boxes/box_lanes.h).
+/// Contact by the distance per axis, sixteen pairs at a time (boxes/box_lanes.h).
 std::unique_ptr<Contact> make_box_contact(const Setup& setup, int degree);
 
 /// A Made<D, Degree> of these arguments: axes and degree, known at run time, become template arguments.

@@ -34,7 +34,7 @@ class SetContact : public Contact {
                   .touches_wanted = false,
                   .space = reinterpret_cast<double*>(space_.data())} {}
 
-  Reach reach() const override { return {setup_.within, setup_.within_z}; }
+  Reach reach() const override { return {setup_.rule.within(), setup_.rule.within_z()}; }
 
   void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
     const FloatEnvironment environment;

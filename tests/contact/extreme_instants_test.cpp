@@ -7,7 +7,7 @@
 
 #include "contact/exact/exact_contact.h"
 #include "contact/pair_by_hand.h"
-#include "contact/set/shape_pairs.h"
+#include "contact/set/minkowski_sum.h"
 #include "contact/window_contact.h"
 
 namespace foresee {
@@ -28,9 +28,8 @@ std::optional<ContactTimes> exactly(const Object& a, const Object& b, const Cont
   const Setup setup{{a.layout, row_a.data(), 1},
                     {b.layout, row_b.data(), 1},
                     question.horizon,
-                    question.within,
-                    question.within};
-  const ContactSet set = a.layout.shape == Shape::box ? box_ball_set(setup) : ball_ball_set(setup);
+                    PairRule(a.layout, b.layout, question.within)};
+  const ContactSet set = contact_set(setup);
   const ExactLifetime lifetime = exact_lifetime_of(setup, row_a.data(), row_b.data());
   if (lifetime.rounded.none) return std::nullopt;
   PairPolynomials polynomials(set, setup, row_a.data(), row_b.data());

@@ -11,7 +11,7 @@
 #include "contact/certain/set_lanes.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
-#include "contact/set/shape_pairs.h"
+#include "contact/set/minkowski_sum.h"
 #include "every_simd.h"
 
 namespace foresee {
@@ -24,12 +24,10 @@ struct Certain {
   int chord = 0, lanes_miss = 0, lanes_touch = 0, advancement = 0, in_128_bits = 0, times = 0;
 };
 
-using MakeSet = ContactSet (*)(const Setup&);
-
 template <int D, int Degree>
 class StagesOfPair {
  public:
-  StagesOfPair(const Case& c, MakeSet make_set, Certain& certain)
+  StagesOfPair(const Case& c, Certain& certain)
       : case_(c),
         certain_(certain),
         row_a_(c.a.row()),
@@ -37,9 +35,8 @@ class StagesOfPair {
         setup_{{c.a.layout, row_a_.data(), 1},
                {c.b.layout, row_b_.data(), 1},
                c.question.horizon,
-               c.question.within,
-               c.question.within_z.value_or(0)},
-        set_(make_set(setup_)),
+               PairRule(c.a.layout, c.b.layout, c.question.within, c.question.within_z)},
+        set_(contact_set(setup_)),
         lifetime_(pair_lifetime_of(setup_, row_a_.data(), row_b_.data())) {}
 
   void check() {
@@ -145,13 +142,13 @@ class StagesOfPair {
 };
 
 template <int D>
-void check_kind(MakeSet make_set, Shapes shapes, std::uint64_t seed) {
+void check_kind(Shapes shapes, std::uint64_t seed) {
   Certain certain;
   const auto look = [&](const Case& c, const Generator&) {
     if (std::max(c.a.layout.law, c.b.layout.law) <= Law::uniform)
-      StagesOfPair<D, 1>(c, make_set, certain).check();
+      StagesOfPair<D, 1>(c, certain).check();
     else
-      StagesOfPair<D, 2>(c, make_set, certain).check();
+      StagesOfPair<D, 2>(c, certain).check();
   };
   for_each_hard_pair(shapes, D, 40, seed, look);
   for (const Family& family : growing_families()) {
@@ -168,31 +165,31 @@ void check_kind(MakeSet make_set, Shapes shapes, std::uint64_t seed) {
 }
 
 TEST(Stages, BoxesInOneDimension) {
-  check_kind<1>(box_box_set, Shapes::boxes, 100);
+  check_kind<1>(Shapes::boxes, 100);
 }
 TEST(Stages, BoxesInTwoDimensions) {
-  check_kind<2>(box_box_set, Shapes::boxes, 200);
+  check_kind<2>(Shapes::boxes, 200);
 }
 TEST(Stages, BoxesInThreeDimensions) {
-  check_kind<3>(box_box_set, Shapes::boxes, 300);
+  check_kind<3>(Shapes::boxes, 300);
 }
 TEST(Stages, BallsInTwoDimensions) {
-  check_kind<2>(ball_ball_set, Shapes::balls, 400);
+  check_kind<2>(Shapes::balls, 400);
 }
 TEST(Stages, BallsInThreeDimensions) {
-  check_kind<3>(ball_ball_set, Shapes::balls, 500);
+  check_kind<3>(Shapes::balls, 500);
 }
 TEST(Stages, BoxAndBallInTwoDimensions) {
-  check_kind<2>(box_ball_set, Shapes::box_and_ball, 600);
+  check_kind<2>(Shapes::box_and_ball, 600);
 }
 TEST(Stages, BoxAndBallInThreeDimensions) {
-  check_kind<3>(box_ball_set, Shapes::box_and_ball, 700);
+  check_kind<3>(Shapes::box_and_ball, 700);
 }
 TEST(Stages, Cylinders) {
-  check_kind<3>(cylinder_cylinder_set, Shapes::cylinders, 800);
+  check_kind<3>(Shapes::cylinders, 800);
 }
 TEST(Stages, CylinderAndBox) {
-  check_kind<3>(cylinder_box_set, Shapes::cylinder_and_box, 900);
+  check_kind<3>(Shapes::cylinder_and_box, 900);
 }
 
 /// The exact result of any operation on 128-bit numbers is within their error.

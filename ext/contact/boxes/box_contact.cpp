@@ -5,7 +5,7 @@
 
 #include "contact/boxes/box_lanes.h"
 #include "contact/contact_factories.h"
-#include "contact/set/shape_pairs.h"
+#include "contact/set/minkowski_sum.h"
 #include "contact/set_contact.h"
 
 namespace foresee {
@@ -14,11 +14,11 @@ namespace {
 template <int D, int Degree>
 class BoxContact final : public SetContact<D, Degree> {
  public:
-  explicit BoxContact(const Setup& setup) : SetContact<D, Degree>(setup, box_box_set(setup)) {
+  explicit BoxContact(const Setup& setup) : SetContact<D, Degree>(setup, contact_set(setup)) {
     std::fill_n(lanes_.end, lanes_width, setup.horizon.h);
-    take_places(rows_.a, setup.a.at);
-    take_places(rows_.b, setup.b.at);
-    rows_.within = setup.within, rows_.now = setup.horizon.now;
+    take_places(rows_.a, setup.a.at, setup.rule.extent[0].a);
+    take_places(rows_.b, setup.b.at, setup.rule.extent[0].b);
+    rows_.within = setup.rule.within(), rows_.now = setup.horizon.now;
   }
 
   void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
@@ -101,8 +101,9 @@ class BoxContact final : public SetContact<D, Degree> {
     });
   }
 
-  static void take_places(typename RowLanes<D>::Side& side, const Offsets& at) {
-    side.at_x = at.x, side.at_v = at.v, side.at_a = at.a, side.at_half = place_of_half<D>(at);
+  /// `half`: the place of the extent on the first axis; the others follow it.
+  static void take_places(typename RowLanes<D>::Side& side, const Offsets& at, int half) {
+    side.at_x = at.x, side.at_v = at.v, side.at_a = at.a, side.at_half = half;
   }
 
   /// Fills lane l with a pair of other reference times, or whose lifetime may end within the horizon.
@@ -110,7 +111,7 @@ class BoxContact final : public SetContact<D, Degree> {
     const PairLifetime lifetime = pair_lifetime_of(setup_, a, b);
     const CertainMotion<D> relative = certain_motion_of<D, Degree>(setup_, a, b);
     double half[D];
-    for (int j = 0; j < D; ++j) half[j] = half_extent<double, D>(setup_, a, b, j);
+    for (int j = 0; j < D; ++j) half[j] = size_as_of_t<double>(setup_.rule.extent[j], a, b);
     put_motion(lanes_, l, relative, half,
                lifetime.end_exact ? lifetime.dt_end : lifetime.dt_end * (1 + 2 * unit_roundoff));
     // A lane requires that both objects exist from now on, and times below 2^40. Other pairs are left
@@ -167,7 +168,7 @@ class BoxContact final : public SetContact<D, Degree> {
   [[gnu::flatten]] void put_meeting(const double* a, const double* b, int l) {
     const int j = static_cast<int>(lanes_.axis[l]);
     const auto relative = relative_axis_motion_of<DoubleDouble>(setup_, a, b, j);
-    const auto half = half_extent<DoubleDouble, D>(setup_, a, b, j);
+    const auto half = size_as_of_t<DoubleDouble>(setup_.rule.extent[j], a, b);
     MeetingLanes& m = meetings_;
     m.x[l] = relative.x.high, m.v[l] = relative.v.high, m.a[l] = relative.a.high, m.half[l] = half.high;
     m.x_low[l] = relative.x.low, m.v_low[l] = relative.v.low, m.a_low[l] = relative.a.low,

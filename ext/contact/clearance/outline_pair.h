@@ -20,11 +20,6 @@
 
 namespace foresee {
 
-/// Whether one of two tables has outlines; their pairs then need an OutlinePair.
-inline bool has_outlines(const Layout& a, const Layout& b) {
-  return a.shape == Shape::outline || b.shape == Shape::outline;
-}
-
 /// The object that changes its motion, and whether its outline turns with its course.
 struct OwnOutline {
   OwnOutline(const Bodies& bodies, std::size_t row, bool turns);

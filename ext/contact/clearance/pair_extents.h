@@ -1,19 +1,17 @@
 // The set of relative positions at which two objects touch, and its support function.
 //
-//   const ExtentsRule rule(ships.layout, ships.layout, 926, std::nullopt);
-//   const PairExtents<2> pair = rule.pair<2>(row_a, row_b, 600);  // half = {0, 0}, radius = r_a + r_b + 926
+//   const PairRule rule(ships.layout, ships.layout, 926);
+//   const PairExtents<2> pair = extents_of_both<2>(rule, row_a, row_b, 600);  // radius = r_a + r_b + 926
 //
 // Points, discs, balls, boxes, cylinders and their mixtures give one convex set: a box, grown by a radius on
 // all axes or in x and y alone. Outlines and prisms give one set per pair of convex pieces, whose Minkowski
-// sum replaces the box in x and y (piece_sum.h). Meshes have none. The sets are those of make_contact.cpp
-// with lengths rounded up: a point outside does not touch.
+// sum replaces the box in x and y (piece_sum.h). Meshes have none. The sets are those of contact, by the same
+// rule (pair_rule.h), with lengths rounded up: a point outside does not touch.
 #pragma once
 
-#include <optional>
-
 #include "contact/clearance/piece_sum.h"
+#include "contact/pair_rule.h"
 #include "motion/motion.h"
-#include "shape/row_layout.h"
 
 namespace foresee {
 
@@ -63,28 +61,9 @@ struct GrowingExtents : PairExtents<D> {
   }
 };
 
-class ExtentsRule {
- public:
-  /// `within`, `within_z`: as for contact.
-  ExtentsRule(const Layout& a, const Layout& b, double within, std::optional<double> within_z);
-
-  /// The extents at `time`.
-  template <int D>
-  GrowingExtents<D> pair(const double* row_a, const double* row_b, double time) const;
-
- private:
-  struct Side {
-    Layout layout;
-    Offsets at;
-  };
-  /// The extents of both together. size(quantity, axis) adds up half, r or hz of the two.
-  template <int D, class Size>
-  PairExtents<D> composed(const Size& size, double within, double within_z) const;
-
-  Side a_, b_;
-  bool upright_ = false, round_ = false;
-  bool pieces_ = false;  ///< boxes too are convex pieces in x and y
-  double within_, within_z_;
-};
+/// The extents at `time`, as of the distance of the two tables.
+template <int D>
+GrowingExtents<D> extents_of_both(const PairRule& rule, const double* row_a, const double* row_b,
+                                  double time);
 
 }  // namespace foresee

@@ -2,7 +2,7 @@
 // guesses.
 //
 //   const Encounter<2> encounter = encounter_of<2>(base, {now, h}, others, row,
-//                                                  rule.pair<2>(own_row, row, base.t));
+//                                                  extents_of_both<2>(rule, own_row, row, base.t));
 //   if (encounter.begin > encounter.end) …                             // they never exist together
 //   // 10 to 20 degrees to starboard
 //   const TrajectoryFamily<2> turns = trajectory_family<2>(base, change, 10, 20);

@@ -87,7 +87,7 @@ template <class T>
 Coefficients<T, 4> SpacePolynomials::polynomial_of(int primitive,
                                                    const std::array<Coefficients<T, 2>, 3>& x) const {
   Coefficients<T, 4> all{};
-  const SpaceSizes<T> sizes{.radius = radius_of<T>(setup_, row_a_, row_b_)};
+  const SpaceSizes<T> sizes{.radius = size_as_of_t<T>(setup_.rule.radius, row_a_, row_b_)};
   with_polynomial<2>(conditions_[static_cast<std::size_t>(primitive)], x, sizes,
                      [&all](const auto& p) { std::copy(p.begin(), p.end(), all.begin()); });
   return all;
@@ -125,7 +125,7 @@ struct SpaceTraits {
 
   template <class T>
   static SpaceSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
-    return {radius_of<T>(setup, row_a, row_b), steady_axes_of(setup, row_a, row_b)};
+    return {size_as_of_t<T>(setup.rule.radius, row_a, row_b), steady_axes_of(setup, row_a, row_b)};
   }
   /// Nothing: the filter of meshes tests single pairs of triangles (triangle_filter.h).
   static FilterAnswer filter_answer(const PairContext<SpaceTraits>&, bool) { return {}; }

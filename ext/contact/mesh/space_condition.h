@@ -54,13 +54,6 @@ std::array<std::optional<double>, 3> steady_axes_of(const Setup& setup, const do
                                                     const double* row_b);
 
 template <class T>
-T radius_of(const Setup& setup, const double* row_a, const double* row_b) {
-  using E = Exactly<T>;
-  return E::number(value_or(row_a, setup.a.at.r, 0)) + E::number(value_or(row_b, setup.b.at.r, 0)) +
-         E::number(setup.within);
-}
-
-template <class T>
 using Components = std::array<T, 3>;
 
 /// a - b

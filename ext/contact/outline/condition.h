@@ -8,7 +8,7 @@
 
 #include "contact/outline/convex_sum.h"
 #include "contact/pieces/time_expansion.h"
-#include "contact/set/minkowski_sum.h"
+#include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
 namespace foresee {
@@ -36,33 +36,36 @@ struct PairSizes {
   bool has_face(int side) const { return side < 0 ? has_below : has_above; }
 };
 
-/// The offset of the half height in a row of a prism, cylinder or box.
-inline int place_of_half_height(const Offsets& at) {
-  return at.hz != Offsets::absent || at.half == Offsets::absent ? at.hz : at.half + 2;
+/// A size of the rule for one pair, from `now` on.
+template <class T>
+MovingSize<T> moving_size_of(const Setup& setup, const PairSize& size, const double* row_a,
+                             const double* row_b) {
+  MovingSize<T> sum{size_as_of_t<T>(size, row_a, row_b)};
+  const PairRule& rule = setup.rule;
+  if (!rule.grows) return sum;
+  sum.moves = value_or(row_a, size.growth_a, 0) > 0 || value_or(row_b, size.growth_b, 0) > 0;
+  if (!sum.moves) return sum;
+  const TwoRows<T> rows{row_a, row_b};
+  sum.value = sum.value + rows.growth({Length::From::growth, size.growth_a, size.growth_b, setup.horizon.now,
+                                       true, rule.t_a, rule.t_b});
+  sum.rate = rows.in_both(size.growth_a, size.growth_b);
+  return sum;
 }
 
 template <class T>
 PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
-  const TwoRows<T> rows{row_a, row_b};
-  const bool any_grows = grows(setup.a.layout) || grows(setup.b.layout);
-  const auto sum = [&](int place_a, int place_b, int axis, double more) {
-    MovingSize<T> size{rows.in_both(place_a, place_b) + Exactly<T>::number(more)};
-    if (!any_grows) return size;
-    const Length growth = growth_of_both(setup, axis);
-    size.moves = value_or(row_a, growth.a, 0) > 0 || value_or(row_b, growth.b, 0) > 0;
-    if (size.moves)
-      size.value = size.value + rows.growth(growth), size.rate = rows.in_both(growth.a, growth.b);
-    return size;
-  };
-  const auto height = [&](double more) {
-    return sum(place_of_half_height(setup.a.at), place_of_half_height(setup.b.at), 2, more);
-  };
-  PairSizes<T> sizes{sum(setup.a.at.r, setup.b.at.r, 0, setup.within), {}, {}};
+  const PairRule& rule = setup.rule;
+  PairSizes<T> sizes{moving_size_of<T>(setup, rule.radius, row_a, row_b), {}, {}};
   if (setup.a.layout.axes < 3) return sizes;
   if (!setup.window) {
-    sizes.below = sizes.above = height(setup.within_z);
+    sizes.below = sizes.above = moving_size_of<T>(setup, rule.extent[2], row_a, row_b);
     return sizes;
   }
+  const auto height = [&](double face) {
+    PairSize height = rule.extent[2];
+    height.limit = face;
+    return moving_size_of<T>(setup, height, row_a, row_b);
+  };
   const WindowFaces& faces = *setup.window;  // a is at the origin
   sizes.has_below = faces.has_lower(2), sizes.has_above = faces.has_upper(2);
   if (sizes.has_below) sizes.below = height(-faces.lower[2]);

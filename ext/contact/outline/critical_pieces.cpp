@@ -12,10 +12,10 @@ class CriticalSet {
   ContactSet set;
 
   CriticalSet(const Setup& setup, bool grown) {
-    if (grown) radius_ = radius_of_both(set, setup, setup.within);
+    if (grown) radius_ = size_of_both(set, setup, setup.rule.radius);
     if (setup.a.layout.axes < 3) return;
-    const Size heights = set.sum(height_of_both(set, setup, 0), half_of_both(set, setup, 2));
-    Faces across_z{.axis = 2, .below = {set.given(setup.within_z)}, .above = {set.given(setup.within_z)}};
+    const Size heights = size_of_both(set, setup, setup.rule.extent[2]);
+    Faces across_z{.axis = 2};
     if (setup.window) across_z = faces_from_origin(*setup.window);
     across_z = grown_faces(set, across_z, heights);
     along_z_ = between(set, {&across_z, 1});

@@ -31,7 +31,7 @@ class UnionContact final : public Contact {
 
   UnionContact(const Setup& setup, const Tables& tables) : setup_(setup), tables_(tables) {}
 
-  Reach reach() const override { return {setup_.within, setup_.within_z}; }
+  Reach reach() const override { return {setup_.rule.within(), setup_.rule.within_z()}; }
   void set_interrupt(Interrupt& interrupt) override { steps_.emplace(interrupt); }
 
   std::string effort() const override {

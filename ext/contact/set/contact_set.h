@@ -6,7 +6,7 @@
 //   const AxisPart centre[] = {{.axis = 0}, {.axis = 1}};
 //   set.add_piece({.all = {set.ball(centre, {radius})}});
 //
-// A set is made once per statement, from the pair of shapes (shape_pairs.h). It contains no number of any
+// A set is made once per statement, from the distance of two tables (minkowski_sum.h). It contains no number of any
 // pair: it names the lengths of a pair by their source, and the primitives and pieces. Each stage of contact
 // computes the lengths in its own number type (AllLengths, PairLengths) and the polynomials of the primitives
 // (primitive.h). So primitive number i is the same in all stages. The number of primitives and pieces is not

@@ -1,28 +1,10 @@
 #include "contact/set/minkowski_sum.h"
 
 #include <bit>
-
-#include "shape/shapes.h"
+#include <optional>
 
 namespace foresee {
 namespace {
-
-bool is_box(const Bodies& bodies) {
-  return bodies.layout.shape == Shape::box;
-}
-
-/// The numbers of both rows at two places, and the growth since their t.
-Size grown_size(ContactSet& set, const Setup& setup, int place_a, int place_b, int growth_a, int growth_b) {
-  const int grown = set.growth(growth_a, growth_b, setup.a.at.t, setup.b.at.t, setup.horizon.now);
-  return {set.sum(set.in_both(place_a, place_b), grown), set.in_both(growth_a, growth_b)};
-}
-
-/// The combined size of balls and cylinders; a box adds 0.
-Size round_size(ContactSet& set, const Setup& setup, int Offsets::*place, int axis, double limit) {
-  const Length growth = growth_of_both(setup, axis);
-  const Size size = grown_size(set, setup, setup.a.at.*place, setup.b.at.*place, growth.a, growth.b);
-  return set.sum(size, {set.given(limit)});
-}
 
 /// One face of a box: its position, its bound, and its bound moved outward by the radius.
 struct Side {
@@ -105,56 +87,26 @@ class RoundedBox {
   std::vector<Side> sides_;  ///< below and above of each axis
 };
 
-}  // namespace
-
-Length growth_of_both(const Setup& setup, int axis) {
-  const auto growth = [axis](const Bodies& bodies) {
-    return is_box(bodies) ? Offsets::absent : growth_place(bodies.layout.shape, bodies.at, axis);
-  };
-  return {Length::From::growth, growth(setup.a), growth(setup.b), setup.horizon.now, true,
-          setup.a.at.t,         setup.b.at.t};
-}
-
-Size radius_of_both(ContactSet& set, const Setup& setup, double limit) {
-  return round_size(set, setup, &Offsets::r, 0, limit);
-}
-
-Size height_of_both(ContactSet& set, const Setup& setup, double limit) {
-  return round_size(set, setup, &Offsets::hz, 2, limit);
-}
-
-Size half_of_both(ContactSet& set, const Setup& setup, int axis) {
-  const auto half = [axis](const Bodies& bodies) {
-    return bodies.at.half == Offsets::absent ? Offsets::absent : bodies.at.half + axis;
-  };
-  const auto growth = [axis](const Bodies& bodies) {
-    return is_box(bodies) ? growth_place(bodies.layout.shape, bodies.at, axis) : Offsets::absent;
-  };
-  return grown_size(set, setup, half(setup.a), half(setup.b), growth(setup.a), growth(setup.b));
-}
-
-std::vector<Faces> faces_of_boxes(ContactSet& set, const Setup& setup) {
-  std::vector<Faces> faces;
-  for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
-    const Size half = half_of_both(set, setup, axis);
-    faces.push_back({.axis = axis, .below = half, .above = half});
-  }
-  return faces;
-}
-
-std::vector<Faces> faces_of_window(ContactSet& set, const Setup& setup) {
+/// The faces on an axis, before sizes move them outward: those of the setup's window, or both at the origin.
+Faces faces_of(ContactSet& set, const Setup& setup, int axis) {
+  if (!setup.window) return {.axis = axis};
   // Coordinates are relative to the window's reference: a finite lower face is at 0, an upper one at the
   // exact width.
   const WindowFaces& window = *setup.window;
-  std::vector<Faces> faces;
-  for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
-    const auto j = static_cast<std::size_t>(axis);
-    const bool below = window.has_lower(axis), above = window.has_upper(axis);
-    int width = no_length;
-    if (below && above) width = set.difference(set.given(window.upper[j]), set.given(window.lower[j]));
-    faces.push_back({.axis = axis, .above = {width}, .has_below = below, .has_above = above});
-  }
-  return faces;
+  const auto j = static_cast<std::size_t>(axis);
+  const bool below = window.has_lower(axis), above = window.has_upper(axis);
+  int width = no_length;
+  if (below && above) width = set.difference(set.given(window.upper[j]), set.given(window.lower[j]));
+  return {.axis = axis, .above = {width}, .has_below = below, .has_above = above};
+}
+
+}  // namespace
+
+Size size_of_both(ContactSet& set, const Setup& setup, const PairSize& size) {
+  const PairRule& rule = setup.rule;
+  const int grown = set.growth(size.growth_a, size.growth_b, rule.t_a, rule.t_b, setup.horizon.now);
+  return set.sum({set.sum(set.in_both(size.a, size.b), grown), set.in_both(size.growth_a, size.growth_b)},
+                 {set.given(size.limit)});
 }
 
 Faces grown_faces(ContactSet& set, Faces faces, const Size& length) {
@@ -203,6 +155,27 @@ void add_ball(ContactSet& set, int axes, const Size& radius, const Faces* along_
   piece.ball = set.ball(centre, radius);
   piece.all.push_back(piece.ball);
   set.add_piece(piece);
+}
+
+ContactSet contact_set(const Setup& setup) {
+  const PairRule& rule = setup.rule;
+  ContactSet set;
+  const Size radius = size_of_both(set, setup, rule.radius);
+  std::vector<Faces> faces;
+  for (int axis = 0; axis < setup.a.layout.axes; ++axis)
+    faces.push_back(
+        grown_faces(set, faces_of(set, setup, axis), size_of_both(set, setup, rule.extent[axis])));
+  if (rule.distance == Distance::per_axis) {
+    add_box(set, faces);
+    return set;
+  }
+  std::optional<Faces> along_z;
+  if (rule.distance == Distance::upright) along_z = faces.back(), faces.pop_back();
+  if (setup.window || rule.has_extent(0))
+    add_rounded_box(set, faces, radius, along_z ? &*along_z : nullptr);
+  else
+    add_ball(set, static_cast<int>(faces.size()), radius, along_z ? &*along_z : nullptr);
+  return set;
 }
 
 }  // namespace foresee

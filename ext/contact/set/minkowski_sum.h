@@ -1,7 +1,8 @@
-// Minkowski sums of boxes, balls, cylinders and windows, as pieces of a contact set: the combined sizes of a
-// pair, and boxes rounded by a radius.
+// The contact set of a pair of tables as Minkowski sums of boxes, balls, cylinders and windows, made from the
+// rule of their distance (pair_rule.h).
 //
-//   const Size radius = radius_of_both(set, setup, setup.within);  // r_a + r_b + within, and both growths
+//   const ContactSet set = contact_set(setup);                          // of the rule's distance
+//   const Size radius = size_of_both(own, setup, setup.rule.radius);    // r_a + r_b + within, and both growths
 //
 // A shape of size r at its t has size r + growth (s - t) at time s. For a pair that is an exact linear
 // function of time, too, whose two reference times may differ. If no table declares a growth, then sizes are
@@ -19,19 +20,13 @@
 
 namespace foresee {
 
-/// The growth along an axis until `now` of balls and cylinders; both places may be absent.
-Length growth_of_both(const Setup& setup, int axis);
-/// The sum of the radii of balls and cylinders and `limit`, the distance that counts as touching.
-Size radius_of_both(ContactSet& set, const Setup& setup, double limit);
-/// The sum of the half heights of cylinders and `limit`.
-Size height_of_both(ContactSet& set, const Setup& setup, double limit);
-/// The sum of the half extents of boxes along an axis.
-Size half_of_both(ContactSet& set, const Setup& setup, int axis);
+/// The contact set of the setup: between its tables, or between its window and the second table. Requires:
+/// neither has outlines or meshes.
+ContactSet contact_set(const Setup& setup);
 
-/// The faces, on every axis, of the sum of both boxes around the origin; `within` is not added.
-std::vector<Faces> faces_of_boxes(ContactSet& set, const Setup& setup);
-/// The faces of the setup's window.
-std::vector<Faces> faces_of_window(ContactSet& set, const Setup& setup);
+/// A size of the rule, with its growth, as lengths of a set.
+Size size_of_both(ContactSet& set, const Setup& setup, const PairSize& size);
+
 /// Faces moved outward by a length.
 Faces grown_faces(ContactSet& set, Faces faces, const Size& length);
 

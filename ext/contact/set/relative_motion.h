@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "contact/pair_rule.h"
 #include "motion/law.h"
 #include "numbers/exact_conversion.h"
 #include "shape/bodies.h"
@@ -33,13 +34,12 @@ struct WindowFaces {
   }
 };
 
-/// The inputs of contact: two tables, the horizon and the distances. `within` is the limit in x and y (or
-/// along all axes), `within_z` the one along z. If the first table is a window, then `window` has its faces.
+/// The inputs of contact: two tables, the horizon and the rule of their distance. If the first table is a
+/// window, then `window` has its faces.
 struct Setup {
   Bodies a, b;
   Horizon horizon;
-  double within = 0;
-  double within_z = 0;
+  PairRule rule = {};
   const WindowFaces* window = nullptr;
 };
 
@@ -120,22 +120,6 @@ RelativeMotion<T, D> relative_motion_of(const Setup& setup, const double* row_a,
     relative.x[axis] = one.x, relative.v[axis] = one.v, relative.a[axis] = one.a;
   }
   return relative;
-}
-
-/// The place of the half extent in a row. A ball of one axis is an interval, whose half extent is its radius.
-template <int D>
-int place_of_half(const Offsets& at) {
-  return D == 1 && at.r != Offsets::absent ? at.r : at.half;
-}
-
-/// The half extents of both boxes and `within`, added.
-template <class T, int D>
-T half_extent(const Setup& setup, const double* row_a, const double* row_b, int axis) {
-  const auto of = [axis](const Offsets& at, const double* row) {
-    const int place = place_of_half<D>(at);
-    return Exactly<T>::number(place == Offsets::absent ? 0 : row[place + axis]);
-  };
-  return of(setup.a.at, row_a) + of(setup.b.at, row_b) + Exactly<T>::number(setup.within);
 }
 
 }  // namespace foresee

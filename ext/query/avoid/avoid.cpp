@@ -157,18 +157,19 @@ class ManoeuvreRows {
     const Bodies own = question_.own->bodies();
     std::vector<Bodies> others;
     for (const auto& near : near_) others.push_back(near->bodies());
+    const Horizon horizon{question_.now, question_.h};
     std::shared_ptr<const OwnOutline> own_outline;
     for (std::size_t table = 0; table < near_.size(); ++table) {
       const Bodies& there = others[table];
-      const ExtentsRule rule(own.layout, there.layout, question_.within, question_.within_z);
-      const bool outlines = has_outlines(own.layout, there.layout);
+      const PairRule rule(own.layout, there.layout, question_.within, question_.within_z);
+      const bool outlines = rule.pieces == PieceKind::planar;
       if (outlines && !own_outline) own_outline = std::make_shared<OwnOutline>(own, 0, turns_);
       for (std::size_t i = 0; i < there.count; ++i) {
         if (i % 4096 == 0) interrupt_.check();
         const bool touches = first[table][i] != 0;
         if (touches && question_.touching == Touching::ignore) continue;
-        auto encounter = encounter_of<D>(reference_motion_, {question_.now, question_.h}, there, there.row(i),
-                                         rule.pair<D>(own.row(0), there.row(i), reference_motion_.t));
+        const auto extents = extents_of_both<D>(rule, own.row(0), there.row(i), reference_motion_.t);
+        auto encounter = encounter_of<D>(reference_motion_, horizon, there, there.row(i), extents);
         if (encounter.begin > encounter.end) continue;
         const double far = (encounter.x.abs() - encounter.extents.half).maxCoeff() - encounter.extents.radius;
         std::shared_ptr<const OutlinePair> pair;

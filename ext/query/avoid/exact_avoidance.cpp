@@ -85,8 +85,8 @@ struct OneForm final : FormSource {
   std::shared_ptr<const Form> only;
 };
 
-bool are_convex(const Bodies& own, const Bodies& others, std::size_t row) {
-  if (!has_outlines(own.layout, others.layout)) return true;
+bool are_convex(const PairRule& rule, const Bodies& own, const Bodies& others, std::size_t row) {
+  if (rule.pieces == PieceKind::none) return true;
   ObjectPieces one, other;
   one.take_row(own, own.outlines, 0), other.take_row(others, others.outlines, row);
   return one.count() == 1 && other.count() == 1;
@@ -213,11 +213,13 @@ bool ExactAvoidance::separates(const Intruder& intruder) {
   if (lifetime.none || (lifetime.t_start == lifetime.t_end && lifetime.dt_start == lifetime.dt_end))
     return true;
   const Horizon first{start_, 0};
-  if (has_outlines(own.layout, others.layout) && !touches_at_start(intruder))
+  const PairRule rule(own.layout, others.layout, question_.within, question_.within_z);
+  const bool has_outlines = rule.pieces == PieceKind::planar;
+  if (has_outlines && !touches_at_start(intruder))
     return !touches(*contacts_[static_cast<std::size_t>(intruder.table)], intruder);
   return with_axes(own.layout.axes, [&]<int D>(Axes<D>) {
     const bool grow = grows_at_all<D>(own, own_row) || grows_at_all<D>(others, row);
-    if (!grow && !bends(own, own_row) && !bends(others, row) && are_convex(own, others, intruder.row))
+    if (!grow && !bends(own, own_row) && !bends(others, row) && are_convex(rule, own, others, intruder.row))
       return separates_exactly<D>({own, others, first}, own_row, row);
     OwnMotion motion;
     motion.t = value_or(own_row, own.at.t, 0), motion.until = value_or(own_row, own.at.until, infinity);
@@ -227,11 +229,10 @@ bool ExactAvoidance::separates(const Intruder& intruder) {
       motion.x[j] = one.x, motion.v[j] = one.v, motion.a[j] = one.a;
     }
     const OwnMotion base = motion_from(motion, std::max(start_, motion.t));
-    const ExtentsRule rule(own.layout, others.layout, question_.within, question_.within_z);
-    const auto encounter =
-        encounter_of<D>(base, {question_.now, question_.h}, others, row, rule.pair<D>(own_row, row, base.t));
+    const auto encounter = encounter_of<D>(base, {question_.now, question_.h}, others, row,
+                                           extents_of_both<D>(rule, own_row, row, base.t));
     std::shared_ptr<const OutlinePair> outlines;
-    if (has_outlines(own.layout, others.layout))
+    if (has_outlines)
       outlines =
           std::make_shared<OutlinePair>(std::make_shared<OwnOutline>(own, 0, false), others, intruder.row);
     return is_clear_of<D>({encounter, IntruderCertificate<D>::AtFirst::touches, outlines},

@@ -11,12 +11,11 @@ ExactAvoidance::InitialState ExactAvoidance::initial_state(const std::vector<dou
   take(record);
   const Bodies own = own_.bodies(), others = near_[static_cast<std::size_t>(intruder.table)]->bodies();
   const double *own_row = own.row(0), *row = others.row(intruder.row);
-  const auto is = [&](Shape shape) { return own.layout.shape == shape || others.layout.shape == shape; };
-  const bool upright = is(Shape::cylinder) || question_.within_z.has_value();
-  const bool round = own.layout.axes > 1 && !is(Shape::box) && !is(Shape::outline) && !is(Shape::mesh) &&
-                     !grows(own.layout) && !grows(others.layout);
-  const Dyadic reach = Dyadic(value_or(own_row, own.at.r, 0)) + Dyadic(value_or(row, others.at.r, 0)) +
-                       Dyadic(question_.within);
+  const PairRule rule(own.layout, others.layout, question_.within, question_.within_z);
+  const bool upright = rule.distance == Distance::upright;
+  const bool round = rule.distance != Distance::per_axis && rule.pieces == PieceKind::none &&
+                     !rule.has_extent(0) && !rule.grows;
+  const auto reach = size_as_of_t<Dyadic>(rule.radius, own_row, row);
   Dyadic gap = -(reach * reach);
   InitialState state;
   const auto take_nearest = [](const Dyadic& exact, double& nearest, double& error) {

@@ -9,7 +9,7 @@
 #include "contact/certain/certain_motion.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
-#include "contact/set/shape_pairs.h"
+#include "contact/set/minkowski_sum.h"
 #include "every_simd.h"
 
 namespace foresee {
@@ -31,8 +31,7 @@ class LaneOfPair {
         setup_{{c.a.layout, row_a_.data(), 1},
                {c.b.layout, row_b_.data(), 1},
                c.question.horizon,
-               c.question.within,
-               0},
+               PairRule(c.a.layout, c.b.layout, c.question.within)},
         lifetime_(pair_lifetime_of(setup_, row_a_.data(), row_b_.data())),
         relative_(certain_motion_of<D, Degree>(setup_, row_a_.data(), row_b_.data())) {}
 
@@ -46,7 +45,8 @@ class LaneOfPair {
   void check(Certain& certain) const {
     BoxLanes<D, Degree> lanes;
     double half[D];
-    for (int j = 0; j < D; ++j) half[j] = half_extent<double, D>(setup_, row_a_.data(), row_b_.data(), j);
+    for (int j = 0; j < D; ++j)
+      half[j] = size_as_of_t<double>(setup_.rule.extent[j], row_a_.data(), row_b_.data());
     for (int l = 0; l < lanes.width; ++l)
       put_motion(lanes, l, relative_, half, lifetime_.dt_end * (1 + 0x1p-52));
     box_kernel<D, Degree>().settle(lanes);
@@ -78,7 +78,7 @@ class LaneOfPair {
  private:
   template <class Answer>
   Answer run(Answer (*question)(PiecePolynomials&, const ExactLifetime&)) const {
-    const ContactSet set = box_box_set(setup_);
+    const ContactSet set = contact_set(setup_);
     PairPolynomials polynomials(set, setup_, row_a_.data(), row_b_.data());
     return question(polynomials, exact_lifetime_of(setup_, row_a_.data(), row_b_.data()));
   }

@@ -13,7 +13,10 @@ using namespace testing_by_hand;
 TEST(CriticalPieces, HaveStripsAndDiscsOnlyWhereTheyAreGrown) {
   const Object disc = object(2, Shape::ball);
   const std::vector<double> row = disc.row();
-  const foresee::Setup setup{{disc.layout, row.data(), 1}, {disc.layout, row.data(), 1}, {0, 10}};
+  const foresee::Setup setup{{disc.layout, row.data(), 1},
+                             {disc.layout, row.data(), 1},
+                             {0, 10},
+                             PairRule(disc.layout, disc.layout)};
   ObjectPieces a, b;
   a.take_box(1, 1), b.take_point();
   const PiecePair pair{0, 0};

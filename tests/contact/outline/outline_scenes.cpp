@@ -252,11 +252,11 @@ std::optional<ContactTimes> outline_contact(const OutlineScene& scene) {
 
 std::optional<ContactTimes> outline_contact(const OutlineScene& scene, Interrupt& interrupt) {
   const std::vector<double> row_a = scene.a.row.row(), row_b = scene.b.row.row();
-  const Setup setup{{scene.a.row.layout, row_a.data(), 1},
-                    {scene.b.row.layout, row_b.data(), 1},
-                    scene.question.horizon,
-                    scene.question.within,
-                    scene.question.within_z.value_or(0)};
+  const Setup setup{
+      {scene.a.row.layout, row_a.data(), 1},
+      {scene.b.row.layout, row_b.data(), 1},
+      scene.question.horizon,
+      PairRule(scene.a.row.layout, scene.b.row.layout, scene.question.within, scene.question.within_z)};
   const OneOutline a(scene.a.outline), b(scene.b.outline);
   const int degree = scene.a.row.layout.law == Law::uniform ? 1 : 2;
   const auto contact = make_outline_contact(setup, {&a, &b}, degree);

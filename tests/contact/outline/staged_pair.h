@@ -16,7 +16,8 @@ struct StagedScene {
         row_b(scene.b.row.row()),
         setup{{scene.a.row.layout, row_a.data(), 1},
               {scene.b.row.layout, row_b.data(), 1},
-              scene.question.horizon},
+              scene.question.horizon,
+              PairRule(scene.a.row.layout, scene.b.row.layout)},
         lifetime(pair_lifetime_of(setup, row_a.data(), row_b.data())),
         cut_a(convex_pieces(scene.a.outline)),
         cut_b(convex_pieces(scene.b.outline)) {
