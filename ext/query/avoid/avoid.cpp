@@ -172,8 +172,7 @@ class ManoeuvreRows {
         auto encounter = encounter_of<D>(reference_motion_, horizon, there, there.row(i), extents);
         if (encounter.begin > encounter.end) continue;
         const double far = (encounter.x.abs() - encounter.extents.half).maxCoeff() - encounter.extents.radius;
-        std::shared_ptr<const OutlinePair> pair;
-        if (outlines) pair = std::make_shared<OutlinePair>(own_outline, there, i);
+        const auto pair = outlines ? std::make_shared<const OutlinePair>(own_outline, there, i) : nullptr;
         const auto known = at_first<D>(encounter, touches, at_start[table][i] != 0);
         if (needs_exact_state(encounter, touches)) {
           const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(i)};
