@@ -3,7 +3,10 @@
 use std::{env, process::Command};
 
 fn folder_of_pkg_config() -> Option<String> {
-    let done = Command::new("pkg-config").args(["--variable=libdir", "foresee"]).output().ok()?;
+    let done = Command::new("pkg-config")
+        .args(["--variable=libdir", "foresee"])
+        .output()
+        .ok()?;
     let folder = String::from_utf8(done.stdout).ok()?.trim().to_owned();
     (done.status.success() && !folder.is_empty()).then_some(folder)
 }

@@ -47,7 +47,10 @@ pub fn load<C: Borrow<Connection>>(connection: C) -> Result<C> {
 
 /// Loads the module at `path`, without its ending: `/opt/foresee/lib/foresee`. Loading of extensions is off afterwards.
 #[cfg(feature = "loaded")]
-pub fn load_from<C: Borrow<Connection>>(connection: C, path: impl AsRef<std::path::Path>) -> Result<C> {
+pub fn load_from<C: Borrow<Connection>>(
+    connection: C,
+    path: impl AsRef<std::path::Path>,
+) -> Result<C> {
     open_module(connection.borrow(), path.as_ref())?;
     Ok(connection)
 }
@@ -65,7 +68,9 @@ fn initialize(connection: &Connection) -> Result<()> {
     }
     let text = (!message.is_null()).then(|| {
         // SAFETY: a message is a C string that SQLite allocated.
-        let text = unsafe { CStr::from_ptr(message) }.to_string_lossy().into_owned();
+        let text = unsafe { CStr::from_ptr(message) }
+            .to_string_lossy()
+            .into_owned();
         unsafe { ffi::sqlite3_free(message.cast()) };
         text
     });
