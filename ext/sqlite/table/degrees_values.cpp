@@ -1,4 +1,4 @@
-// Values: latitude, longitude, speed and course of a row as numbers on the plane (docs/sql_reference.md#degrees).
+// Values: latitude, longitude, speed and course of a row as numbers on the plane (docs/reference/degrees.md).
 #include <algorithm>
 #include <cmath>
 

@@ -5,7 +5,7 @@
 //   options.take(parse_argument("speed_unit = knots"));      // true: an option of the frame
 //   const Frame frame = options.frame(words);                // of all declared columns
 //
-// Throws Error for a declaration that no table can have (docs/sql_reference.md#degrees). Examples are x beside lat,
+// Throws Error for a declaration that no table can have (docs/reference/degrees.md). Examples are x beside lat,
 // lat without lon, an acceleration in degrees, and an origin of a plain table.
 #pragma once
 
