@@ -22,7 +22,7 @@ Load it by its path without ending, into SQLite 3.31 or newer:
   sqlite3 fleet.db -cmd ".load ./foresee"
 
 {tested} Keep the name: SQLite derives the entry point from it. On another machine or C library SQLite says only that
-the file could not be opened. The pages of the source describe the functions: docs/sql_reference.md.
+the file could not be opened. The pages of the source describe the functions: docs/reference/index.md.
 """
 UNTESTED = """This module was built and never run: no machine of ours runs it. Tell us whether it works.
 
