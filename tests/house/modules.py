@@ -24,7 +24,7 @@ PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
 SEES_SQLITE = {"storage", "sqlite", "hosts"}
 # The modules inside a module: each may include those to its right.
 INSIDE = {
-    "contact": ["clearance", "mesh", "outline", "pieces", "boxes", "exact", "certain", "set"],
+    "contact": ["clearance", "mesh", "outline", "pieces", "boxes", "exact", "certain", "set", "constraint"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
     "shape": ["mesh", "outline"],
     "query": ["avoid", "watch", "join", "tile", "sweep", "window", "nearest", "position"],

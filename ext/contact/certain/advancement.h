@@ -110,7 +110,7 @@ class CertainSet {
 
   /// Bound on the underflow of a coefficient: 0 if it has no products.
   double lost(const Primitive& primitive) const {
-    const bool sums = primitive.kind == Primitive::Kind::bound && !primitive.size.moves();
+    const bool sums = primitive.kind == ConstraintKind::half_space && !primitive.size.moves();
     return sums ? 0 : relative_.underflow + 0x1p-1060;
   }
 

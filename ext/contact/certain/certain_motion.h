@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "contact/certain/certain_axis_motion.h"
 #include "contact/set/relative_motion.h"
+#include "numbers/coefficients.h"
 
 namespace foresee {
 
@@ -40,6 +42,18 @@ CertainMotion<D> certain_motion_of(const Setup& setup, const double* row_a, cons
                            : axis_of_any_age<Degree>(a, b, s_a, s_b, r.underflow);
   }
   return r;
+}
+
+/// The relative motion, by powers of the time after tau.
+template <int Degree, int D>
+std::array<Coefficients<Bounded, Degree>, D> expanded_at(const CertainMotion<D>& relative, double tau) {
+  std::array<Coefficients<Bounded, Degree>, D> x;
+  for (std::size_t j = 0; j < D; ++j) {
+    const AxisView<> view = view_from<Degree>(relative.axis[j], tau, relative.underflow);
+    x[j][0] = {view.p, view.ep}, x[j][1] = {view.q, view.eq};
+    if constexpr (Degree > 1) x[j][2] = {view.a, view.ea};
+  }
+  return x;
 }
 
 }  // namespace foresee

@@ -19,7 +19,7 @@ class ExactPair {
   bool touches() {
     const auto pieces = polynomials_.set().pieces();
     return std::any_of(pieces.begin(), pieces.end(),
-                       [this](const ContactSet::Piece& piece) { return !held(piece).empty(); });
+                       [this](const ConstraintUnion::Piece& piece) { return !held(piece).empty(); });
   }
 
   NeededPieces needed(std::size_t limit) {
@@ -38,7 +38,7 @@ class ExactPair {
 
   std::optional<ContactTimes> times(const TouchesBetween& between) {
     std::vector<TimeInterval> intervals;
-    for (const ContactSet::Piece& piece : polynomials_.set().pieces()) {
+    for (const ConstraintUnion::Piece& piece : polynomials_.set().pieces()) {
       const TimeIntervals held = this->held(piece);
       intervals.insert(intervals.end(), held.begin(), held.end());
     }
@@ -67,7 +67,7 @@ class ExactPair {
   std::vector<Held> all_held() {
     std::vector<Held> all;
     std::uint32_t number = 0;
-    for (const ContactSet::Piece& piece : polynomials_.set().pieces()) {
+    for (const ConstraintUnion::Piece& piece : polynomials_.set().pieces()) {
       for (const TimeInterval& interval : held(piece)) all.push_back({interval, number});
       ++number;
     }
@@ -138,9 +138,9 @@ class ExactPair {
   }
 
   /// The intervals in which all conditions of the piece hold.
-  TimeIntervals held(const ContactSet::Piece& piece) {
+  TimeIntervals held(const ConstraintUnion::Piece& piece) {
     polynomials_.step();
-    const ContactSet& set = polynomials_.set();
+    const ConstraintUnion& set = polynomials_.set();
     const auto all = set.members(piece.all);
     const auto around = set.members(piece.around), beyond = set.members(piece.beyond);
     TimeIntervals met{{&begin_, &end_}};

@@ -1,23 +1,32 @@
-// The polynomials of one pair, made lazily: those of the primitives of a contact set (PairPolynomials), or
-// those that the pieces of another kind of set name by number (PiecePolynomials).
+// The polynomials of one pair of objects, made lazily, for the exact stage: those of the constraints that the
+// pieces of any set name by number.
+//
+//   PairPolynomials polynomials(set, setup, row_a, row_b);          // of a contact set
+//   polynomials.polynomial(polynomials.number_of(3));               // of its primitive number 3
+//
+// Each is computed in 128 bits first, and exactly only where those decide nothing.
 #pragma once
 
+#include <concepts>
 #include <deque>
 #include <optional>
 #include <vector>
 
 #include "base/interrupt_steps.h"
+#include "contact/constraint/constraint_union.h"
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 #include "numbers/algebraic_root.h"
 
 namespace foresee {
 
-/// The relative motion, from `now` on; 0 on axes that do not exist.
+/// The relative motion by powers of the time from `now` on; 0 on axes that do not exist.
 template <class T>
-std::array<Coefficients<T, 2>, 3> motion_coefficients(const Setup& setup, const double* row_a,
-                                                      const double* row_b) {
-  std::array<Coefficients<T, 2>, 3> x;
+using MotionCoefficients = std::array<Coefficients<T, 2>, 3>;
+
+template <class T>
+MotionCoefficients<T> motion_coefficients(const Setup& setup, const double* row_a, const double* row_b) {
+  MotionCoefficients<T> x;
   for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
     const RelativeAxisMotion<T> one = relative_axis_motion_of<T>(setup, row_a, row_b, axis);
     x[static_cast<std::size_t>(axis)] = {one.x, one.v, one.a};
@@ -25,12 +34,24 @@ std::array<Coefficients<T, 2>, 3> motion_coefficients(const Setup& setup, const 
   return x;
 }
 
+/// The constraints of one pair, by number, and the pieces that name them.
+template <class C>
+concept ConstraintsOfPair = requires(const C& constraints, int i, const MotionCoefficients<Midrad128>& rough,
+                                     const MotionCoefficients<Dyadic>& exact) {
+  { constraints.set() } -> std::same_as<const ConstraintUnion&>;
+  { constraints.constraint_count() } -> std::convertible_to<std::size_t>;
+  { constraints.polynomial(i, rough) } -> std::same_as<Coefficients<Midrad128, 4>>;
+  { constraints.polynomial(i, exact) } -> std::same_as<Coefficients<Dyadic, 4>>;
+  { constraints.is_compared(i) } -> std::same_as<bool>;
+  { constraints.are_equal(i, i) } -> std::same_as<bool>;
+};
+
 class PiecePolynomials : public PolynomialSource {
  public:
-  /// The set whose pieces name the primitives.
-  virtual const ContactSet& set() const = 0;
-  /// The number of a primitive's polynomial.
-  virtual std::size_t number_of(int primitive) = 0;
+  /// The union whose pieces name the constraints.
+  virtual const ConstraintUnion& set() const = 0;
+  /// The number of a constraint's polynomial.
+  virtual std::size_t number_of(int constraint) = 0;
   LazyPolynomial& polynomial(std::size_t number) { return polynomials_[number]; }
 
   /// Counts the work of each piece, some microseconds, as steps, which are polled for an interrupt. `steps`
@@ -47,33 +68,92 @@ class PiecePolynomials : public PolynomialSource {
   Steps* steps_ = nullptr;
 };
 
-class PairPolynomials final : public PiecePolynomials {
+template <ConstraintsOfPair Constraints>
+class PolynomialsOf : public PiecePolynomials {
  public:
-  PairPolynomials(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b);
-  PairPolynomials(const PairPolynomials&) = delete;
-  PairPolynomials& operator=(const PairPolynomials&) = delete;
+  PolynomialsOf(const Setup& setup, const double* row_a, const double* row_b, Constraints constraints)
+      : constraints_(std::move(constraints)),
+        setup_(setup),
+        row_a_(row_a),
+        row_b_(row_b),
+        rough_motion_(motion_coefficients<Midrad128>(setup, row_a, row_b)),
+        number_of_(constraints_.constraint_count(), -1) {}
+  PolynomialsOf(const PolynomialsOf&) = delete;
+  PolynomialsOf& operator=(const PolynomialsOf&) = delete;
 
-  const ContactSet& set() const override { return set_; }
-  /// Equal bounds share one polynomial, so that their ties need no algebra.
-  std::size_t number_of(int primitive) override;
+  const ConstraintUnion& set() const override { return constraints_.set(); }
+  const Constraints& constraints() const { return constraints_; }
 
-  /// The exact polynomial of a primitive.
-  Polynomial exact_polynomial(int primitive) const override;
+  /// Equal constraints share one polynomial, so that their ties need no algebra.
+  std::size_t number_of(int constraint) override {
+    int& number = number_of_[static_cast<std::size_t>(constraint)];
+    if (number >= 0) return static_cast<std::size_t>(number);
+    if (constraints_.is_compared(constraint)) {
+      for (const int known : compared_)
+        if (constraints_.are_equal(constraint, known)) {
+          number = number_of_[static_cast<std::size_t>(known)];
+          return static_cast<std::size_t>(number);
+        }
+      compared_.push_back(constraint);
+    }
+    number = static_cast<int>(polynomials_.size());
+    polynomials_.emplace_back(constraints_.polynomial(constraint, rough_motion_), *this, constraint);
+    return static_cast<std::size_t>(number);
+  }
+
+  Polynomial exact_polynomial(int constraint) const override {
+    if (!exact_motion_) exact_motion_ = motion_coefficients<Dyadic>(setup_, row_a_, row_b_);
+    return Polynomial(constraints_.polynomial(constraint, *exact_motion_));
+  }
 
  private:
-  template <class T>
-  using Motion = std::array<Coefficients<T, 2>, 3>;
-
-  bool same_bound(const Primitive& a, const Primitive& b) const;
-  bool same_length(int a, int b) const;
-
-  const ContactSet& set_;
+  const Constraints constraints_;
   const Setup& setup_;
   const double *row_a_, *row_b_;
-  Motion<Midrad128> rough_motion_;
-  mutable std::optional<Motion<Dyadic>> exact_motion_;  ///< computed at its first use
-  std::vector<int> number_of_;                          ///< of each primitive's polynomial; -1: not made
-  std::vector<int> bounds_;                             ///< the primitives with a polynomial that are bounds
+  const MotionCoefficients<Midrad128> rough_motion_;
+  mutable std::optional<MotionCoefficients<Dyadic>> exact_motion_;  ///< computed at its first use
+  std::vector<int> number_of_;  ///< of each constraint's polynomial; -1: not made
+  std::vector<int> compared_;   ///< the constraints with a polynomial that others may equal
+};
+
+/// The primitives of a contact set, for one pair.
+class SetConstraints {
+ public:
+  SetConstraints(const ContactSet& set, const double* row_a, const double* row_b)
+      : set_(set), row_a_(row_a), row_b_(row_b) {}
+
+  const ConstraintUnion& set() const { return set_; }
+  std::size_t constraint_count() const { return set_.primitives().size(); }
+  template <class T>
+  Coefficients<T, 4> polynomial(int i, const MotionCoefficients<T>& x) const {
+    return polynomial_of<2>(primitive(i), x.data(), PairLengths<T>{set_, row_a_, row_b_}, 0.0);
+  }
+
+  bool is_compared(int i) const { return primitive(i).kind == ConstraintKind::half_space; }
+  bool are_equal(int i, int k) const {
+    const Primitive &a = primitive(i), &b = primitive(k);
+    return a.parts[0].axis == b.parts[0].axis && a.parts[0].sign == b.parts[0].sign &&
+           same_length(a.size.value, b.size.value) && same_length(a.size.rate, b.size.rate);
+  }
+
+ private:
+  const Primitive& primitive(int i) const { return set_.primitives()[static_cast<std::size_t>(i)]; }
+  /// Lengths of half spaces differ by the radius alone. Adding a number other than 0 always changes the bits
+  /// of a Midrad128 or of its error.
+  bool same_length(int a, int b) const {
+    const PairLengths<Midrad128> lengths{set_, row_a_, row_b_};
+    return a == b || identical(length_at<Midrad128>(lengths, a), length_at<Midrad128>(lengths, b));
+  }
+
+  const ContactSet& set_;
+  const double *row_a_, *row_b_;
+};
+
+/// The polynomials of a contact set for one pair. The set must outlive them.
+class PairPolynomials final : public PolynomialsOf<SetConstraints> {
+ public:
+  PairPolynomials(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b)
+      : PolynomialsOf(setup, row_a, row_b, SetConstraints(set, row_a, row_b)) {}
 };
 
 }  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "contact/exact/exact_contact.h"
 #include "contact/exact/pair_polynomials.h"
-#include "contact/mesh/space_condition.h"
+#include "contact/mesh/space_constraint.h"
 #include "contact/pieces/uncertain_interval.h"
 
 namespace foresee {

@@ -18,7 +18,9 @@ double size_around(const Box<3>& box) {
 
 DiscTests::DiscTests(const SpacePieces& a, const SpacePieces& b, const Chord<3>& chord,
                      const CertainMotion<3>& relative, const SpaceSizes<Bounded>& sizes, double end)
-    : boxes_(a, b, chord, relative, sizes, end), radius_(sizes.radius.value + sizes.radius.error), end_(end) {
+    : boxes_(a, b, chord, relative, sizes, end),
+      radius_(sizes.radius.value.value + sizes.radius.value.error),
+      end_(end) {
   if (!discs_of(a) || !discs_of(b) || !boxes_.boxes().is_plain()) return;
   a_ = discs_of(a), b_ = discs_of(b);
   double size = size_around(a.box(SpacePieces::root)) + size_around(b.box(SpacePieces::root)), lost = 0;

@@ -10,7 +10,7 @@
 // has no discs, boxes alone decide. Cost: some ten nanoseconds, and one cache line per node.
 #pragma once
 
-#include "contact/mesh/space_condition.h"
+#include "contact/mesh/space_constraint.h"
 #include "contact/pieces/tree_walk.h"
 
 namespace foresee {

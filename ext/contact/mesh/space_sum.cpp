@@ -118,22 +118,22 @@ bool SpaceHull::make(const SpaceAxis& axis, SpacePlanes& planes) const {
   if (axis.factors == 2 && !are_surely_not_parallel(planes.direction) && are_parallel(axis.u, axis.v))
     return false;
   const Extremes a(a_, axis, planes.direction), b(b_, axis, planes.direction);
-  planes.before =
-      planes.beyond = {.kind = SpaceCondition::Kind::plane, .axis = axis, .p = nullptr, .q = nullptr};
-  planes.before.sign = -1, planes.before.p = &a.nearest(), planes.before.q = &b.farthest();
-  planes.beyond.sign = 1, planes.beyond.p = &a.farthest(), planes.beyond.q = &b.nearest();
-  planes.is_flat = planes.before.p == planes.beyond.p && planes.before.q == planes.beyond.q;
+  planes.before = {.sign = -1, .feature = {axis, &a.nearest(), &b.farthest()}};
+  planes.beyond = {.sign = 1, .feature = {axis, &a.farthest(), &b.nearest()}};
+  const SpaceFeature &before = planes.before.feature, &beyond = planes.beyond.feature;
+  planes.is_flat = before.p == beyond.p && before.q == beyond.q;
   return true;
 }
 
 RoundPart RoundParts::face_of_triangle(bool of_a, const SpaceCorner& seen_from) const {
   const SpacePiece& triangle = one(of_a);
   const EdgeVector &u = triangle.edge_vectors()[0], &v = triangle.edge_vectors()[1];
-  RoundPart part{.round = condition(of_a, Kind::slab, 1, {.factors = 2, .u = u, .v = v}, *u.from, seen_from)};
+  RoundPart part{.round =
+                     constraint(of_a, Kind::slab, 1, {.factors = 2, .u = u, .v = v}, *u.from, seen_from)};
   // The cross product of the normal and an edge points inward.
   for (const EdgeVector& run : triangle.edge_vectors())
-    add(part,
-        condition(of_a, Kind::plane, -1, {.factors = 3, .u = u, .v = v, .w = run}, *run.from, seen_from));
+    add(part, constraint(of_a, Kind::half_space, -1, {.factors = 3, .u = u, .v = v, .w = run}, *run.from,
+                         seen_from));
   return part;
 }
 
@@ -143,10 +143,10 @@ RoundPart RoundParts::face_of_box(bool of_a, int i, const SpaceCorner& seen_from
   const auto across = [&box](int axis) {
     return SpaceAxis{.factors = 1, .u = box.edge_vectors()[static_cast<std::size_t>(axis)]};
   };
-  RoundPart part{.round = condition(of_a, Kind::slab, 1, across(i % 3), i < 3 ? lower : upper, seen_from)};
+  RoundPart part{.round = constraint(of_a, Kind::slab, 1, across(i % 3), i < 3 ? lower : upper, seen_from)};
   for (const int axis : {(i + 1) % 3, (i + 2) % 3}) {
-    add(part, condition(of_a, Kind::plane, -1, across(axis), lower, seen_from));
-    add(part, condition(of_a, Kind::plane, 1, across(axis), upper, seen_from));
+    add(part, constraint(of_a, Kind::half_space, -1, across(axis), lower, seen_from));
+    add(part, constraint(of_a, Kind::half_space, 1, across(axis), upper, seen_from));
   }
   return part;
 }
@@ -155,9 +155,9 @@ RoundPart RoundParts::edge(bool of_a, int i, const SpaceCorner& seen_from) const
   const SpacePiece& piece = one(of_a);
   const auto [from, to] = piece.edge(i);
   const SpaceAxis along{.factors = 1, .u = piece.vector_of_edge(i)};
-  RoundPart part{.round = condition(of_a, Kind::tube, 1, along, piece.corner(from), seen_from)};
-  add(part, condition(of_a, Kind::plane, -1, along, piece.corner(from), seen_from));
-  add(part, condition(of_a, Kind::plane, 1, along, piece.corner(to), seen_from));
+  RoundPart part{.round = constraint(of_a, Kind::tube, 1, along, piece.corner(from), seen_from)};
+  add(part, constraint(of_a, Kind::half_space, -1, along, piece.corner(from), seen_from));
+  add(part, constraint(of_a, Kind::half_space, 1, along, piece.corner(to), seen_from));
   return part;
 }
 
@@ -171,11 +171,11 @@ RoundPart RoundParts::edges(int i, int k) const {
   const SpaceCorner &q = b_.corner(q_from), &q_end = b_.corner(q_to);
   const SpaceAxis beside_a{.factors = 3, .u = u, .v = v, .w = v},
       beside_b{.factors = 3, .u = u, .v = v, .w = u};
-  RoundPart part{.round = {Kind::slab, 1, {.factors = 2, .u = u, .v = v}, &p, &q}};
-  add(part, {Kind::plane, 1, beside_a, &p, &q});
-  add(part, {Kind::plane, -1, beside_a, &p_end, &q});
-  add(part, {Kind::plane, 1, beside_b, &p, &q});
-  add(part, {Kind::plane, -1, beside_b, &p, &q_end});
+  RoundPart part{.round = {Kind::slab, 1, {{.factors = 2, .u = u, .v = v}, &p, &q}}};
+  add(part, {Kind::half_space, 1, {beside_a, &p, &q}});
+  add(part, {Kind::half_space, -1, {beside_a, &p_end, &q}});
+  add(part, {Kind::half_space, 1, {beside_b, &p, &q}});
+  add(part, {Kind::half_space, -1, {beside_b, &p, &q_end}});
   return part;
 }
 

@@ -18,15 +18,15 @@
 // (shape/mesh/triangle_tree.h).
 #pragma once
 
-#include "contact/mesh/space_condition.h"
+#include "contact/mesh/space_constraint.h"
 
 namespace foresee {
 
 /// Both planes that touch the sum and are perpendicular to an axis.
 struct SpacePlanes {
-  SpaceCondition before, beyond;  ///< the axis points from the first to the second
-  Components<Bounded> direction;  ///< of the axis
-  bool is_flat;                   ///< both are the same plane: the sum lies in it
+  SpaceConstraint before, beyond;  ///< the axis points from the first to the second
+  Components<Bounded> direction;   ///< of the axis
+  bool is_flat;                    ///< both are the same plane: the sum lies in it
 };
 
 /// Whether two edge vectors are exactly parallel.
@@ -97,8 +97,8 @@ class SpaceHull {
 
 /// A part of the grown sum: within one round set, and within some planes.
 struct RoundPart {
-  SpaceCondition round;                    ///< a slab, tube or ball
-  std::array<SpaceCondition, 4> beside{};  ///< d is within these planes too
+  SpaceConstraint round;                    ///< a slab, tube or ball
+  std::array<SpaceConstraint, 4> beside{};  ///< d is within these planes too
   int count = 0;
 };
 
@@ -120,7 +120,7 @@ class RoundParts {
   }
 
  private:
-  using Kind = SpaceCondition::Kind;
+  using Kind = ConstraintKind;
 
   const SpacePiece& one(bool of_a) const { return of_a ? a_ : b_; }
   const SpacePiece& other(bool of_a) const { return of_a ? b_ : a_; }
@@ -139,18 +139,18 @@ class RoundParts {
       if (piece.owns_edge(i) && !take(edge(of_a, i, seen_from))) return false;
     for (int i = 0; of_a && i < piece.corner_count(); ++i)
       if (piece.owns_corner(i) &&
-          !take({.round = condition(of_a, Kind::ball, 1, {.factors = 0}, piece.corner(i), seen_from)}))
+          !take({.round = constraint(of_a, Kind::ball, 1, {.factors = 0}, piece.corner(i), seen_from)}))
         return false;
     return true;
   }
 
-  /// The condition for d, from one on the position of a corner relative to the other piece.
-  static SpaceCondition condition(bool of_a, Kind kind, int sign, const SpaceAxis& axis,
-                                  const SpaceCorner& at, const SpaceCorner& seen_from) {
-    return of_a ? SpaceCondition{kind, sign, axis, &at, &seen_from}
-                : SpaceCondition{kind, -sign, axis, &seen_from, &at};
+  /// The constraint for d, from one on the position of a corner relative to the other piece.
+  static SpaceConstraint constraint(bool of_a, Kind kind, int sign, const SpaceAxis& axis,
+                                    const SpaceCorner& at, const SpaceCorner& seen_from) {
+    return of_a ? SpaceConstraint{kind, sign, {axis, &at, &seen_from}}
+                : SpaceConstraint{kind, -sign, {axis, &seen_from, &at}};
   }
-  static void add(RoundPart& part, const SpaceCondition& plane) {
+  static void add(RoundPart& part, const SpaceConstraint& plane) {
     part.beside[static_cast<std::size_t>(part.count++)] = plane;
   }
 

@@ -1,4 +1,4 @@
-// Test of two convex pieces in space: the uncertain intervals in which they touch, from all conditions of
+// Test of two convex pieces in space: the uncertain intervals in which they touch, from all constraints of
 // their Minkowski sum (space_sum.h), in doubles with error bounds.
 //
 //   SpaceTests<1> tests(a, b, relative, queried, sizes, true, space);
@@ -13,24 +13,23 @@
 #include "contact/mesh/space_sum.h"
 #include "contact/mesh/triangle_filter.h"
 #include "contact/pieces/pair_tests.h"
-#include "contact/pieces/time_expansion.h"
 
 namespace foresee {
 
 template <int Degree>
-class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
-  using Base = PairTests<SpaceTests, SpaceCondition>;
+class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceConstraint> {
+  using Base = PairTests<SpaceTests, SpaceConstraint>;
 
  public:
   /// `queried`: the queried time, enclosed. Requires: pieces, motion and space outlive this.
   SpaceTests(const SpacePieces& a, const SpacePieces& b, const CertainMotion<3>& relative,
              const UncertainInterval& queried, const SpaceSizes<Bounded>& sizes, bool times_wanted,
-             PieceWorkspace<SpaceCondition>& space)
+             PieceWorkspace<SpaceConstraint>& space)
       : Base(queried, times_wanted, space),
         a_(a),
         b_(b),
         relative_(relative),
-        radius_(sizes.radius),
+        radius_(sizes.radius.value),
         lost_(relative.underflow + 0x1p-1060),
         x_(from_now(relative, sizes)) {
     for (std::size_t j = 0; j < 3; ++j) std::copy(x_[j].begin(), x_[j].end(), plain_x_[j].begin());
@@ -38,7 +37,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
 
  private:
   friend Base;
-  using Kind = SpaceCondition::Kind;
+  using Kind = ConstraintKind;
   using Base::queried_, Base::space_;
   using Base::start_part, Base::end_part, Base::keep;
 
@@ -111,7 +110,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
       is_flat |= pair.is_flat;
       planes_.push_back(pair);
       const Bounded more = radius_ * sqrt(with_lost(squared_length(pair.direction), 0x1p-1060));
-      for (const SpaceCondition& plane : {pair.before, pair.beyond})
+      for (const SpaceConstraint& plane : {pair.before, pair.beyond})
         space_.clipped.keep(times_within(plane, pair.direction, more));
       return !space_.clipped.empty();
     });
@@ -134,17 +133,17 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   bool a_or_b_is_a_mesh() const { return a_.is_mesh() || b_.is_mesh(); }
 
   void keep(const SpacePlanes& pair) {
-    for (const SpaceCondition& plane : {pair.before, pair.beyond})
+    for (const SpaceConstraint& plane : {pair.before, pair.beyond})
       keep(plane, times_within(plane, pair.direction, {}));
   }
-  void keep_plane(const SpaceCondition& plane) {
+  void keep_plane(const SpaceConstraint& plane) {
     if (space_.clipped.empty()) return;
-    keep(plane, times_within(plane, close_direction_of(plane.axis), {}));
+    keep(plane, times_within(plane, close_direction_of(plane.feature.axis), {}));
   }
   /// The times at which d is beyond the plane by at most `more`, a distance times the length of `direction`.
-  SublevelIntervals times_within(const SpaceCondition& plane, const Components<Bounded>& direction,
+  SublevelIntervals times_within(const SpaceConstraint& plane, const Components<Bounded>& direction,
                                  const Bounded& more) const {
-    Coefficients<Bounded, Degree> p = beyond_plane<Degree>(plane, direction, x_);
+    Coefficients<Bounded, Degree> p = beyond<Degree>(plane, direction, x_);
     p[0] = p[0] - more;
     // d moves in the plane: all coefficients are exactly 0.
     if (std::all_of(p.begin(), p.end(), [](const Bounded& c) { return c.value == 0 && c.error == 0; }))
@@ -152,27 +151,27 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     return sublevel_intervals(p, lost_, queried_.end.high);
   }
 
-  void keep_round(const SpaceCondition& round) {
+  void keep_round(const SpaceConstraint& round) {
     if (space_.clipped.empty()) return;
     if (round.kind == Kind::slab) return keep_slab(round);
     if constexpr (Degree > 1)
       keep(round, sublevel_by_steps([&](double tau) { return polynomial_at(round, tau); }, lost_, queried_));
     else
-      keep(round, sublevel_intervals(round_polynomial<Degree>(round, x_, radius_), lost_, queried_.end.high));
+      keep(round,
+           sublevel_intervals(round_polynomial<Degree>(round, x_, {radius_}), lost_, queried_.end.high));
   }
   /// Keeps a slab as two planes, whose polynomials have half its degree.
-  void keep_slab(const SpaceCondition& slab) {
-    const Components<Bounded> direction = close_direction_of(slab.axis);
+  void keep_slab(const SpaceConstraint& slab) {
+    const Components<Bounded> direction = close_direction_of(slab.feature.axis);
     const Bounded more = radius_ * sqrt(with_lost(squared_length(direction), 0x1p-1060));
     for (const int side : {-1, 1}) {
-      SpaceCondition plane = slab;
-      plane.sign = side;
+      const SpaceConstraint plane{.sign = side, .feature = slab.feature};
       keep(slab, times_within(plane, direction, more));
     }
   }
 
-  Coefficients<Bounded, 4> polynomial_at(const SpaceCondition& round, double tau) const {
-    return round_polynomial<2>(round, expanded_at<2>(relative_, tau), radius_);
+  Coefficients<Bounded, 4> polynomial_at(const SpaceConstraint& round, double tau) const {
+    return round_polynomial<2>(round, expanded_at<2>(relative_, tau), {radius_});
   }
 
   const SpacePieces &a_, &b_;

@@ -14,7 +14,7 @@
 #pragma once
 
 #include "contact/certain/root_bracketing.h"
-#include "contact/mesh/space_condition.h"
+#include "contact/mesh/space_constraint.h"
 #include "contact/pieces/uncertain_interval.h"
 
 namespace foresee {

@@ -11,7 +11,7 @@
 
 #include <span>
 
-#include "contact/set/primitive.h"
+#include "numbers/exact_conversion.h"
 #include "shape/outline/outline.h"
 
 namespace foresee {
@@ -76,35 +76,4 @@ T run_of(const SumEdge& edge, int axis) {
   return axis == 0 ? Exactly<T>::difference_of(edge.to->x, edge.from->x)
                    : Exactly<T>::difference_of(edge.to->y, edge.from->y);
 }
-template <class T>
-T squared_length(const SumEdge& edge) {
-  return square(run_of<T>(edge, 0)) + square(run_of<T>(edge, 1));
-}
-
-/// The signed distance of d from the line of an edge, times the length of its direction: positive to the
-/// right, at most 0 inside. `x`: d by powers of time.
-template <int K, class T>
-Coefficients<T, K> beyond(const SumEdge& edge, const Coefficients<T, K>* x) {
-  const T ex = run_of<T>(edge, 0), ey = run_of<T>(edge, 1);
-  Coefficients<T, K> p{};
-  p[0] = ey * (x[0][0] - start_of<T>(edge, 0)) - ex * (x[1][0] - start_of<T>(edge, 1));
-  for (int k = 1; k <= K; ++k) p[k] = ey * x[0][k] - ex * x[1][k];
-  return p;
-}
-
-/// The signed distance of d past the end of an edge (sign 1) or before its start (-1), times the same length.
-template <int K, class T>
-Coefficients<T, K> past(const SumEdge& edge, int sign, const Coefficients<T, K>* x) {
-  using E = Exactly<T>;
-  const T ex = run_of<T>(edge, 0), ey = run_of<T>(edge, 1);
-  const Corner &p_at = sign > 0 ? *edge.p_end : *edge.p, &q_at = sign > 0 ? *edge.q_end : *edge.q;
-  Coefficients<T, K> p{};
-  p[0] =
-      ex * (x[0][0] - E::difference_of(p_at.x, q_at.x)) + ey * (x[1][0] - E::difference_of(p_at.y, q_at.y));
-  for (int k = 1; k <= K; ++k) p[k] = ex * x[0][k] + ey * x[1][k];
-  if (sign < 0)
-    for (T& c : p) c = -c;
-  return p;
-}
-
 }  // namespace foresee

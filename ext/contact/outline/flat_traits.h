@@ -4,34 +4,33 @@
 //   PieceTests<2, 1> tests(a, b, relative, queried, sizes, true, space);
 //   for (const PieceInterval& interval : tests.of(piece_a, piece_b)) best = std::min(best, interval.begin.high);
 //
-// A test takes all conditions of the Minkowski sum (condition.h). Differences of corners, and of the two
+// A test takes all constraints of the Minkowski sum (flat_constraint.h). Differences of corners, and of the two
 // positions, come first, so that large coordinates cost no precision. Two prisms must also overlap along z,
-// which is a condition of each pair of pieces. Cost: some ten nanoseconds per edge.
+// which is a constraint of each pair of pieces. Cost: some ten nanoseconds per edge.
 #pragma once
 
 #include "base/interrupt_steps.h"
 #include "contact/certain/certain_motion.h"
 #include "contact/certain/chord.h"
 #include "contact/contact_factories.h"
-#include "contact/exact/pair_polynomials.h"
-#include "contact/outline/condition.h"
-#include "contact/outline/critical_pieces.h"
+#include "contact/outline/flat_constraint.h"
 #include "contact/outline/object_pieces.h"
 #include "contact/outline/outline_filter.h"
 #include "contact/pieces/pair_context.h"
 #include "contact/pieces/pair_tests.h"
-#include "contact/pieces/time_expansion.h"
+#include "contact/pieces/undecided_pieces.h"
+#include "numbers/dyadic.h"
 
 namespace foresee {
 
 /// The memory of the tests, used for one pair of objects after another.
-struct FlatSpace : PieceWorkspace<Condition> {
+struct FlatSpace : PieceWorkspace<FlatConstraint> {
   std::vector<SumEdge> edges;  ///< of the pair in work
 };
 
 template <int D, int Degree>
-class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
-  using Base = PairTests<PieceTests, Condition>;
+class PieceTests : public PairTests<PieceTests<D, Degree>, FlatConstraint> {
+  using Base = PairTests<PieceTests, FlatConstraint>;
 
  public:
   /// `queried`: the queried time, enclosed. Requires: pieces, motion and space outlive this.
@@ -50,7 +49,8 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
 
  private:
   friend Base;
-  using Kind = Condition::Kind;
+  using Kind = ConstraintKind;
+  using Direction = FlatFeature::Direction;
   using Base::queried_, Base::space_;
   using Base::start_part, Base::end_part, Base::is_decided, Base::keep, Base::share;
 
@@ -58,7 +58,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     Base::start_test();
     if constexpr (D == 3)
       for (const int side : {-1, 1})
-        if (sizes_.has_face(side)) keep({.kind = Kind::height, .sign = side});
+        if (sizes_.has_face(side)) keep({.sign = side, .feature = {.towards = Direction::up}});
     const ConvexPiece a = a_.piece(pair.a), b = b_.piece(pair.b);
     if (is_of_size(sizes_.radius))
       test_grown(a, b);
@@ -68,8 +68,8 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   }
 
   void test_as_they_are(const ConvexPiece& a, const ConvexPiece& b) {
-    Condition condition;
-    for (ConvexSum sum(a, b); !space_.clipped.empty() && sum.next(condition.edge);) keep(condition);
+    FlatConstraint inside;
+    for (ConvexSum sum(a, b); !space_.clipped.empty() && sum.next(inside.feature.edge);) keep(inside);
     end_part();
   }
 
@@ -86,7 +86,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     if (space_.clipped.empty()) return;
     share();
     const Interval<double> all = reached(space_.outer);
-    for (const SumEdge& one : edges_) keep({.edge = one});
+    for (const SumEdge& one : edges_) keep({.feature = {.edge = one}});
     const Interval<double> inside = surely_held(space_.clipped);
     end_part();
     for (const SumEdge& one : edges_) {
@@ -94,11 +94,11 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
       const Interval<double> near = near_edge(one, all);
       if (!(near.begin <= near.end) || (inside.begin <= near.begin && near.end <= inside.end)) continue;
       start_part();
-      for (const int side : {-1, 1}) keep({.kind = Kind::foot, .sign = side, .edge = one});
-      for (const int side : {-1, 1}) keep({.kind = Kind::side, .edge = one}, beside(one, side));
+      for (const int side : {-1, 1}) keep({.sign = side, .feature = {Direction::along, one}});
+      for (const int side : {-1, 1}) keep({.kind = Kind::slab, .feature = {.edge = one}}, beside(one, side));
       end_part();
       start_part();
-      keep({.kind = Kind::corner, .edge = one});
+      keep({.kind = Kind::ball, .feature = {.edge = one}});
       end_part();
     }
   }
@@ -131,31 +131,31 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     return chord_.between(faces, 2, reach, when);
   }
 
-  void keep(const Condition& condition) {
+  void keep(const FlatConstraint& constraint) {
     if (space_.clipped.empty()) return;
-    if (Degree > 1 && condition.kind == Kind::corner)
-      return keep(condition, sublevel_by_steps([&](double tau) { return around_corner(condition, tau); },
-                                               lost_, queried_));
-    // Higher degrees have only sides, which beside() handles, and corners.
-    with_polynomial<Degree>(condition, x_, sizes_, [&, last = queried_.end.high](const auto& p) {
+    if (Degree > 1 && constraint.kind == Kind::ball)
+      return keep(constraint, sublevel_by_steps([&](double tau) { return around_corner(constraint, tau); },
+                                                lost_, queried_));
+    // Higher degrees have only slabs, which beside() handles, and balls.
+    with_polynomial<Degree>(constraint, x_, sizes_, [&, last = queried_.end.high](const auto& p) {
       if constexpr (std::tuple_size_v<std::decay_t<decltype(p)>> < 5)
-        this->keep(condition, sublevel_intervals(p, lost_, last));
+        this->keep(constraint, sublevel_intervals(p, lost_, last));
     });
   }
 
   /// The times at which d is at most R from the line of an edge, on one side: half the degree of both sides.
   SublevelIntervals beside(const SumEdge& edge, int side) const {
-    Coefficients<Bounded, Degree> p = beyond<Degree>(edge, x_.data());
-    if (side < 0)
-      for (Bounded& c : p) c = -c;
+    const FlatConstraint line{.sign = side, .feature = {.edge = edge}};
+    const std::array<Bounded, 2> direction = line.feature.direction<Bounded>();
+    Coefficients<Bounded, Degree> p = beyond<Degree>(line, direction, x_);
     // R may be large, so the underflow of the square counts before the product.
-    subtract_multiple<Degree>(p, sizes_.radius, sqrt(with_lost(squared_length<Bounded>(edge), 0x1p-1060)));
+    subtract_multiple<Degree>(p, sizes_.radius, sqrt(with_lost(squared_length(direction), 0x1p-1060)));
     return sublevel_intervals(p, lost_, queried_.end.high);
   }
 
-  Coefficients<Bounded, 4> around_corner(const Condition& condition, double tau) const {
+  Coefficients<Bounded, 4> around_corner(const FlatConstraint& corner, double tau) const {
     const auto x = expanded_at<Degree>(relative_, tau);
-    const auto p = round_polynomial<Degree>(condition, x.data(), expanded_at(sizes_.radius, tau));
+    const auto p = round_polynomial<Degree>(corner, x, expanded_at(sizes_.radius, tau));
     Coefficients<Bounded, 4> all{};
     std::copy(p.begin(), p.end(), all.begin());
     return all;
@@ -176,7 +176,7 @@ struct FlatTraits {
   static constexpr bool has_solids = false;
   using Tables = OutlineTables;
   using Pieces = ObjectPieces;
-  using Condition = foresee::Condition;
+  using PieceConstraint = FlatConstraint;
   template <class T>
   using Sizes = PairSizes<T>;
   using Space = FlatSpace;
@@ -192,20 +192,36 @@ struct FlatTraits {
     static constexpr bool at(const Dyadic&) { return false; }
   };
 
-  /// The exact polynomials of some pairs of pieces.
-  class Polynomials {
-   public:
-    Polynomials(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a,
-                const Pieces& b, std::span<const PiecePair> pairs, bool grown)
-        : critical_(critical_pieces(setup, a, b, pairs, grown)), all_(critical_.set, setup, row_a, row_b) {}
-
-    PiecePolynomials& all() { return all_; }
-    std::span<const std::uint32_t> ends() const { return critical_.ends; }
-
-   private:
-    const CriticalPieces critical_;
-    PairPolynomials all_;
-  };
+  /// The faces across z of prisms.
+  static std::vector<FlatConstraint> shared_constraints(const Setup& setup) {
+    std::vector<FlatConstraint> faces;
+    if (D < 3) return faces;
+    for (const int side : {-1, 1})
+      if (!setup.window || (side < 0 ? setup.window->has_lower(2) : setup.window->has_upper(2)))
+        faces.push_back({.sign = side, .feature = {.towards = FlatFeature::Direction::up}});
+    return faces;
+  }
+  /// Adds the parts of the sum of two pieces, for the exact stage.
+  static void add_pair(UndecidedPieces<FlatTraits>& out, const ConvexPiece& a, const ConvexPiece& b,
+                       bool grown, const std::vector<int>& shared) {
+    Conditions inside{.all = shared};
+    const auto add_round = [&](Conditions& part, ConstraintKind kind, const SumEdge& edge) {
+      part.ball = out.add({.kind = kind, .feature = {.edge = edge}});
+      part.all.push_back(part.ball);
+      out.add_piece(part);
+    };
+    SumEdge edge;
+    for (ConvexSum sum(a, b); sum.next(edge);) {
+      inside.all.push_back(out.add({.feature = {.edge = edge}}));
+      if (!grown) continue;
+      Conditions beside{.all = shared}, around{.all = shared};
+      for (const int sign : {-1, 1})
+        beside.all.push_back(out.add({.sign = sign, .feature = {FlatFeature::Direction::along, edge}}));
+      add_round(beside, ConstraintKind::slab, edge);
+      add_round(around, ConstraintKind::ball, edge);
+    }
+    out.add_piece(inside);
+  }
 
   template <class T>
   static PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
@@ -215,8 +231,8 @@ struct FlatTraits {
   static FilterAnswer filter_answer(const PairContext<FlatTraits>& context, bool times_wanted);
   /// Whether a point that leaves a piece there enters its neighbour. Not around a corner: there the part that
   /// grows by R ends beside the cut that starts at the corner, not beyond it.
-  static bool is_cut(const Condition& condition) {
-    return condition.kind != Condition::Kind::corner && condition.edge.inner;
+  static bool is_cut(const FlatConstraint& constraint) {
+    return constraint.kind != ConstraintKind::ball && constraint.feature.edge.inner;
   }
   /// Reads the pieces of a pair of rows.
   static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair);

@@ -1,7 +1,7 @@
 // The start and end of an interval of contact as correctly rounded doubles (Ziv's test,
 // numbers/crossed_root.h).
 //
-// Each end is a root of a condition's polynomial. One Newton step from the middle of the root's enclosure,
+// Each end is a root of a constraint's polynomial. One Newton step from the middle of the root's enclosure,
 // with the value in DoubleDouble and a bound on the error, gives the rounded root. Rounding is monotone, so
 // each root is rounded separately and the latest start, or the earliest end, is chosen after that. The result
 // is NaN where the bound does not decide the rounding.
@@ -12,7 +12,6 @@
 
 #include "contact/certain/crossing.h"
 #include "contact/pieces/pair_tests.h"
-#include "contact/pieces/time_expansion.h"
 #include "contact/set/relative_motion.h"
 
 namespace foresee {
@@ -21,7 +20,7 @@ namespace foresee {
 template <class Traits>
 class EndpointRounding {
   static constexpr int D = Traits::axes, Degree = Traits::degree;
-  using Condition = typename Traits::Condition;
+  using PieceConstraint = typename Traits::PieceConstraint;
   template <class T>
   using Sizes = typename Traits::template Sizes<T>;
 
@@ -38,18 +37,18 @@ class EndpointRounding {
         sizes_(sizes) {}
 
   /// The start. Requires: the interval is certain, and `ends` are its candidates.
-  Instant begin(const UncertainInterval& interval, std::span<const EndpointCandidate<Condition>> ends) {
+  Instant begin(const UncertainInterval& interval, std::span<const EndpointCandidate<PieceConstraint>> ends) {
     Instant begin{-UncertainInterval::inf, -UncertainInterval::inf};
     if (queried_.begin.meets(interval.begin)) begin = {lifetime_.dt_start, lifetime_.t_start};
-    for (const EndpointCandidate<Condition>& end : ends)
+    for (const EndpointCandidate<PieceConstraint>& end : ends)
       if (end.direction == CrossingDirection::entering)
         begin = later(begin, instant<CrossingDirection::entering>(end));
     return begin.dt > -UncertainInterval::inf ? begin : unknown_instant();
   }
-  Instant end(const UncertainInterval& interval, std::span<const EndpointCandidate<Condition>> ends) {
+  Instant end(const UncertainInterval& interval, std::span<const EndpointCandidate<PieceConstraint>> ends) {
     Instant last{UncertainInterval::inf, UncertainInterval::inf};
     if (queried_.end.meets(interval.end)) last = {lifetime_.dt_end, lifetime_.t_end};
-    for (const EndpointCandidate<Condition>& end : ends)
+    for (const EndpointCandidate<PieceConstraint>& end : ends)
       if (end.direction == CrossingDirection::leaving)
         last = earlier(last, instant<CrossingDirection::leaving>(end));
     return last.dt < UncertainInterval::inf ? last : unknown_instant();
@@ -57,14 +56,14 @@ class EndpointRounding {
 
  private:
   template <CrossingDirection direction>
-  Instant instant(const EndpointCandidate<Condition>& end) {
+  Instant instant(const EndpointCandidate<PieceConstraint>& end) {
     const double width = (end.at.high - end.at.low) * (1 + 4 * unit_roundoff);
     const double base = std::clamp(end.at.low + 0.5 * width, 0.0, queried_.end.high);
     const auto place = place_at(base);
-    const DoubleDouble value = with_polynomial<0>(end.condition, place, expanded_at(*fine_sizes_, base),
+    const DoubleDouble value = with_polynomial<0>(end.constraint, place, expanded_at(*fine_sizes_, base),
                                                   [](const auto& p) { return p[0]; });
     return with_polynomial<Degree>(
-        end.condition, expanded_at<Degree>(certain_, base), expanded_at(sizes_, base), [&](const auto& p) {
+        end.constraint, expanded_at<Degree>(certain_, base), expanded_at(sizes_, base), [&](const auto& p) {
           const double lost = certain_.underflow + 0x1p-1060, slope = p[1].value;
           // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
           const double error = p[0].error_bound(lost) * 0x1p-44 + certain_.underflow;

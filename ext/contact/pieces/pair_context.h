@@ -6,7 +6,7 @@
 //
 // A traits type says what the pieces are. It has `axes` and `degree` of the motion, and `has_solids`,
 // which is true if an object may have an inside. Its types are Pieces (of one object, under a tree),
-// Condition, Sizes<T>, Space (a PieceWorkspace), Tests (pair_tests.h), NodeTests (tree_walk.h) and
+// PieceConstraint, Sizes<T>, Space (a PieceWorkspace), Tests (pair_tests.h), NodeTests (tree_walk.h) and
 // Containment. Containment decides whether one object is inside the other. Its functions are sizes_of<T>()
 // and is_cut().
 #pragma once

@@ -3,8 +3,8 @@
 //   for (const PieceInterval& interval : tests.of(piece_a, piece_b)) best = std::min(best, interval.begin.high);
 //
 // This is the part of a test that does not depend on the kind of piece. The contact set of two pieces is a
-// union of parts, each the intersection of some conditions. Test, which derives from PairTests, has a
-// function test(pair, by). It calls start_test(), then for each part keep() with its conditions and
+// union of parts, each the intersection of some constraints. Test, which derives from PairTests, has a
+// function test(pair, by). It calls start_test(), then for each part keep() with its constraints and
 // end_part(). It may stop and return false if the two surely touch no earlier than after `by`.
 //
 // The memory for all this is a PieceWorkspace, which one pair of objects after another uses.
@@ -73,10 +73,10 @@ class TestedPairs {
   std::uint32_t count_ = 0;
 };
 
-/// A root of a condition's polynomial at which an interval of contact may start or end.
-template <class Condition>
+/// A root of a constraint's polynomial at which an interval of contact may start or end.
+template <class PieceConstraint>
 struct EndpointCandidate {
-  Condition condition;
+  PieceConstraint constraint;
   CrossingDirection direction;
   Enclosure at;
 };
@@ -90,7 +90,7 @@ struct PieceInterval : UncertainInterval {
 };
 
 /// The memory of the tests, used for one pair of objects after another.
-template <class Condition>
+template <class PieceConstraint>
 struct PieceWorkspace {
   struct Tested {
     std::uint32_t first_interval = 0, interval_count = 0;
@@ -99,10 +99,10 @@ struct PieceWorkspace {
   TestedPairs numbers;
   std::vector<Tested> tested;  ///< by those numbers
   std::vector<PieceInterval> intervals;
-  std::vector<EndpointCandidate<Condition>> ends;
+  std::vector<EndpointCandidate<PieceConstraint>> ends;
   std::vector<PieceInterval> seen;
   // Of the part in work:
-  std::vector<EndpointCandidate<Condition>> all_ends;
+  std::vector<EndpointCandidate<PieceConstraint>> all_ends;
   std::size_t shared_ends = 0;  ///< so many of these belong to all parts
   IntervalUnion clipped, outer;
 
@@ -111,7 +111,7 @@ struct PieceWorkspace {
   void clear() { numbers.clear(), tested.clear(), intervals.clear(), ends.clear(); }
 };
 
-template <class Test, class Condition>
+template <class Test, class PieceConstraint>
 class PairTests {
  public:
   /// The intervals in which two pieces touch; valid until the next call. Those that start later than `by` may
@@ -140,13 +140,13 @@ class PairTests {
 
   /// All intervals that are known.
   std::span<const PieceInterval> all() const { return space_.intervals; }
-  std::span<const EndpointCandidate<Condition>> ends(const PieceInterval& interval) const {
-    return std::span<const EndpointCandidate<Condition>>(space_.ends)
+  std::span<const EndpointCandidate<PieceConstraint>> ends(const PieceInterval& interval) const {
+    return std::span<const EndpointCandidate<PieceConstraint>>(space_.ends)
         .subspan(interval.first_end, interval.end_count);
   }
 
  protected:
-  PairTests(const UncertainInterval& queried, bool times_wanted, PieceWorkspace<Condition>& space)
+  PairTests(const UncertainInterval& queried, bool times_wanted, PieceWorkspace<PieceConstraint>& space)
       : queried_(queried), times_wanted_(times_wanted), space_(space) {
     space.clear();
   }
@@ -157,7 +157,7 @@ class PairTests {
     space_.all_ends.clear();
     space_.shared_ends = 0;
   }
-  /// Makes the conditions so far conditions of all parts that follow.
+  /// Makes the constraints so far constraints of all parts that follow.
   void share() {
     space_.outer.start(space_.clipped);
     space_.shared_ends = space_.all_ends.size();
@@ -166,28 +166,28 @@ class PairTests {
     space_.clipped.start(space_.outer);
     space_.all_ends.resize(space_.shared_ends);
   }
-  /// Adds the times at which all conditions of the part hold to the intervals.
+  /// Adds the times at which all constraints of the part hold to the intervals.
   void end_part() {
     for (const UncertainInterval& interval : space_.clipped) add(interval, false);
   }
 
-  void keep(const Condition& condition, const SublevelIntervals& inside) {
+  void keep(const PieceConstraint& constraint, const SublevelIntervals& inside) {
     if (space_.clipped.empty()) return;
     space_.clipped.keep(inside);
     if (!times_wanted_) return;
     for (int i = 0; i < inside.count; ++i) {
       const UncertainInterval& interval = inside.list[static_cast<std::size_t>(i)];
       if (interval.begin.high > -UncertainInterval::inf)
-        space_.all_ends.push_back({condition, CrossingDirection::entering, interval.begin});
+        space_.all_ends.push_back({constraint, CrossingDirection::entering, interval.begin});
       if (interval.end.low < UncertainInterval::inf)
-        space_.all_ends.push_back({condition, CrossingDirection::leaving, interval.end});
+        space_.all_ends.push_back({constraint, CrossingDirection::leaving, interval.end});
     }
   }
 
   /// Adds an interval with the candidates that its ends may be.
   void add(const UncertainInterval& interval, bool is_instant) {
     const auto first_end = static_cast<std::uint32_t>(space_.ends.size());
-    for (const EndpointCandidate<Condition>& end : space_.all_ends)
+    for (const EndpointCandidate<PieceConstraint>& end : space_.all_ends)
       if (end.at.meets(end.direction == CrossingDirection::entering ? interval.begin : interval.end))
         space_.ends.push_back(end);
     const auto count = static_cast<std::uint32_t>(space_.ends.size()) - first_end;
@@ -204,7 +204,7 @@ class PairTests {
 
   const UncertainInterval queried_;
   const bool times_wanted_;
-  PieceWorkspace<Condition>& space_;
+  PieceWorkspace<PieceConstraint>& space_;
 
  private:
   /// Entries of all kinds: some megabytes.

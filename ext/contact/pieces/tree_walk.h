@@ -13,8 +13,9 @@
 #include <cstdint>
 
 #include "base/interrupt_steps.h"
+#include "contact/certain/certain_motion.h"
 #include "contact/certain/chord.h"
-#include "contact/pieces/time_expansion.h"
+#include "contact/constraint/constraint.h"
 #include "motion/axis_aligned_box.h"
 
 namespace foresee {

@@ -17,13 +17,14 @@
 #include "contact/contact.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/pieces/pair_context.h"
+#include "contact/pieces/undecided_pieces.h"
 #include "contact/pieces/union_pair.h"
 
 namespace foresee {
 
 /// `Traits`: see pair_context.h. This class also needs the type Tables, with the shapes of both tables'
 /// rows, and take(), which reads the pieces of a pair. Further it needs filter_answer(), the filter in
-/// plain doubles, and the type Polynomials, the exact polynomials of some pairs of pieces.
+/// plain doubles, and the parts of a pair for the exact stage (undecided_pieces.h).
 template <class Traits>
 class UnionContact final : public Contact {
  public:
@@ -144,8 +145,8 @@ class UnionContact final : public Contact {
     const auto any_touches = [&] {
       if (pairs.empty()) return false;
       Polynomials polynomials = polynomials_of(rows, staged, pairs);
-      polynomials.all().set_interrupt(*steps_);
-      return exact_touches(polynomials.all(), queried);
+      polynomials.set_interrupt(*steps_);
+      return exact_touches(polynomials, queried);
     };
     bool touches = false;
     staged.possible_pairs({-UncertainInterval::inf, UncertainInterval::inf}, [&](const PiecePair& pair) {
@@ -211,11 +212,11 @@ class UnionContact final : public Contact {
     });
     until = interval.end;
     Polynomials polynomials = polynomials_of(rows, staged, pairs);
-    polynomials.all().set_interrupt(*steps_);
+    polynomials.set_interrupt(*steps_);
     if constexpr (Traits::has_solids)
-      return exact_times_of_solids(polynomials.all(), lifetime,
+      return exact_times_of_solids(polynomials, lifetime,
                                    [&staged](const Dyadic& time) { return staged.is_inside_at(time); });
-    return exact_times(polynomials.all(), lifetime);
+    return exact_times(polynomials, lifetime);
   }
 
   /// Removes the pairs that do not matter until the time that it returns. At most `limit` pairs are kept,
@@ -223,9 +224,9 @@ class UnionContact final : public Contact {
   double keep_needed(const Rows& rows, const Staged& staged, const ExactLifetime& lifetime,
                      std::vector<PiecePair>& pairs, std::size_t limit) {
     Polynomials polynomials = polynomials_of(rows, staged, pairs);
-    polynomials.all().set_interrupt(*steps_);
-    const NeededPieces needed = needed_pieces(polynomials.all(), lifetime, limit);
-    const std::span<const std::uint32_t> ends = polynomials.ends();
+    polynomials.set_interrupt(*steps_);
+    const NeededPieces needed = needed_pieces(polynomials, lifetime, limit);
+    const std::span<const std::uint32_t> ends = polynomials.constraints().ends();
     std::size_t kept = 0;
     for (std::size_t i = 0, piece = 0; i < pairs.size(); ++i) {
       const std::size_t before = piece;
@@ -262,9 +263,10 @@ class UnionContact final : public Contact {
     return found;
   }
 
-  using Polynomials = typename Traits::Polynomials;
+  using Polynomials = PolynomialsOf<UndecidedPieces<Traits>>;
   Polynomials polynomials_of(const Rows& rows, const Staged& staged, std::span<const PiecePair> pairs) {
-    return {setup_, rows.a, rows.b, a_, b_, pairs, staged.is_grown()};
+    return {setup_, rows.a, rows.b,
+            UndecidedPieces<Traits>(setup_, rows.a, rows.b, a_, b_, pairs, staged.is_grown())};
   }
 
   const Setup setup_;

@@ -264,13 +264,13 @@ class UnionPair : public PairIntervals<Traits> {
 
   bool ends_at_a_cut(const PieceInterval& interval) const {
     if (context_.queried.end.meets(interval.end)) return false;
-    const EndpointCandidate<typename Traits::Condition>* only = nullptr;
+    const EndpointCandidate<typename Traits::PieceConstraint>* only = nullptr;
     for (const auto& end : tests_.ends(interval)) {
       if (end.direction == CrossingDirection::entering) continue;
       if (only) return false;
       only = &end;
     }
-    return only && Traits::is_cut(only->condition);
+    return only && Traits::is_cut(only->constraint);
   }
 
   Instant latest_end() {

@@ -12,7 +12,7 @@ int appended(std::vector<T>& list, const T& value) {
   return static_cast<int>(list.size()) - 1;
 }
 
-Primitive primitive_of(Primitive::Kind kind, std::span<const AxisPart> parts, const Size& size) {
+Primitive primitive_of(ConstraintKind kind, std::span<const AxisPart> parts, const Size& size) {
   Primitive primitive{.kind = kind, .count = static_cast<int>(parts.size()), .size = size};
   std::copy(parts.begin(), parts.end(), primitive.parts);
   return primitive;
@@ -33,32 +33,13 @@ int ContactSet::add(const Primitive& primitive) {
   return appended(primitives_, primitive);
 }
 
-ContactSet::Part ContactSet::add(const std::vector<int>& members) {
-  const auto begin = static_cast<std::uint32_t>(members_.size());
-  members_.insert(members_.end(), members.begin(), members.end());
-  return {begin, static_cast<std::uint32_t>(members_.size())};
-}
-
 int ContactSet::bound(int axis, int sign, const Size& size) {
   const AxisPart part{.axis = axis, .sign = sign};
-  return add(primitive_of(Primitive::Kind::bound, {&part, 1}, size));
-}
-
-int ContactSet::half_space(std::span<const AxisPart> line, const Size& size) {
-  return add(primitive_of(Primitive::Kind::half_space, line, size));
-}
-
-int ContactSet::strip(std::span<const AxisPart> line, const Size& half_width) {
-  return add(primitive_of(Primitive::Kind::strip, line, half_width));
+  return add(primitive_of(ConstraintKind::half_space, {&part, 1}, size));
 }
 
 int ContactSet::ball(std::span<const AxisPart> centre, const Size& radius) {
-  return add(primitive_of(Primitive::Kind::ball, centre, radius));
-}
-
-void ContactSet::add_piece(const Conditions& conditions) {
-  const Part all = add(conditions.all), around = add(conditions.around), beyond = add(conditions.beyond);
-  pieces_.push_back({all, around, beyond, conditions.ball});
+  return add(primitive_of(ConstraintKind::ball, centre, radius));
 }
 
 int ContactSet::degree() const {

@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/constraint/constraint_union.h"
 #include "contact/set/primitive.h"
 #include "shape/row_layout.h"
 
@@ -38,16 +39,6 @@ struct Length {
   int t_a = no_length, t_b = no_length;  ///< of growth: the places of t; an absent t is 0
 };
 
-/// One piece: the intersection in which the primitives `all` are at most 0. `around` and `beyond` save work;
-/// they do not change the union. Where the piece holds, the primitives `around` it hold too. The piece may be
-/// restricted to where `beyond` is at least 0, because another piece covers the rest. `ball` is a ball or
-/// strip of `all` that no other piece has. Its roots are costly: the exact stage computes them last, and only
-/// while the rest holds.
-struct Conditions {
-  std::vector<int> all, around = {}, beyond = {};
-  int ball = -1;  ///< -1: no ball
-};
-
 /// Both faces of a box across one axis: -x <= below and x <= above, if they exist.
 struct Faces {
   int axis;
@@ -56,17 +47,8 @@ struct Faces {
 };
 
 /// A union of pieces; see the head of this file.
-class ContactSet {
+class ContactSet : public ConstraintUnion {
  public:
-  /// A range of the list of members.
-  struct Part {
-    std::uint32_t begin, end;
-  };
-  struct Piece {
-    Part all, around, beyond;
-    int ball;
-  };
-
   /// The whole set, for kernels.
   struct Arrays {
     const Length* lengths;
@@ -109,27 +91,19 @@ class ContactSet {
   /// The sum of two sizes.
   Size sum(const Size& a, const Size& b) { return {sum(a.value, b.value), sum(a.rate, b.rate)}; }
 
-  // Primitives (Primitive::Kind); each function returns the number of a primitive. Pieces may share
-  // primitives.
+  // Primitives; each function returns the number of a primitive. Pieces may share primitives.
 
+  /// The half space in which sign x <= size on one axis.
   int bound(int axis, int sign, const Size& size);
-  int half_space(std::span<const AxisPart> line, const Size& size);
-  int strip(std::span<const AxisPart> line, const Size& half_width);
   int ball(std::span<const AxisPart> centre, const Size& radius);
 
-  /// Adds a piece to the union.
-  void add_piece(const Conditions& conditions);
   /// Adds to the hull two faces, between which all pieces are at all times: for the filter (chord.h).
   void enclose(const Faces& faces) { hull_.push_back(faces); }
 
   std::span<const Length> lengths() const { return lengths_; }
   std::span<const int> varying() const { return varying_; }  ///< the lengths that vary from pair to pair
   std::span<const Primitive> primitives() const { return primitives_; }
-  std::span<const Piece> pieces() const { return pieces_; }
   std::span<const Faces> hull() const { return hull_; }
-  std::span<const int> members(const Part& part) const {
-    return {members_.data() + part.begin, members_.data() + part.end};
-  }
   /// The highest power of time in the sizes.
   int degree() const;
   Arrays arrays() const;
@@ -140,13 +114,10 @@ class ContactSet {
   }
   int add(const Length& length);
   int add(const Primitive& primitive);
-  Part add(const std::vector<int>& members);
 
   std::vector<Length> lengths_;
   std::vector<int> varying_;
   std::vector<Primitive> primitives_;
-  std::vector<Piece> pieces_;
-  std::vector<int> members_;
   std::vector<Faces> hull_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/outline/flat_constraint.h"
 #include "contact/outline/object_pieces.h"
 #include "contact/outline/outline_scenes.h"
 #include "numbers/dyadic.h"
@@ -15,8 +16,9 @@ using namespace testing_by_hand;
 
 /// How far p - q is beyond an edge, exactly.
 int side_of(const SumEdge& edge, const Corner& p, const Corner& q) {
-  const Coefficients<Dyadic, 0> place[] = {{Dyadic(p.x) - Dyadic(q.x)}, {Dyadic(p.y) - Dyadic(q.y)}};
-  return beyond<0>(edge, place)[0].sign();
+  const std::array<Coefficients<Dyadic, 0>, 2> place{Coefficients<Dyadic, 0>{Dyadic(p.x) - Dyadic(q.x)},
+                                                     Coefficients<Dyadic, 0>{Dyadic(p.y) - Dyadic(q.y)}};
+  return beyond<0>(FlatConstraint{.feature = {.edge = edge}}, place)[0].sign();
 }
 
 void expect_sum(const ConvexPiece& a, const ConvexPiece& b) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/outline/condition.h"
+#include "contact/outline/flat_constraint.h"
 #include "contact/outline/object_pieces.h"
 
 namespace foresee {

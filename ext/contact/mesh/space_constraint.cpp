@@ -1,4 +1,4 @@
-#include "contact/mesh/space_condition.h"
+#include "contact/mesh/space_constraint.h"
 
 #include "numbers/dyadic.h"
 

@@ -1,0 +1,121 @@
+// The constraints of two convex pieces in space (constraint/constraint.h), and the sizes of their pair.
+//
+// Two convex pieces touch while d is in their Minkowski sum A + (-B). Then d is on the inner side of all
+// planes that touch the sum. Each plane goes through a corner p of A minus a corner q of B. The parts of the
+// sum grown by the contact distance are those of its features (space_sum.h).
+#pragma once
+
+#include <optional>
+
+#include "contact/constraint/constraint.h"
+#include "contact/mesh/space_pieces.h"
+#include "contact/set/relative_motion.h"
+
+namespace foresee {
+
+/// A direction in space, not 0: an edge vector u, the cross product of two, or that of such a product with a
+/// third.
+struct SpaceAxis {
+  int factors;  ///< 1: u; 2: u x v; 3: (u x v) x w
+  EdgeVector u = {}, v = {}, w = {};
+};
+
+/// The sizes of a pair, from its rows and the query. They are constant.
+template <class T>
+struct SpaceSizes {
+  MovingSize<T> radius;  ///< the contact distance
+  /// The component of d along each axis, if it is constant and a double. With it, doubles decide that an
+  /// object slides along a floor or a wall.
+  std::array<std::optional<double>, 3> steady = {};
+};
+
+/// The sizes themselves, as they are constant.
+template <class T>
+const SpaceSizes<T>& expanded_at(const SpaceSizes<T>& sizes, double /*tau*/) {
+  return sizes;
+}
+
+std::array<std::optional<double>, 3> steady_axes_of(const Setup& setup, const double* row_a,
+                                                    const double* row_b);
+
+template <class T>
+using Components = std::array<T, 3>;
+
+/// a - b
+template <class T>
+Components<T> gap_between(const SpaceCorner& a, const SpaceCorner& b) {
+  using E = Exactly<T>;
+  return {E::difference_of(a.x, b.x), E::difference_of(a.y, b.y), E::difference_of(a.z, b.z)};
+}
+
+template <>
+inline Components<Bounded> gap_between(const SpaceCorner& a, const SpaceCorner& b) {
+  const auto gap = [](double to, double from) {
+    const DoubleDouble exactly = difference(to, from);
+    return Bounded{exactly.high, std::abs(exactly.low)};
+  };
+  return {gap(a.x, b.x), gap(a.y, b.y), gap(a.z, b.z)};
+}
+
+template <class T>
+Components<T> cross_product(const Components<T>& a, const Components<T>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// A product that counts its own underflow, as a later factor may be large. A product with an exact 0 is an
+/// exact 0.
+template <class T>
+T safe_product(const T& a, const T& b) {
+  return a * b;
+}
+template <>
+inline Bounded safe_product(const Bounded& a, const Bounded& b) {
+  Bounded product = a * b;
+  if (std::abs(product.value) < 0x1p-960 && (a.value != 0 || a.error != 0) && (b.value != 0 || b.error != 0))
+    product.error += 0x1p-1060;
+  return product;
+}
+template <>
+inline Components<Bounded> cross_product(const Components<Bounded>& a, const Components<Bounded>& b) {
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    return safe_product(a[i], b[j]) - safe_product(a[j], b[i]);
+  };
+  return {minor(1, 2), minor(2, 0), minor(0, 1)};
+}
+
+template <class T>
+Components<T> direction_of(const SpaceAxis& axis) {
+  const Components<T> u = gap_between<T>(*axis.u.to, *axis.u.from);
+  if (axis.factors == 1) return u;
+  const Components<T> normal = cross_product<T>(u, gap_between<T>(*axis.v.to, *axis.v.from));
+  if (axis.factors == 2) return normal;
+  return cross_product<T>(normal, gap_between<T>(*axis.w.to, *axis.w.from));
+}
+/// The same in doubles, rounded from twice the digits. For nearly parallel edge vectors a product of doubles
+/// would consist of errors alone.
+Components<Bounded> close_direction_of(const SpaceAxis& axis);
+
+/// The plane perpendicular to an axis through p - q, the line along it, or p - q itself.
+struct SpaceFeature {
+  static constexpr int axes = 3;
+
+  SpaceAxis axis = {};
+  const SpaceCorner *p = nullptr, *q = nullptr;
+
+  template <class T>
+  Components<T> direction() const {
+    return direction_of<T>(axis);
+  }
+  template <class T>
+  Components<T> origin(int /*sign*/) const {
+    return gap_between<T>(*p, *q);
+  }
+  template <class T>
+  static T product(const T& a, const T& b) {
+    return safe_product(a, b);
+  }
+};
+
+using SpaceConstraint = Constraint<SpaceFeature>;
+
+}  // namespace foresee
