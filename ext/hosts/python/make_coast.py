@@ -82,8 +82,9 @@ def main():
         cut = [clipped(ring, box) for ring in fine]
         regions.append({"box": box, "rings": [encoded(ring, UNITS) for ring in cut if len(ring) > 2]})
     version = json.loads((source / "package.json").read_text())["version"]
-    coast = {"source": f"Natural Earth (public domain), land-50m and land-10m of world-atlas {version}", "units": UNITS,
-             "world_units": WORLD_UNITS, "world": world, "regions": regions}
+    coast = {"source": f"Natural Earth (public domain), land-50m and land-10m of world-atlas {version}",
+             "license_of_world_atlas": " ".join((source / "LICENSE").read_text().split()),
+             "units": UNITS, "world_units": WORLD_UNITS, "world": world, "regions": regions}
     target.write_text(json.dumps(coast, separators=(",", ":")).replace('],"', '],\n"').replace('","', '",\n"') + "\n")
 
 

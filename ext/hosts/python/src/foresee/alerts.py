@@ -9,12 +9,13 @@ repeats at most the changes that it was delivering. The first time a reader gets
 import json
 import math
 import os
+import sqlite3
 import sys
 import time
 from datetime import datetime, timezone
 
 from .encounters import Encounters
-from .files import committed, one_state, opened, watch_of
+from .files import begun, committed, is_busy, one_state, opened, watch_of
 from .process import Refusal, Stop
 from .webhook import Webhook
 
@@ -26,23 +27,38 @@ def say(text):
 
 
 class Reader:
-    """The position of a reader of a watch, in the file."""
+    """The position of a reader of a watch. It is kept in the file, but need not be there at once: changes may come twice.
+
+    A feed that never pauses holds the lock for writing most of the time. The position then waits for a gap, and delivery goes on.
+    """
 
     def __init__(self, db, watch, name):
-        self.db, self.watch, self.name, self.at = db, watch, name, 0
+        self.db, self.watch, self.name = db, watch, name
         with committed(db):
             db.execute("CREATE TABLE IF NOT EXISTS foresee_readers(watch TEXT, reader TEXT, seq INTEGER NOT NULL, "
                        "PRIMARY KEY(watch, reader))")
             db.execute("INSERT OR IGNORE INTO foresee_readers VALUES (?, ?, 0)", (watch, name))
-        # The position may be lost in a power failure: changes are then repeated. It need not wait for the disk.
+        # A position that is lost in a power failure repeats changes: it need not wait for the disk.
         db.execute("PRAGMA synchronous = NORMAL")
+        self.position = self.saved = db.execute("SELECT seq FROM foresee_readers WHERE watch = ? AND reader = ?", (watch, name)).fetchone()[0]
 
-    def position(self):
-        return self.db.execute("SELECT seq FROM foresee_readers WHERE watch = ? AND reader = ?", (self.watch, self.name)).fetchone()[0]
+    def move(self, position, patience=0.02):
+        self.position = position
+        self.save(patience)
 
-    def move(self, seq):
-        with committed(self.db):
-            self.db.execute("UPDATE foresee_readers SET seq = ? WHERE watch = ? AND reader = ?", (seq, self.watch, self.name))
+    def save(self, patience):
+        """Tries so many seconds to write the position."""
+        if self.position == self.saved:
+            return
+        if begun(self.db, patience):
+            self.db.execute("UPDATE foresee_readers SET seq = ? WHERE watch = ? AND reader = ?", (self.position, self.watch, self.name))
+            try:
+                self.db.execute("COMMIT")
+                self.saved = self.position
+            except sqlite3.OperationalError as error:      # a file without WAL, in which a reader is in the way
+                self.db.execute("ROLLBACK")
+                if not is_busy(error):
+                    raise
 
 
 def changes_after(db, watch, position):
@@ -101,16 +117,45 @@ def write_line(text):
         data = data[os.write(sys.stdout.fileno(), data):]
 
 
-def deliver(changes, options, hook, reader):
-    """Whether all were delivered."""
+def deliver(changes, is_whole, options, hook, reader):
+    """Whether all were delivered. Rows of the whole watch share one position, which moves once all of them are."""
     for change in changes:
         if not options.news or is_news(change):
             if hook and not hook.deliver(change):
                 return False
             write_line(json.dumps(change) if options.json else as_text(change))
-            if hook and change["seq"] > reader.at:
-                reader.move(change["seq"])
+            if hook and not is_whole:
+                reader.move(change["seq"], patience=0.5)
     return True
+
+
+def follow(db, options, hook, stop):
+    table, other, within, *_ = watch_of(db, options.watch)
+    encounters, reader = Encounters(db, options.watch, table, other, within), Reader(db, options.watch, options.reader)
+    if options.from_start:
+        reader.move(0)
+    seen, more = None, True
+    try:
+        while not stop():
+            version = db.execute("PRAGMA data_version").fetchone()[0]
+            if version == seen and not more:
+                reader.save(patience=0.02)
+                if options.once:
+                    return
+                time.sleep(options.poll)
+                continue
+            seen = version
+            with one_state(db):
+                rows, position, is_whole = changes_after(db, options.watch, reader.position)
+                changes = [encounters.describe(row) for row in rows]
+            if is_whole:
+                changes.sort(key=urgency)
+            if not deliver(changes, is_whole, options, hook, reader):
+                return
+            reader.move(position)
+            more = len(rows) == AT_ONCE
+    finally:
+        reader.save(patience=5.0)
 
 
 def run(options):
@@ -118,32 +163,7 @@ def run(options):
     hook = Webhook(options.webhook, say, stop) if options.webhook else None
     db = opened(options.file)
     try:
-        table, other, within, *_ = watch_of(db, options.watch)
-        encounters = Encounters(db, options.watch, table, other, within)
-        reader = Reader(db, options.watch, options.reader)
-        if options.from_start:
-            reader.move(0)
-        seen, more = None, True
-        while not stop():
-            version = db.execute("PRAGMA data_version").fetchone()[0]
-            if version == seen and not more:
-                if options.once:
-                    return
-                time.sleep(options.poll)
-                continue
-            seen = version
-            with one_state(db):
-                reader.at = before = reader.position()
-                rows, position, is_whole = changes_after(db, options.watch, before)
-                changes = [encounters.describe(row) for row in rows]
-            if is_whole:
-                changes.sort(key=urgency)
-                reader.at = position        # rows of the whole watch share it: it moves once all of them are delivered
-            if not deliver(changes, options, hook, reader):
-                return
-            if position != before:
-                reader.move(position)
-            more = len(rows) == AT_ONCE
+        follow(db, options, hook, stop)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())     # head has read enough
     finally:

@@ -22,6 +22,9 @@ from .reports import BadReport, by_quantity, json_object, report_of
 from .tables import Table, create
 
 
+GAP = 0.001             # seconds between two transactions, in which readers can write their positions
+
+
 def prepared(db, options):
     """The table, created with its watch where --watch names one and they are not there."""
     with committed(db):
@@ -62,6 +65,7 @@ def from_standard_input(batches, options, stop):
         if fresh:
             reports, bad = decoder.read(fresh)
             batches.commit(reports, bad, len(fresh), fresh[-1][0])
+            time.sleep(GAP)
 
 
 class Payloads:
