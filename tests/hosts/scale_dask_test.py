@@ -46,7 +46,7 @@ class Pages(Fleet):
 
     def test_the_errors_of_the_page_are_those_of_the_package(self):
         sources = " ".join(file.read_text() for file in (PACKAGE / "foresee_dask").glob("*.py"))
-        said = re.findall(r"^\| `(.*)` \| ", PAGE.split("## What may go wrong")[1].split("\n## ")[0], re.M)
+        said = re.findall(r"^\| `(.*)` \| ", PAGE.split("## Errors")[1].split("\n## ")[0], re.M)
         self.assertGreater(len(said), 10)
         for message in said:
             for words in message.split("…"):

@@ -33,6 +33,14 @@ ANCHORS = {
         "what-is-promised": "explanation/avoidance#guarantees",
         "whole-traffic-at-once": "how-to/clear_traffic",
     },
+    "gpcd": {
+        "what-is-kept": "explanation/gpcd#guarantees",
+        "who-does-it": "explanation/gpcd#files-of-the-steps",
+    },
+    "semantics": {
+        "answers": "explanation/semantics#determinism",
+        "moments": "explanation/semantics#time",
+    },
     "geography": {
         "a-port-a-coast-the-plane": "how-to/latitude_and_longitude#plane-for-a-port-or-a-coast",
         "all-the-earth-the-globe": "how-to/latitude_and_longitude#globe-for-the-whole-earth",
