@@ -33,6 +33,24 @@ ANCHORS = {
         "what-is-promised": "explanation/avoidance#guarantees",
         "whole-traffic-at-once": "how-to/clear_traffic",
     },
+    "accuracy": {
+        "how-to-attack-it": "explanation/accuracy#objections",
+        "the-methods": "explanation/accuracy#methods",
+        "the-pictures": "explanation/accuracy#charts",
+        "what-goes-wrong-elsewhere": "explanation/accuracy#errors-of-other-methods",
+        "what-to-trust": "explanation/accuracy#results",
+    },
+    "benchmarks": {
+        "the-goals-one-by-one": "developers/benchmarks#goals",
+        "what-agrees-with-the-paper-and-what-does-not": "developers/benchmarks#agreement-with-the-paper",
+    },
+    "scale_dask": {
+        "in-three-commands": "how-to/tiles_on_dask#three-commands",
+        "several-machines-and-who-may-run-what": "how-to/tiles_on_dask#several-machines-security",
+        "what-is-in-the-folder": "how-to/tiles_on_dask#the-folder",
+        "what-it-costs": "how-to/tiles_on_dask#cost",
+        "what-may-go-wrong": "how-to/tiles_on_dask#errors",
+    },
     "gpcd": {
         "what-is-kept": "explanation/gpcd#guarantees",
         "who-does-it": "explanation/gpcd#files-of-the-steps",

@@ -61,12 +61,12 @@ void FunctionCall::reject(int input, const char* kind) const {
   const auto place = static_cast<std::size_t>(input);
   const std::string name = function_.inputs[place];
   const int type = sqlite3_value_type(inputs_[place]);
-  std::string advice;
-  if (const auto seconds = as_unixepoch(inputs_[place])) advice = ": write " + *seconds;
+  std::string remedy;
+  if (const auto seconds = as_unixepoch(inputs_[place])) remedy = ": write " + *seconds;
   // f(300, within = 60) passes the result of a comparison, a number, in the place of the table.
   if (name == "tbl" && (type == SQLITE_INTEGER || type == SQLITE_FLOAT))
-    advice = "; to give an input by its name, write WHERE " + example_input(function_) + " = 60";
-  throw Error(name + " must be " + kind + ", not " + shown(inputs_[place]) + advice);
+    remedy = "; to give an input by its name, write WHERE " + example_input(function_) + " = 60";
+  throw Error(name + " must be " + kind + ", not " + shown(inputs_[place]) + remedy);
 }
 
 const char* FunctionCall::name_of(int input) const {
