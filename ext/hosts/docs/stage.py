@@ -14,15 +14,16 @@ import shutil
 import sys
 from pathlib import Path
 
+from make_reference import GROUPS
 from moved import redirects
 
 ROOT = Path(__file__).resolve().parents[3]
 BESIDE = {"README.md": "index.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md", "bench/README.md": "bench.md",
           "SECURITY.md": "security.md"}
-NAV = [("Start", ["index", "tutorials/*", "faq"]),
+NAV = [("Start", ["index", "tutorials/first_queries", "tutorials/*", "faq"]),
        ("Install", ["hosts/*"]),
        ("How to", ["how-to/*"]),
-       ("Reference", ["reference/index", "reference/moving_objects", "reference/predictive_*", "reference/*"]),
+       ("Reference", ["reference/index", *(f"reference/{name}" for names in GROUPS.values() for name in names)]),
        ("Explanation", ["explanation/semantics", "explanation/*"]),
        ("Trust", ["stability", "upgrading", "security", "changelog"]),
        ("Developers", ["contributing", "developers/*", "bench"])]
