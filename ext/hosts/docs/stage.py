@@ -24,7 +24,7 @@ NAV = [("Start", ["index", "tutorials/first_queries", "tutorials/*", "faq"]),
        ("Install", ["hosts/*"]),
        ("How to", ["how-to/*"]),
        ("Reference", ["reference/index", *(f"reference/{name}" for names in GROUPS.values() for name in names)]),
-       ("Explanation", ["explanation/semantics", "explanation/*"]),
+       ("Explanation", ["explanation/how_it_works", "explanation/semantics", "explanation/*"]),
        ("Trust", ["stability", "upgrading", "security", "changelog"]),
        ("Developers", ["contributing", "developers/*", "bench"])]
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
