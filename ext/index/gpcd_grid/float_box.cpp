@@ -25,8 +25,8 @@ double typical_distance(std::vector<double>& distances, double largest) {
 }  // namespace
 
 template <int D>
-Frame<D> frame_of(std::span<const Beam<D>> sample) {
-  Frame<D> frame;
+FloatFrame<D> frame_of(std::span<const Beam<D>> sample) {
+  FloatFrame<D> frame;
   const std::size_t step = std::max<std::size_t>(1, sample.size() / enough);
   for (int axis = 0; axis < D; ++axis) {
     std::vector<double> centres, distances;
@@ -54,8 +54,8 @@ Frame<D> frame_of(std::span<const Beam<D>> sample) {
   return frame;
 }
 
-template Frame<1> frame_of(std::span<const Beam<1>>);
-template Frame<2> frame_of(std::span<const Beam<2>>);
-template Frame<3> frame_of(std::span<const Beam<3>>);
+template FloatFrame<1> frame_of(std::span<const Beam<1>>);
+template FloatFrame<2> frame_of(std::span<const Beam<2>>);
+template FloatFrame<3> frame_of(std::span<const Beam<3>>);
 
 }  // namespace foresee::gpcd

@@ -1,6 +1,6 @@
 // Axis-aligned boxes in single precision, relative to a frame: twice as many fit a cache line and a register.
 //
-//   Frame<2> frame = frame_of(sample);                   // origin and unit near where most objects are
+//   FloatFrame<2> frame = frame_of(sample);                   // origin and unit near where most objects are
 //
 // float_lanes.h converts beams into them. Guarantee: if two boxes meet, their float boxes meet. Coordinates
 // near 1e15 with extents near 1 keep their resolution, because the origin is subtracted in double precision
@@ -45,7 +45,7 @@ struct Columns {
 
 /// Maps x to (x - origin) * scale on each axis; scales are powers of two.
 template <int D>
-struct Frame {
+struct FloatFrame {
   double scale[D];
   double scaled_origin[D];
 
@@ -59,6 +59,6 @@ struct Frame {
 /// a few objects far away, or infinite boxes, do not move it. The result is correct for any sample; a typical
 /// one makes the grid faster.
 template <int D>
-Frame<D> frame_of(std::span<const Beam<D>> sample);
+FloatFrame<D> frame_of(std::span<const Beam<D>> sample);
 
 }  // namespace foresee::gpcd

@@ -8,7 +8,8 @@
 namespace foresee::gpcd {
 
 template <int D>
-std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>& frame, Columns columns) {
+std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const FloatFrame<D>& frame,
+                                  Columns columns) {
   std::vector<FloatBox<D>> boxes;
   const FloatKernels<D>& kernels = float_kernels<D>();
   BeamLanes<D> lanes;
@@ -23,7 +24,7 @@ std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>
 }
 
 template <int D>
-FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame) {
+FloatBox<D> round_inward(const Box<D>& box, const FloatFrame<D>& frame) {
   FloatBox<D> out;
   for (int axis = 0; axis < D; ++axis) {
     const double scale = frame.scale[axis], origin = frame.scaled_origin[axis];
@@ -35,9 +36,9 @@ FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame) {
   return out;
 }
 
-#define FORESEE_OF_AXES(D)                                                                        \
-  template std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>>, const Frame<D>&, Columns); \
-  template FloatBox<D> round_inward(const Box<D>&, const Frame<D>&)
+#define FORESEE_OF_AXES(D)                                                                             \
+  template std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>>, const FloatFrame<D>&, Columns); \
+  template FloatBox<D> round_inward(const Box<D>&, const FloatFrame<D>&)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);

@@ -56,8 +56,8 @@ template <int D>
 struct FloatKernels {
   /// Computes boxes that contain those of the beams, padded for the time test; travel and life if `columns`
   /// has them.
-  void (*round_outward)(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
-                        FloatLanes<D>& out);
+  void (*round_outward)(const BeamLanes<D>& beams, std::size_t count, const FloatFrame<D>& frame,
+                        Columns columns, FloatLanes<D>& out);
   /// Computes the stripes that each box meets, or that it is a giant or empty. Requires: partition.stripes()
   /// < 2^32.
   void (*find_stripes)(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
@@ -75,11 +75,12 @@ const FloatKernels<D>& float_kernels() {
 
 /// The outward-rounded boxes of a few beams.
 template <int D>
-std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>& frame, Columns columns);
+std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const FloatFrame<D>& frame,
+                                  Columns columns);
 
 /// A float box inside `box` by 2^-18 of its coordinates. It is empty if no such box exists, or if the time
 /// test could not compute with it.
 template <int D>
-FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame);
+FloatBox<D> round_inward(const Box<D>& box, const FloatFrame<D>& frame);
 
 }  // namespace foresee::gpcd

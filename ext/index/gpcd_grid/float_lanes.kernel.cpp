@@ -17,7 +17,8 @@ constexpr double never = __builtin_inf(), no_number = __builtin_nan("");
 
 /// The beams' boxes in the frame's units, padded as described above; travel if `moves`.
 template <int D, bool moves>
-void round_boxes(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, FloatLanes<D>& out) {
+void round_boxes(const BeamLanes<D>& beams, std::size_t count, const FloatFrame<D>& frame,
+                 FloatLanes<D>& out) {
   constexpr double relative = moves ? 0x1p-22 : 0x1p-23;
   for (int k = 0; k < D; ++k) {
     const double scale = frame.scale[k], origin = frame.scaled_origin[k];
@@ -58,8 +59,8 @@ void round_lives(const BeamLanes<D>& beams, std::size_t count, FloatLanes<D>& ou
 }
 
 template <int D>
-void round_outward_all(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
-                       FloatLanes<D>& out) {
+void round_outward_all(const BeamLanes<D>& beams, std::size_t count, const FloatFrame<D>& frame,
+                       Columns columns, FloatLanes<D>& out) {
   columns.travel ? round_boxes<D, true>(beams, count, frame, out)
                  : round_boxes<D, false>(beams, count, frame, out);
   if (columns.life) round_lives(beams, count, out);

@@ -31,7 +31,7 @@ Giants<D>::Giants(const Partition<D>& partition, const Stripes<D>& stripes, Inte
 }
 
 template <int D>
-void Giants<D>::find_cores(const MovingSource<D>& source, const Frame<D>& frame,
+void Giants<D>::find_cores(const MovingSource<D>& source, const FloatFrame<D>& frame,
                            const Partition<D>& partition) {
   for (Place& place : waiting_) {
     const FloatBox<D> core = round_inward(source.core(id_of(place.key)), frame);

@@ -32,7 +32,7 @@ class Giants {
 
   /// Computes the core of each giant, before the first stripe is visited. Requires: all objects that the
   /// giants meet exist at the start of the horizon.
-  void find_cores(const MovingSource<D>& source, const Frame<D>& frame, const Partition<D>& partition);
+  void find_cores(const MovingSource<D>& source, const FloatFrame<D>& frame, const Partition<D>& partition);
 
   /// The number of giants that cross each stripe, by stripe number. Requires: no stripe has been visited.
   std::vector<std::size_t> crossing_counts(const Partition<D>& partition) const;

@@ -34,7 +34,7 @@ std::vector<Beam<D>> sample_of(const MovingSource<D>& a, const MovingSource<D>* 
 
 /// The columns that either side needs; no travel if the frame's unit is too small for the time test.
 template <int D>
-Columns columns_of(const MovingSource<D>& a, const MovingSource<D>* b, const Frame<D>& frame) {
+Columns columns_of(const MovingSource<D>& a, const MovingSource<D>* b, const FloatFrame<D>& frame) {
   const Columns first = a.columns(), second = b ? b->columns() : Columns{};
   const bool travel = frame.resolves_time() && (first.travel || second.travel);
   return {travel, travel && (first.life || second.life)};
@@ -46,7 +46,7 @@ template <int D>
 Grid<D>::Grid(const MovingSource<D>& a, const MovingSource<D>* b, GridSpace& space, std::size_t helpers,
               Interrupt& interrupt) {
   const std::vector<Beam<D>> sample = sample_of(a, b);
-  const Frame<D> frame = frame_of(std::span<const Beam<D>>(sample));
+  const FloatFrame<D> frame = frame_of(std::span<const Beam<D>>(sample));
   const Columns columns = columns_of(a, b, frame);
   const std::vector<FloatBox<D>> boxes = boxes_of(std::span<const Beam<D>>(sample), frame, columns);
   partition_ = choose_partition(std::span<const FloatBox<D>>(boxes), a.count() + (b ? b->count() : 0));

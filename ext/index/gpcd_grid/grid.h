@@ -29,8 +29,8 @@ class Grid {
   /// The objects of one side of the join.
   struct Side {
     /// Enters every object of `source` into the stripes that its box meets, or among the giants.
-    Side(const MovingSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
-         GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
+    Side(const MovingSource<D>& source, const FloatFrame<D>& frame, Columns columns,
+         const Partition<D>& partition, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
         : rows(source.count(), columns, source.objects(), source.kinds(), memory.rows),
           stripes(source, frame, partition, rows, memory, helpers, interrupt),
           giants(partition, stripes, interrupt) {}

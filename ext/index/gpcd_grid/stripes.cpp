@@ -41,7 +41,7 @@ constexpr std::size_t chunks_per_check = 64, entries_per_check = 8192;
 }  // namespace
 
 template <int D>
-Stripes<D>::Stripes(const MovingSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
+Stripes<D>::Stripes(const MovingSource<D>& source, const FloatFrame<D>& frame, const Partition<D>& partition,
                     FloatRows<D>& rows, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
     : partition_(partition), rows_(rows), starts_(memory.stripes.room(partition.stripes() + 1)) {
   std::vector<Part> parts(helpers + 1);
@@ -59,7 +59,7 @@ Stripes<D>::Stripes(const MovingSource<D>& source, const Frame<D>& frame, const 
 }
 
 template <int D>
-void Stripes<D>::read(const MovingSource<D>& source, const Frame<D>& frame, std::size_t begin,
+void Stripes<D>::read(const MovingSource<D>& source, const FloatFrame<D>& frame, std::size_t begin,
                       std::size_t end, GridSpace::Part& memory, Part& part, Interrupt& interrupt) {
   part.counts = memory.counts.room(partition_.stripes());
   std::fill_n(part.counts, partition_.stripes(), 0);

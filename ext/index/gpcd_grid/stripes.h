@@ -86,7 +86,7 @@ class Stripes {
   /// Enters all objects of the source and writes all rows. Each box is entered into every stripe that it
   /// meets, or listed as a giant; empty boxes are not entered. Requires: source.count() < 2^32; rows and
   /// memory outlive the stripes. Throws Error if there are more than 2^32 entries.
-  Stripes(const MovingSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
+  Stripes(const MovingSource<D>& source, const FloatFrame<D>& frame, const Partition<D>& partition,
           FloatRows<D>& rows, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt);
 
   const FloatRows<D>& rows() const { return rows_; }
@@ -108,7 +108,7 @@ class Stripes {
   };
 
   /// Writes the rows [begin, end) and collects their entries, in the order of the rows.
-  void read(const MovingSource<D>& source, const Frame<D>& frame, std::size_t begin, std::size_t end,
+  void read(const MovingSource<D>& source, const FloatFrame<D>& frame, std::size_t begin, std::size_t end,
             GridSpace::Part& memory, Part& part, Interrupt& interrupt);
   /// Appends the entries of these lanes to the part: one entry per stripe of a box, or a giant.
   void enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count, GridSpace::Part& memory,

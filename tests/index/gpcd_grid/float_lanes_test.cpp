@@ -18,8 +18,8 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using gpcd::Columns;
 using gpcd::FloatBox;
+using gpcd::FloatFrame;
 using gpcd::FloatLanes;
-using gpcd::Frame;
 using gpcd::Partition;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ std::vector<Beam<2>> some_beams(std::size_t count, double size) {
 }
 
 /// Runs with every instruction set.
-FloatLanes<2> lanes_of(const std::vector<Beam<2>>& beams, const Frame<2>& frame, const Columns& columns,
+FloatLanes<2> lanes_of(const std::vector<Beam<2>>& beams, const FloatFrame<2>& frame, const Columns& columns,
                        const Partition<2>& partition) {
   BeamLanes<2> from;
   for (std::size_t l = 0; l < beams.size(); ++l) put(beams[l], from, l);
@@ -59,7 +59,7 @@ FloatLanes<2> lanes_of(const std::vector<Beam<2>>& beams, const Frame<2>& frame,
   return first;
 }
 
-void expect_inside(const Box<2>& box, const FloatBox<2>& rounded, const Frame<2>& frame) {
+void expect_inside(const Box<2>& box, const FloatBox<2>& rounded, const FloatFrame<2>& frame) {
   if (box.is_empty()) {
     EXPECT_TRUE(rounded.is_empty());
     return;
@@ -85,7 +85,8 @@ TEST(FloatLanes, ContainTheBoxesAndMeetTheirStripes) {
   partition.largest_inside[0] = 1e6F, partition.largest_inside[1] = 20;
   for (double size : {3.0, 40.0, 1000.0})
     for (bool moves : {false, true})
-      for (const Frame<2>& frame : {Frame<2>{{1, 1}, {0, 0}}, Frame<2>{{0x1p-7, 0x1p20}, {12.3, -4e15}}}) {
+      for (const FloatFrame<2>& frame :
+           {FloatFrame<2>{{1, 1}, {0, 0}}, FloatFrame<2>{{0x1p-7, 0x1p20}, {12.3, -4e15}}}) {
         const std::vector<Beam<2>> beams = some_beams(BeamLanes<2>::width, size);
         const FloatLanes<2> lanes = lanes_of(beams, frame, {moves, false}, partition);
         for (std::size_t l = 0; l < beams.size(); ++l) {
