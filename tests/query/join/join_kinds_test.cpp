@@ -23,7 +23,7 @@ using testing::rows_of;
 using testing::scene_of;
 using testing::SceneKind;
 
-NeverInterrupt never;
+NeverInterrupt no_interrupt;
 constexpr Layout kinds_of_discs{
     .axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_category = true, .has_mask = true};
 
@@ -87,8 +87,8 @@ TEST(JoinKinds, InertObjectsAreLeftOutBeforeTheIndex) {
 TEST(JoinKinds, AnActiveSceneIsKeptAndKeepsItsTree) {
   const RandomScene scene = half_inert(300);
   MemoryPages pages(scene.layout);
-  make_tpr_tree(pages, 3)->bulk_load(scene.ids, scene.rows, never);
-  TreeScene tree = read_tree(pages, never);
+  make_tpr_tree(pages, 3)->bulk_load(scene.ids, scene.rows, no_interrupt);
+  TreeScene tree = read_tree(pages, no_interrupt);
   auto with_levels = std::make_shared<Scene>();
   with_levels->name = "ships", with_levels->layout = scene.layout;
   with_levels->ids = tree.ids, with_levels->rows = tree.rows, with_levels->levels = tree.levels;
@@ -108,14 +108,14 @@ TEST(JoinKinds, AnActiveSceneIsKeptAndKeepsItsTree) {
 TEST(JoinKinds, ExplainCountsThePairsThatMayMeetFirst) {
   const RandomScene scene = half_inert(1000);
   JoinQuestion question = question_about(scene);
-  const std::vector<ExplainRow> rows = explain_join(question, never);
+  const std::vector<ExplainRow> rows = explain_join(question, no_interrupt);
   EXPECT_STREQ(rows.at(0).stage, "kinds");
   EXPECT_EQ(rows[0].before, 1000u * 999 / 2);
   EXPECT_EQ(rows[0].after, 500u * 499 / 2);
   EXPECT_EQ(rows[1].before, rows[0].after);
   EXPECT_EQ(rows.back().after, rows_of(question).size());
   question.b = scene_of(random_scene({.layout = testing::discs, .count = 10, .seed = 3}), "plain");
-  const std::vector<ExplainRow> none = explain_join(question, never);
+  const std::vector<ExplainRow> none = explain_join(question, no_interrupt);
   EXPECT_EQ(none.at(0).before, 10000u);
   for (std::size_t i = 1; i < none.size(); ++i) EXPECT_EQ(none[i].before, 0u);
 }
