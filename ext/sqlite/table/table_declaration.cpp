@@ -1,5 +1,6 @@
 #include "sqlite/table/table_declaration.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -168,7 +169,10 @@ Declaration parse_declaration(std::string_view table, const std::vector<std::str
 std::span<const std::string_view> hidden_columns(const Declaration& declaration) {
   static constexpr std::array<std::string_view, 4> names{"x", "y", "vx", "vy"};
   if (!declaration.frame.in_degrees() || declaration.has_zones()) return {};
-  return std::span(names).first(declaration.layout.law == Law::rest ? 2 : 4);
+  const auto& columns = declaration.columns;
+  const bool moves = std::any_of(columns.begin(), columns.end(),
+                                 [](const MotionColumn& column) { return column.geo == GeoColumn::speed; });
+  return std::span(names).first(moves ? 4 : 2);
 }
 
 void require_table_name(const Declaration& declaration, std::string_view table) {
