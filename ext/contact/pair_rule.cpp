@@ -185,6 +185,11 @@ void require_distance_from_zone(const Layout& objects, bool zone_has_z) {
     throw Error(
         "no distance is defined between balls and a zone with z0 or z1: leave these out, or declare hz "
         "in the table to make its balls cylinders");
+  if (objects.shape == Shape::box && grows(objects))
+    throw Error(
+        "no distance is defined between a zone and boxes that grow: bound the window by x0, x1, y0 and y1, "
+        "or "
+        "declare r and growth in the table in place of hx and hy");
 }
 
 }  // namespace foresee
