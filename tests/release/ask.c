@@ -22,7 +22,8 @@ static char* contents(const char* path) {
   char* text = NULL;
   long size;
   if (file == NULL) return NULL;
-  if (fseek(file, 0, SEEK_END) == 0 && (size = ftell(file)) >= 0 && (text = malloc((size_t)size + 1)) != NULL) {
+  if (fseek(file, 0, SEEK_END) == 0 && (size = ftell(file)) >= 0 &&
+      (text = malloc((size_t)size + 1)) != NULL) {
     rewind(file);
     text[fread(text, 1, (size_t)size, file)] = 0;
   }
@@ -56,7 +57,8 @@ static void run(sqlite3* db, const char* script) {
       for (int i = 0; i < sqlite3_column_count(statement); ++i) print_column(statement, i);
       putchar('\n');
     }
-    if (statement != NULL && sqlite3_finalize(statement) != SQLITE_OK) printf("error: %s\n", sqlite3_errmsg(db));
+    if (statement != NULL && sqlite3_finalize(statement) != SQLITE_OK)
+      printf("error: %s\n", sqlite3_errmsg(db));
   }
 }
 
