@@ -7,7 +7,7 @@
 #   bash ext/hosts/pack.sh page     # SQLite and foresee in one HTML file for browsers (installs emscripten, 800 MB)
 #   bash ext/hosts/pack.sh docs     # the pages as a site
 #   bash ext/hosts/pack.sh all      # each of them
-#   bash ext/hosts/pack.sh release [TARGET...]   # archives and packages for every target, each asked there: release/pack_release.sh
+#   bash ext/hosts/pack.sh release [TARGET...]   # archives and packages for every target, each tested there: release/pack_release.sh
 #   bash ext/hosts/pack.sh wheel TARGET MODULE   # Python's for a target of ext/hosts/release/targets, around a finished module
 #   bash ext/hosts/pack.sh npm TARGET MODULE     # Node's: the package of that target, and foresee, which is the same for all
 #

@@ -1,7 +1,7 @@
 """A packed release: its files and sums, its modules against the table of targets, and answers by tools of their targets.
 
 Debian 11's sqlite3 and Python load the archive and the wheel in a root of their own, arm64's by qemu. The others are queried
-by tests/release/ask.c. Files are written by each target, changed by another and checked by all.
+by tests/release/run_script.c. Files are written by each target, changed by another and checked by all.
 """
 import hashlib
 import itertools
@@ -172,10 +172,10 @@ class Answers(Release):
         script = self.write("question.sql", QUESTION)
         expected = ["|".join(value if isinstance(value, str) else struct.pack(">d", value).hex() for value in row) for row in ROWS]
         for target in self.runnable():
-            self.assertEqual(target.ask(self.folder / f"{target.folder.name}.db", script), expected, target.name)
+            self.assertEqual(target.run_script(self.folder / f"{target.folder.name}.db", script), expected, target.name)
 
     def test_degrees_agree_within_a_hundred_millionth(self):
-        answers = [(target, target.ask(self.folder / f"{target.folder.name}.db", SCRIPTS / "degrees.sql")) for target in self.runnable()]
+        answers = [(target, target.run_script(self.folder / f"{target.folder.name}.db", SCRIPTS / "degrees.sql")) for target in self.runnable()]
         for target, rows in answers[1:]:
             self.assertEqual(len(rows), len(answers[0][1]), target.name)
             for one, other in zip(answers[0][1], rows):
@@ -190,13 +190,13 @@ class Answers(Release):
         """Each target writes a file, each other changes a copy, and both and the native build check it: one answer."""
         targets, answers = self.runnable(), {}
         for writer in targets:
-            writer.ask(self.folder / f"{writer.folder.name}.db", SCRIPTS / "rows.sql")
+            writer.run_script(self.folder / f"{writer.folder.name}.db", SCRIPTS / "rows.sql")
         for writer, changer in itertools.permutations(targets, 2):
             file = self.folder / "moved.db"
             file.write_bytes((self.folder / f"{writer.folder.name}.db").read_bytes())
-            changer.ask(file, SCRIPTS / "change.sql")
+            changer.run_script(file, SCRIPTS / "change.sql")
             for reader in (writer, targets[0]):
-                answers[writer.folder.name, changer.folder.name, reader.folder.name] = reader.ask(file, SCRIPTS / "check.sql")
+                answers[writer.folder.name, changer.folder.name, reader.folder.name] = reader.run_script(file, SCRIPTS / "check.sql")
         first, *others = answers.items()
         self.assertEqual(first[1][-1], "ok")
         self.assertEqual([line for line in first[1] if line.startswith("error")], [])
@@ -205,7 +205,7 @@ class Answers(Release):
 
     def test_a_program_that_fails_is_no_answer(self):
         with self.assertRaises(Failed):
-            Native(module=ROOT / "build/nothing.so").ask(self.folder / "a.db", SCRIPTS / "check.sql")
+            Native(module=ROOT / "build/nothing.so").run_script(self.folder / "a.db", SCRIPTS / "check.sql")
 
 
 class Table(Host):

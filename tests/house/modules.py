@@ -32,7 +32,7 @@ INSIDE = {
     "sqlite": ["watch", "functions", "names", "table"],
 }
 # Folders of tests/ that are of no one module, and files that tests read.
-TESTS_OF_NO_MODULE = {"house", "fuzz", "portability", "storage/files", "sqlite/faults", "sqlite/lives"}
+TESTS_OF_NO_MODULE = {"house", "fuzz", "portability", "release", "storage/files", "sqlite/faults", "sqlite/lives"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds one target and asks it what the native build answers: `bash tests/run.sh target` runs this.
+# Builds one target and compares its rows with those of the native build: `bash tests/run.sh target` runs this.
 #
 #   bash tests/release/one_target.sh linux-arm64-gnu
 #

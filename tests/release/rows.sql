@@ -1,4 +1,4 @@
--- What every target answers bit for bit as the native build does (tests/release/smoke.sh). Numbers come by integer
+-- What every target answers bit for bit as the native build does (tests/release/targets.py). Numbers come by integer
 -- arithmetic, since SQLite's own reading of decimals is not what is tested; every question says its order.
 
 CREATE TABLE u(i INTEGER PRIMARY KEY, a REAL, b REAL, c REAL, d REAL, e REAL, f REAL, g REAL, h REAL);

@@ -1,7 +1,7 @@
 """The targets of a release as tests see them: their line of ext/hosts/release/targets, and how a program runs there.
 
     target = Target("linux-arm64-gnu")
-    rows = target.ask(module, database, script)        # the lines of tests/release/ask.c, run by qemu
+    rows = target.run_script(module, database, script)        # the lines of tests/release/run_script.c, run by qemu
 
 What a target needs is in build/roots (ext/hosts/release/fetch_roots.sh). A program that ends by a signal or with
 another status than 0 is an error, whatever it has printed before.
@@ -89,15 +89,15 @@ class Target:
         return ["gcc", f"--sysroot={root}", f"-B{libraries}", f"-L{libraries}", f"-L{root}/lib/x86_64-linux-gnu", "-isystem", "/usr/include",
                 "-isystem", "/usr/include/x86_64-linux-gnu"]
 
-    def asker(self):
-        """tests/release/ask.c for the target, compiled once."""
+    def program(self):
+        """tests/release/run_script.c for the target, compiled once."""
         windows = self.line["npm_os"] == "win32"
-        program = self.folder / ("ask.exe" if windows else "ask")
-        sources = [SCRIPTS / "ask.c", SQLITE / "sqlite3.c"]
+        program = self.folder / ("run_script.exe" if windows else "run_script")
+        sources = [SCRIPTS / "run_script.c", SQLITE / "sqlite3.c"]
         if program.exists() and all(program.stat().st_mtime > source.stat().st_mtime for source in sources):
             return program
         self.folder.mkdir(parents=True, exist_ok=True)
-        # The object of SQLite is kept: it is the same whatever ask.c becomes.
+        # The object of SQLite is kept: it is the same whatever run_script.c becomes.
         sqlite = self.folder / "sqlite3.o"
         if not sqlite.exists() or sqlite.stat().st_mtime < sources[1].stat().st_mtime:
             run(*self.compiler(), *SQLITE_FLAGS, "-c", sources[1], "-o", sqlite)
@@ -105,10 +105,10 @@ class Target:
         run(*self.compiler(), *SQLITE_FLAGS, "-I", SQLITE, sources[0], sqlite, "-o", program, *libraries)
         return program
 
-    def ask(self, database, script, module=None):
-        """The lines that the script's rows are, asked on the target; paths are taken without ending."""
+    def run_script(self, database, script, module=None):
+        """The lines that the script's rows are, runner on the target; paths are taken without ending."""
         module = Path(module or self.module)
-        words = [*self.runner(), self.asker(), module.with_suffix(""), database, script]
+        words = [*self.runner(), self.program(), module.with_suffix(""), database, script]
         return run(*words, env=self.environment(), cwd=Path(database).parent).replace("\r", "").splitlines()
 
 
@@ -146,13 +146,13 @@ def smoke(target, native, folder):
             raise Failed(f"{target.name}: {what} differs from the native build: {said}")
         compared += len(found)
 
-    files = {asked: folder / f"{asked.folder.name}.db" for asked in (native, target)}
-    compare("rows.sql", *(asked.ask(files[asked], SCRIPTS / "rows.sql") for asked in (native, target)))
+    files = {runner: folder / f"{runner.folder.name}.db" for runner in (native, target)}
+    compare("rows.sql", *(runner.run_script(files[runner], SCRIPTS / "rows.sql") for runner in (native, target)))
     # Each changes the file of the other, then both read both.
     answers = []
     for written, changes in ((native, target), (target, native)):
-        changes.ask(files[written], SCRIPTS / "change.sql")
-        answers += [reads.ask(files[written], SCRIPTS / "check.sql") for reads in (native, target)]
+        changes.run_script(files[written], SCRIPTS / "change.sql")
+        answers += [reads.run_script(files[written], SCRIPTS / "check.sql") for reads in (native, target)]
     if any("ok" != answer[-1] or any(line.startswith("error") for line in answer) for answer in answers):
         raise Failed(f"{target.name}: a file is not whole: {[line for answer in answers for line in answer if 'error' in line][:3]}")
     for answer in answers[1:]:

@@ -7,7 +7,7 @@
 #   arm64        Debian 12 for arm64: libc, sqlite3 and python3, for qemu
 #   musl-*       musl's loader
 #   zig          a compiler for other machines, by npm, as zig/package-lock.json has it
-#   sqlite       the newest SQLite's amalgamation, for the program that asks
+#   sqlite       the newest SQLite's amalgamation, for the program that runs a script
 #   include      links to the headers that a build for another machine may see
 #
 # Debian's packages come by apt with folders of its own, so the machine's lists and architectures stay as they are. The

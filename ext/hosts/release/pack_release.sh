@@ -3,11 +3,11 @@
 #
 #   foresee-V-TARGET.tar.gz or .zip     one folder of that name: the module, README, LICENSE, THIRD_PARTY
 #   foresee-V-py3-none-*.whl, foresee-V.tgz, foresee-TARGET-V.tgz, *.deb, foresee-V-source.tar.gz
-#   TESTED                              each artefact of a target: its sum, where it was asked, how many rows agreed
+#   TESTED                              each artefact of a target: its sum, where it was tested, how many rows agreed
 #   SHA256SUMS, sqlpkg.json             the latter if FORESEE_RELEASE_URL says where the files will be
 #
 # A module that has not answered tests/release/rows.sql on its target as the native build does is not packed. macOS' modules
-# cannot be asked here: FORESEE_UNTESTED=1 packs them with a file UNTESTED. The page for browsers is packed if emscripten is
+# cannot be tested here: FORESEE_UNTESTED=1 packs them with a file UNTESTED. The page for browsers is packed if emscripten is
 # there, unless FORESEE_PAGE is 0. With TARGETs their artefacts alone are packed. The same commit packed twice gives the same
 # sums.
 set -euo pipefail
@@ -33,7 +33,7 @@ column() {
 }
 runner=5 wheel=6 module_name=10
 
-# tested_as TARGET: asks the module on its target and prints "qemu, 39615 rows"; "built only" where nothing runs it.
+# tested_as TARGET: runs the module on its target and prints "qemu, 39615 rows"; "built only" where nothing runs it.
 tested_as() {
   local said
   /usr/bin/python3 -B tests/release/module_format.py "$1" >&2 || return 1

@@ -68,7 +68,7 @@ TEST_F(NearestInSql, IsUnchangedUnderALoopThatWrites) {
 
 TEST_F(NearestInSql, SaysWhatToWrite) {
   const std::string usage =
-      "write predictive_nearest(h, tbl, k, x, y, z, now, qvx, qvy, qvz, method, schema, mask)";
+      "write predictive_nearest(h, tbl, k, x, y, z, now, qvx, qvy, qvz, method, schema, lat, lon, mask)";
   const std::string name = "predictive_nearest";
   EXPECT_EQ(error(name), "predictive_nearest: h is missing or NULL: " + usage);
   EXPECT_EQ(error(name + "(1)"), "predictive_nearest: k is missing or NULL: " + usage);

@@ -7,7 +7,7 @@ namespace {
 struct TrackTest : Harbour {};
 
 TEST_F(TrackTest, GivesTheRowsOfPositionForEachTime) {
-  EXPECT_EQ(db.rows("SELECT * FROM predictive_track(0, 5, 2) WHERE id < 3"),
+  EXPECT_EQ(db.rows("SELECT id, t, x, y, z FROM predictive_track(0, 5, 2) WHERE id < 3"),
             "1|0.0|0.0|0.0|NULL\n2|0.0|10.0|0.0|NULL\n1|2.0|2.0|0.0|NULL\n2|2.0|8.0|0.0|NULL\n"
             "1|4.0|4.0|0.0|NULL\n2|4.0|6.0|0.0|NULL\n1|5.0|5.0|0.0|NULL\n2|5.0|5.0|0.0|NULL");
   db.exec("CREATE TABLE moments(s); INSERT INTO moments VALUES (0.0), (0.375), (0.75), (1.0)");

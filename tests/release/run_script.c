@@ -1,8 +1,8 @@
 /* Loads foresee into an SQLite of its own, runs a script and prints every row: doubles as 16 hexadecimal digits.
 
-     ask MODULE DATABASE SCRIPT
+     run_script MODULE DATABASE SCRIPT
 
-   MODULE is a path without ending. One program for every target of a release: tests/release/smoke.sh compiles it with
+   MODULE is a path without ending. One program for every target of a release: tests/release/targets.py compiles it with
    the newest SQLite and runs it natively, in an emulator or by Wine. An error of a statement is a line of the output;
    the status is 0 if the module was loaded, the script ran to its end, and the process ended without a fault. */
 #include <stdint.h>
@@ -66,7 +66,7 @@ int main(int count, char** arguments) {
   sqlite3* db = NULL;
   char *message = NULL, *script;
   if (count != 4 || (script = contents(arguments[3])) == NULL) {
-    fprintf(stderr, "usage: ask MODULE DATABASE SCRIPT\n");
+    fprintf(stderr, "usage: run_script MODULE DATABASE SCRIPT\n");
     return 2;
   }
 #ifdef _WIN32
