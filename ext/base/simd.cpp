@@ -2,14 +2,22 @@
 
 #include <vector>
 
-#if defined(__x86_64__)
-#include <cpuid.h>
-#endif
-
 namespace foresee {
 namespace {
 
 #if defined(__x86_64__)
+struct Cpuid {
+  unsigned a, b, c, d;
+};
+
+/// The registers that CPUID returns for `leaf`, subleaf 0. Not __get_cpuid_count of <cpuid.h>: Clang may put
+/// its result in the register that holds the subleaf. In a frame of its own, so that rbx is free.
+[[gnu::noinline]] Cpuid cpuid(unsigned leaf) {
+  Cpuid found;
+  asm volatile("cpuid" : "=a"(found.a), "=b"(found.b), "=c"(found.c), "=d"(found.d) : "a"(leaf), "c"(0));
+  return found;
+}
+
 /// Is each bit of `mask` set in XCR0: does the operating system save these registers?
 bool are_saved(unsigned mask) {
   unsigned low, high;
@@ -24,11 +32,10 @@ std::vector<Simd> detect() {
 #if defined(__x86_64__)
   constexpr unsigned osxsave = 1 << 27, avx2 = 1 << 5, avx512f = 1 << 16;
   constexpr unsigned ymm_saved = 0x6, zmm_saved = 0xe6;
-  unsigned a, b, c, d;
-  if (!__get_cpuid(1, &a, &b, &c, &d) || !(c & osxsave) || !are_saved(ymm_saved)) return found;
-  if (!__get_cpuid_count(7, 0, &a, &b, &c, &d)) return found;
-  if (b & avx2) found.push_back(Simd::avx2);
-  if (b & avx512f && are_saved(zmm_saved)) found.push_back(Simd::avx512);
+  if (cpuid(0).a < 7 || !(cpuid(1).c & osxsave) || !are_saved(ymm_saved)) return found;
+  const unsigned features = cpuid(7).b;
+  if (features & avx2) found.push_back(Simd::avx2);
+  if (features & avx512f && are_saved(zmm_saved)) found.push_back(Simd::avx512);
 #endif
   return found;
 }

@@ -83,7 +83,7 @@ TEST_P(WatchLives, EqualTheJoinAndTheFoldedChanges) {
 
 /// About every other commit has a file fault or an interrupt.
 TEST_P(WatchLives, GoOnAfterCommitsThatFail) {
-  constexpr int fewer = sanitized ? 10 : 50;
+  constexpr int fewer = sanitized ? 20 : 50;
   int failures = 0;
   for (unsigned seed = 1; seed <= seeds && !HasFatalFailure(); ++seed) {
     const TemporaryFile file;
