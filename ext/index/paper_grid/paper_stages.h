@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -34,7 +35,7 @@ enum class PaperStage : std::uint8_t {
 inline constexpr std::size_t paper_stage_count = 4;
 
 struct StageCount {
-  std::size_t before = 0, after = 0;
+  std::uint64_t before = 0, after = 0;
   double seconds = 0;
 };
 
