@@ -17,7 +17,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
