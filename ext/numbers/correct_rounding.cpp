@@ -10,7 +10,7 @@ namespace {
 /// Beyond so many bits, only a value exactly halfway between two doubles is still in doubt.
 constexpr int longest = 4 * first_length;
 
-Midrad number(double value, int bits) {
+Midrad midrad_of(double value, int bits) {
   return {Dyadic(value), bits};
 }
 
@@ -75,7 +75,7 @@ Turned turned_clockwise(double x, double y, double degrees) {
     if (const auto known = rounded_if_known(rough)) return *known;
     return rounded_in_the_end([&](int bits) {
       const SineCosine<Midrad> at = sine_cosine(angle.rest, bits);
-      return number(along, bits) * at.cosine + number(across, bits) * at.sine;
+      return midrad_of(along, bits) * at.cosine + midrad_of(across, bits) * at.sine;
     });
   };
   return {component(x, y), component(y, -x)};
