@@ -259,7 +259,7 @@ class Tiles(Fleet):
 
     def test_columns_of_motion_are_those_of_the_extension(self):
         words = re.findall(r'Word\{"(\w+)"', (ROOT / "ext/sqlite/table/column_vocabulary.cpp").read_text())
-        self.assertEqual(set(MOTION), {"id", *words})
+        self.assertEqual(set(MOTION), {"id", *words} - {"zone"})      # a table of zones needs an origin, which no CSV file has
 
     def test_parquet(self):
         try:

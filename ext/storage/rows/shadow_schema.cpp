@@ -84,6 +84,8 @@ std::string describe_columns(const Declaration& declaration) {
   if (is_stored_apart(layout.shape)) text += declaration.has_zones() ? ", zone" : ", shape";
   if (layout.has_heading) text += ", heading";
   if (layout.has_until) text += ", until";
+  if (layout.has_category) text += ", category";
+  if (layout.has_mask) text += ", mask";
   for (const AuxiliaryColumn& column : declaration.auxiliaries) text += ", +" + column.name;
   return text;
 }

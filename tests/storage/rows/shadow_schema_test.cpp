@@ -22,6 +22,10 @@ TEST(ShadowSchema, DescribesTheColumnsOfEveryLayout) {
   EXPECT_EQ(describe_columns({.layout = outlined}), "id, x, y, r, shape, until");
   const Layout meshes{.axes = 3, .shape = Shape::mesh, .has_radius = true, .has_heading = true};
   EXPECT_EQ(describe_columns({.layout = meshes}), "id, x, y, z, r, shape, heading");
+  const Layout kinds{.axes = 1, .has_until = true, .has_category = true, .has_mask = true};
+  EXPECT_EQ(describe_columns({.layout = kinds}), "id, x, until, category, mask");
+  const Layout masked{.axes = 1, .has_mask = true};
+  EXPECT_EQ(describe_columns({.layout = masked}), "id, x, mask");
 }
 
 TEST(ShadowSchema, KnowsItsSuffixes) {
