@@ -103,6 +103,21 @@ TEST_F(TableValues, AValueThatIsNoNumberIsRefused) {
             "ships.x of row 7 is '" + std::string(39, 'a') + "...': not a number; write a finite number");
 }
 
+/// Python, for one, raises UnicodeDecodeError in place of a message with other bytes.
+TEST_F(TableValues, AMessageIsUtf8WhateverItQuotes) {
+  const auto message_of = [&](const std::string& bytes) {
+    return db.error_of("INSERT INTO ships(id, t, x, y) VALUES(1, 0, CAST(x'" + bytes + "' AS TEXT), 0)");
+  };
+  const auto quoted = [](const std::string& text) {
+    return "ships.x of row 1 is '" + text + "': not a number; write a finite number";
+  };
+  EXPECT_EQ(message_of("c3a4e282acf09f9880efbfbf"), quoted("\u00e4\u20ac\U0001F600\uffff"));
+  EXPECT_EQ(message_of("ff41c3"), quoted("?A?"));
+  EXPECT_EQ(message_of("c080e08080f0808080"), quoted("?????????")) << "longer than needed";
+  EXPECT_EQ(message_of("eda080f4908080f5"), quoted("????????")) << "surrogates, beyond U+10FFFF";
+  EXPECT_EQ(message_of("e282f09f98c3c3a4"), quoted("??????\u00e4")) << "cut off";
+}
+
 TEST_F(TableValues, ADateIsNoTime) {
   EXPECT_EQ(ship("t", "'2026-11-21 12:00:00'"),
             "ships.t of row 7 is '2026-11-21 12:00:00': a date, where seconds are stored; write "
