@@ -92,7 +92,8 @@ std::optional<LatLon> parse_origin(std::string_view text) {
 }
 
 LatLon origin_near(const LatLon& place) {
-  return {std::round(place.lat * 10) / 10 + 0.0, std::round(place.lon * 10) / 10 + 0.0};
+  const double lon = std::round(place.lon * 10) / 10 + 0.0;
+  return {std::round(place.lat * 10) / 10 + 0.0, lon == -180 ? 180 : lon};
 }
 
 std::string frame_conflict(const std::string& table, const Frame& frame, const std::string& other,

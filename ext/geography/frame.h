@@ -70,7 +70,7 @@ Fix rounded(const Fix& fix);
 std::string origin_text(const LatLon& origin);
 /// Nothing unless the text is a latitude within 90 and a longitude within 180 degrees, with a space between.
 std::optional<LatLon> parse_origin(std::string_view text);
-/// The origin of a table whose first position this is: rounded to a tenth of a degree.
+/// The origin of a table whose first position this is: rounded to a tenth of a degree, the date line as 180.
 LatLon origin_near(const LatLon& place);
 
 /// The greatest distance of a position from the origin of its table.

@@ -115,7 +115,9 @@ TEST(Frames, ReadOriginsFromText) {
   }
   EXPECT_EQ(origin_text(origin_near({53.949, -7.951})), "53.9 -8");
   EXPECT_EQ(origin_text(origin_near({-0.04, 0.04})), "0 0");
-  EXPECT_EQ(origin_text(origin_near({90, -180})), "90 -180");
+  EXPECT_EQ(origin_text(origin_near({90, -180})), "90 180");
+  EXPECT_EQ(origin_text(origin_near({-17, -179.97})), "-17 180");
+  EXPECT_EQ(origin_text(origin_near({-17, -179.94})), "-17 -179.9");
 }
 
 TEST(Frames, ConflictUnlessTheirMetresAreTheSame) {

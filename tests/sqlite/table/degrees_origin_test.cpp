@@ -38,6 +38,18 @@ TEST_F(DegreesOrigin, IsTheFirstPositionRoundedToATenthOfADegree) {
             "degrees|53.5 10|mps|0");
 }
 
+/// The planes of two tables whose first ships lie on the two sides of the date line have one name.
+TEST_F(DegreesOrigin, OnTheDateLineIs180) {
+  for (const char* lon : {"179.97", "-179.97", "180", "-180"}) {
+    db.exec(std::string(
+                "CREATE VIRTUAL TABLE fiji USING moving_objects(id, lat, lon); INSERT INTO fiji VALUES (1, "
+                "-17.02, ") +
+            lon + ")");
+    EXPECT_EQ(db.rows("SELECT origin FROM foresee_tables WHERE name = 'fiji'"), "-17 180") << lon;
+    db.exec("DROP TABLE fiji");
+  }
+}
+
 TEST_F(DegreesOrigin, IsNotChosenByAStatementThatFails) {
   EXPECT_NE(db.error_of("INSERT INTO ships VALUES (1, 53.54, 9.96, 5, 400, 'a')"), "");
   EXPECT_NE(db.error_of("INSERT INTO ships VALUES (1, 53.54, 9.96, 5, 40, 'a'), (2, 95, 9, 5, 40, 'a')"), "");
