@@ -13,6 +13,8 @@ namespace foresee {
 namespace {
 
 constexpr double half_a_knot = to_mps(0.5, SpeedUnit::knots);
+/// In metres per second. A speed near the limit of doubles could be stored, and not be read.
+constexpr double max_speed = 1e300;
 
 /// Whether the value is the number that the column shows, or NULL where it shows none.
 bool is_shown(sqlite3_value* value, const std::optional<double>& number) {
@@ -48,8 +50,12 @@ std::optional<double> Values::speed_or_course(const Column& column, std::int64_t
   const double number = stored(column, id, value);
   if (column.geo == GeoColumn::speed) {
     if (unit_ == SpeedUnit::knots && number == 102.3) return std::nullopt;
-    if (number >= 0) return number;
-    refuse(column.name, id, shown(value), "a speed is never negative; write 0 or more, and the course");
+    if (number < 0)
+      refuse(column.name, id, shown(value), "a speed is never negative; write 0 or more, and the course");
+    if (to_mps(number, unit_) <= max_speed) return number;
+    refuse(column.name, id, shown(value),
+           "more than 1e300 metres per second; write the speed in " + std::string(name_of(unit_)) +
+               ", or NULL if it is unknown");
   }
   if (number == 360) return std::nullopt;
   if (0 <= number && number < 360) return number;
@@ -59,13 +65,14 @@ std::optional<double> Values::speed_or_course(const Column& column, std::int64_t
 }
 
 std::optional<Course> Values::course_of_row(std::int64_t id, const std::optional<double>& speed,
-                                            const std::optional<double>& course) const {
+                                            const std::optional<double>& course, sqlite3_value* given) const {
   if (!speed) return std::nullopt;
   if (course) return Course{*speed, *course};
   if (to_mps(*speed, unit_) <= half_a_knot) return std::nullopt;  // it lies still
-  refuse("course", id, "NULL",
-         "a speed of " + foresee::shown(*speed) +
-             " needs a course; write it, or NULL for the speed if it is unknown");
+  const std::string needs =
+      "a speed of " + foresee::shown(*speed) + " needs a course; write it, or NULL for the speed if ";
+  if (is_null_or_empty(given)) refuse("course", id, "NULL", needs + "it is unknown");
+  refuse("course", id, shown(given), "unknown, as in AIS, and " + needs + "unknown; 0 is north");
 }
 
 /// An UPDATE that leaves place or motion as they are, or writes what the columns show, keeps the stored bits. Where it
@@ -100,7 +107,9 @@ void Values::fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
 
   const Frame& frame = store.frame();
   const LatLon place{*number[0], *number[1]}, origin = frame.origin ? *frame.origin : origin_near(place);
-  const OnPlane point = on_plane(id, {place, course_of_row(id, number[2], number[3])}, origin, same_place);
+  Fix fix{place, {}};
+  if (count > 2) fix.course = course_of_row(id, number[2], number[3], motion[degrees_[3]]);
+  const OnPlane point = on_plane(id, fix, origin, same_place);
   double* const x = &record_[static_cast<std::size_t>(at_.x)];
   x[0] = point.x, x[1] = point.y;
   if (count > 2) {

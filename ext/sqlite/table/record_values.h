@@ -92,7 +92,7 @@ class Values {
   double latitude_or_longitude(const Column& column, std::int64_t id, sqlite3_value* value) const;
   std::optional<double> speed_or_course(const Column& column, std::int64_t id, sqlite3_value* value) const;
   std::optional<Course> course_of_row(std::int64_t id, const std::optional<double>& speed,
-                                      const std::optional<double>& course) const;
+                                      const std::optional<double>& course, sqlite3_value* given) const;
   OnPlane on_plane(std::int64_t id, const Fix& fix, const LatLon& origin, bool same_place) const;
   void copy_degrees(const std::vector<double>& before, bool place, bool motion);
 

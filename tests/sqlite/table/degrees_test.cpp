@@ -152,20 +152,44 @@ TEST_F(Degrees, RefuseWhatNoReportSays) {
                                                     "clockwise from north, or NULL if it is unknown");
   EXPECT_EQ(error_of_row("54", "8", "1", "1e999"),
             "ships.course" + row + "inf: not a finite number; write a finite one");
-  for (const char* course : {"NULL", "360"})
+  for (const char* course : {"NULL", "''"})
     EXPECT_EQ(error_of_row("54", "8", "0.6", course),
               "ships.course" + row +
                   "NULL: a speed of 0.6 needs a course; write it, or NULL for the speed if it is unknown");
+  for (const char* course : {"360", "'360'"})
+    EXPECT_EQ(error_of_row("54", "8", "0.6", course),
+              "ships.course" + row +
+                  "360: unknown, as in AIS, and a speed of 0.6 needs a course; write it, or NULL for the "
+                  "speed if unknown; 0 is north");
   EXPECT_EQ(
       error_of_row("40", "8", "1", "1"),
       "ships: row 7 is 1546 km from the origin '53.9 7.9', the limit is 1500; create a table with a nearer "
       "origin, or use geo_to_globe");
   EXPECT_EQ(error_of_row("-53.9", "-172.1", "1", "1").substr(0, 28), "ships: row 7 lat, lon are op");
-  EXPECT_EQ(error_of_row("54", "8", "1.7e308", "90").substr(0, 30), "ships: row 7 speed is inf: on ");
+  EXPECT_EQ(error_of_row("54", "8", "1.7e308", "90"),
+            "ships.speed" + row +
+                "1.7e+308: more than 1e300 metres per second; write the speed in knots, or NULL if it is "
+                "unknown");
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "0");
   EXPECT_EQ(db.code_of("INSERT INTO ships VALUES (7, 0, 91, 8, 1, 1, 1, 'x')"), SQLITE_CONSTRAINT);
   db.exec("INSERT OR IGNORE INTO ships VALUES (7, 0, 91, 8, 1, 1, 1, 'x'), (8, 0, 54, 8, 1, 1, 1, 'x')");
   EXPECT_EQ(db.rows("SELECT id FROM ships"), "8");
+}
+
+/// The plane stretches velocities: nearer to the limit of doubles one could be stored, and make every scan fail.
+TEST_F(Degrees, ReadEverySpeedThatTheyStore) {
+  for (const char* unit : {"mps", "knots", "kmh"}) {
+    db.exec(std::string("CREATE VIRTUAL TABLE fast USING moving_objects(id, lat, lon, speed, course, "
+                        "origin = '54 8', speed_unit = ") +
+            unit + ")");
+    for (const char* speed : {"1e300", "1e301", "9e307", "1.7976931348623157e308", "1e-320", "5e-324"})
+      db.code_of(std::string("INSERT INTO fast VALUES (NULL, 66, 12, ") + speed + ", 45)");
+    EXPECT_EQ(db.rows("SELECT sum(speed < 9e307), max(speed) > 9e299 FROM fast"),
+              db.rows("SELECT count(*), 1 FROM fast"))
+        << unit;
+    EXPECT_NE(db.error_of("INSERT INTO fast VALUES (9, 54, 8, 1.7976931348623157e308, 90)"), "") << unit;
+    db.exec("DROP TABLE fast");
+  }
 }
 
 TEST_F(Degrees, ReachThePolesAndTheDateLine) {
