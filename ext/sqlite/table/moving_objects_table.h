@@ -5,9 +5,11 @@
 // visit new ones.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "sqlite/connection.h"
@@ -71,6 +73,10 @@ struct MovingObjectsTable : sqlite3_vtab {
   std::string name;
   Values values;
   std::int64_t number;  ///< the key of Connection::find
+
+  /// x, y, vx, vy before this statement changed them, of a table in degrees. UPDATE FROM passes every column as it was
+  /// at its start, also to the second update of a row that several rows of FROM match. Emptied when a scan starts.
+  std::unordered_map<std::int64_t, std::array<double, 4>> plane_before;
 
  private:
   Declaration declared_;

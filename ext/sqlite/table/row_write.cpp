@@ -1,5 +1,6 @@
 #include "sqlite/table/row_write.h"
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -41,17 +42,35 @@ bool replaces(MovingObjectsTable& table, std::int64_t id) {
   throw Refusal(SQLITE_CONSTRAINT, "UNIQUE constraint failed: " + table.name + ".id");
 }
 
-/// The columns of the plane follow from lat, lon, speed, course: refuses a value that is not the stored one.
+/// Whether an UPDATE leaves a column of the plane alone: it is the stored number, or was when the statement started.
+bool is_left_alone(MovingObjectsTable& table, std::int64_t id, std::size_t hidden, sqlite3_value* value) {
+  if (sqlite3_value_type(value) != SQLITE_FLOAT) return false;
+  const double number = sqlite3_value_double(value);
+  const auto record = table.store().read(id);
+  if (record && (*record)[table.hidden_place(hidden)] == number) return true;
+  const auto before = table.plane_before.find(id);
+  return before != table.plane_before.end() && before->second[hidden] == number;
+}
+
+/// The columns of the plane follow from lat, lon, speed, course: refuses another value.
 void require_unwritten(MovingObjectsTable& table, const NewRow& row, std::optional<std::int64_t> updated) {
   for (std::size_t i = 0; i < row.hidden.size(); ++i) {
     sqlite3_value* value = row.hidden[i];
     if (sqlite3_value_nochange(value) || (!updated && is_null(value))) continue;
-    if (updated && sqlite3_value_type(value) == SQLITE_FLOAT)
-      if (const auto before = table.store().read(*updated))
-        if ((*before)[table.hidden_place(i)] == sqlite3_value_double(value)) continue;
+    if (updated && is_left_alone(table, *updated, i, value)) continue;
     throw Refusal(SQLITE_CONSTRAINT, table.name + "." + std::string(hidden_columns(table.declaration())[i]) +
                                          " follows from lat, lon, speed, course; write these");
   }
+}
+
+/// Before an UPDATE: keeps the plane of a row for MovingObjectsTable::plane_before.
+void keep_plane(MovingObjectsTable& table, const NewRow& row, std::int64_t id) {
+  if (row.hidden.empty() || sqlite3_value_nochange(row.hidden[0])) return;
+  const auto record = table.store().read(id);
+  if (!record) return;
+  std::array<double, 4> plane{};
+  for (std::size_t i = 0; i < row.hidden.size(); ++i) plane[i] = (*record)[table.hidden_place(i)];
+  table.plane_before.try_emplace(id, plane);
 }
 
 /// The first position of a table may choose an origin that is not that of a table it is watched with.
@@ -97,6 +116,7 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
   require_unwritten(table, row, old_id);
   const std::span<const double> record = table.values.record(*id, row.motion, table.store(), old_id);
   if (*id != old_id) replaces(table, *id);  // throws, or the update replaces it
+  keep_plane(table, row, old_id);
   table.store().update(old_id, *id, record, row.auxiliaries);
 }
 

@@ -28,6 +28,7 @@ void TableCursor::clear() {
 
 void TableCursor::filter(TablePlan plan, sqlite3_value** arguments) {
   clear();
+  if (!table_.plane_before.empty()) table_.plane_before = {};  // gives the memory back
   switch (plan) {
     case TablePlan::scan:
       by_leaf_ = true;

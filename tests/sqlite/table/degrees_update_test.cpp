@@ -110,6 +110,34 @@ TEST_F(DegreesUpdate, ReplacesAndIgnores) {
       "UPSERT not implemented for virtual table \"ships\"");
 }
 
+/// SQLite updates a row once per match and passes all columns as they were before the first of these.
+TEST_F(DegreesUpdate, FromSeveralReportsOfOneShip) {
+  db.exec(
+      "CREATE TABLE reports AS SELECT id, 1 AS i, lat + 0.1 AS lat, lon, 7.0 AS speed, 20.0 AS course FROM "
+      "ships;"
+      "INSERT INTO reports SELECT id, 2, lat + 0.2, lon, 8.0, 30.0 FROM ships;"
+      "INSERT INTO reports SELECT id, 3, lat + 0.3, lon, 9.0, 40.0 FROM ships");
+  const std::string from = " FROM (SELECT * FROM reports ORDER BY i) r WHERE r.id = ships.id";
+  db.exec("UPDATE ships SET lat = r.lat, lon = r.lon, speed = r.speed, course = r.course" + from);
+  EXPECT_EQ(
+      db.rows(
+          "SELECT sum(abs(s.lat - b.lat - 0.3) < 1e-9), sum(s.lon = b.lon), sum(s.speed = 9 AND s.course = "
+          "40) FROM ships s JOIN before b USING(id)"),
+      "500|500|500");
+  db.exec("UPDATE ships SET lat = r.lat - 0.3" + from);
+  EXPECT_EQ(
+      db.rows("SELECT sum(abs(s.lat - b.lat) < 1e-9), sum(abs(s.lon - b.lon) < 1e-9), sum(abs(s.speed - 9) < "
+              "1e-9) FROM ships s JOIN before b USING(id)"),
+      "500|500|500");
+  for (const char* set :
+       {"x = r.i", "lat = r.lat, x = iif(r.i = 1, x, 5)", "lat = r.lat, vy = iif(r.i = 2, NULL, vy)"})
+    EXPECT_EQ(db.error_of(std::string("UPDATE ships SET ") + set + from).substr(6),
+              std::string(set).find("vy") == std::string::npos
+                  ? "x follows from lat, lon, speed, course; write these"
+                  : "vy follows from lat, lon, speed, course; write these");
+  EXPECT_EQ(db.rows("SELECT sum(abs(s.lat - b.lat) < 1e-9) FROM ships s JOIN before b USING(id)"), "500");
+}
+
 /// A scan that writes the rows which it reads: each is read as it was.
 TEST_F(DegreesUpdate, DuringAScan) {
   db.exec("UPDATE ships SET lat = lat + 0.1, course = iif(course IS NULL, NULL, 10)");
