@@ -13,6 +13,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shape/swept_boxes.h"
@@ -34,6 +35,35 @@ class Candidates {
 
   /// Sizes and counts of the index, as text for people; "" if the index has none.
   virtual std::string describe() const { return {}; }
+};
+
+/// The candidates that `keep(pair)` accepts, in their order.
+template <class Keep>
+class FilteredCandidates final : public Candidates {
+ public:
+  FilteredCandidates(std::unique_ptr<Candidates> all, Keep keep)
+      : all_(std::move(all)), keep_(std::move(keep)) {}
+
+  /// Without a branch on `keep`, which would be mispredicted.
+  bool next(std::vector<Pair>& out) override {
+    std::size_t kept = out.size();
+    const std::size_t before = kept;
+    if (!all_->next(out)) return false;
+    for (std::size_t i = before; i < out.size(); ++i) {
+      const Pair pair = out[i];
+      out[kept] = pair;
+      kept += keep_(pair);
+    }
+    out.resize(kept);
+    return true;
+  }
+
+  bool touching() const override { return all_->touching(); }
+  std::string describe() const override { return all_->describe(); }
+
+ private:
+  std::unique_ptr<Candidates> all_;
+  Keep keep_;
 };
 
 /// Candidates divided into partitions, for several threads.

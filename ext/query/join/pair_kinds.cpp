@@ -55,30 +55,15 @@ std::shared_ptr<const Scene> active(const std::shared_ptr<const Scene>& scene, K
   return kinds->active;
 }
 
-class MeetingCandidates final : public Candidates {
+/// Whether the kinds of a pair may meet.
+class MayMeet {
  public:
-  MeetingCandidates(std::unique_ptr<Candidates> all, std::shared_ptr<const PairKinds> kinds)
-      : all_(std::move(all)), kinds_(std::move(kinds)), a_(kinds_->a->of.data()), b_(kinds_->b->of.data()) {}
+  explicit MayMeet(std::shared_ptr<const PairKinds> kinds)
+      : kinds_(std::move(kinds)), a_(kinds_->a->of.data()), b_(kinds_->b->of.data()) {}
 
-  /// Without a branch on the kinds, which would be mispredicted.
-  bool next(std::vector<Pair>& out) override {
-    std::size_t kept = out.size();
-    const std::size_t before = kept;
-    if (!all_->next(out)) return false;
-    for (std::size_t i = before; i < out.size(); ++i) {
-      const Pair pair = out[i];
-      out[kept] = pair;
-      kept += may_meet(a_[pair.a], b_[pair.b]);
-    }
-    out.resize(kept);
-    return true;
-  }
-
-  bool touching() const override { return all_->touching(); }
-  std::string describe() const override { return all_->describe(); }
+  bool operator()(const Pair& pair) const { return may_meet(a_[pair.a], b_[pair.b]); }
 
  private:
-  std::unique_ptr<Candidates> all_;
   std::shared_ptr<const PairKinds> kinds_;
   const Kinds *a_, *b_;
 };
@@ -125,7 +110,7 @@ JoinQuestion with_kinds(JoinQuestion question) {
 
 std::unique_ptr<Candidates> meeting_candidates(std::unique_ptr<Candidates> all,
                                                std::shared_ptr<const PairKinds> kinds) {
-  return std::make_unique<MeetingCandidates>(std::move(all), std::move(kinds));
+  return std::make_unique<FilteredCandidates<MayMeet>>(std::move(all), MayMeet(std::move(kinds)));
 }
 
 std::uint64_t count_meeting(const JoinQuestion& question, Interrupt& interrupt) {
