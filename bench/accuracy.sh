@@ -9,6 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . sql/packages.sh
 
+load=$(cut -d' ' -f1 /proc/loadavg)      # before the build, which raises it
 need_packages "${build_packages[@]}" "gnuplot-nox: command gnuplot"
 
 out=docs/explanation/accuracy
@@ -36,7 +37,7 @@ bench=build/release/bench
   echo "Flags: -O3 -march=x86-64-v2 -ffp-contract=off -fno-math-errno -fno-trapping-math"
   echo "Library: $(cd build/release && sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' CMakeCache.txt), commit $(git rev-parse --short=12 HEAD)"
   echo "Seed: 20260101 for every family"
-  echo "Load when it began: $(cut -d' ' -f1 /proc/loadavg)"
+  echo "Load average when it began: $load$(awk -v load="$load" 'BEGIN { if (load >= 0.3) print " (a busy machine: times are too long)" }')"
 } >$out/machine.txt
 
 $bench/bench_accuracy $out "$@"
