@@ -1,5 +1,5 @@
 // Measurement of processor time and of memory: repeated times with their median and ratio, and the peak
-// memory of a child process.
+// memory and the written bytes of a child process.
 #pragma once
 
 #include <sys/resource.h>
@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <exception>
 #include <vector>
@@ -30,11 +31,24 @@ double seconds_of(Work&& work) {
   return cpu_seconds() - begin;
 }
 
+/// `written_bytes` counts what the process passes to write(), to any file.
 struct Cost {
-  double seconds, peak_bytes;
+  double seconds, peak_bytes, written_bytes;
 };
 
-/// Time and memory of a child process that only does `work`, which returns the seconds that count. Call it
+/// Bytes that this process has passed to write() so far; 0 where /proc does not tell.
+inline double written_bytes() {
+  double bytes = 0;
+  if (std::FILE* io = std::fopen("/proc/self/io", "r")) {
+    char name[32];
+    for (double value; std::fscanf(io, "%31s %lf", name, &value) == 2;)
+      if (std::strcmp(name, "wchar:") == 0) bytes = value;
+    std::fclose(io);
+  }
+  return bytes;
+}
+
+/// Time, memory and written bytes of a child process that only does `work`, which returns the seconds that count. Call it
 /// before this process has used much memory. Throws Error if the child failed.
 template <class Work>
 Cost cost_in_child(Work&& work) {
@@ -44,22 +58,22 @@ Cost cost_in_child(Work&& work) {
   const pid_t child = fork();
   if (child == 0) {
     try {
-      const double seconds = work();
-      _exit(::write(ends[1], &seconds, sizeof seconds) == sizeof seconds ? 0 : 1);
+      const double seconds = work(), told[] = {seconds, written_bytes()};
+      _exit(::write(ends[1], told, sizeof told) == sizeof told ? 0 : 1);
     } catch (const std::exception& error) {
       std::fprintf(stderr, "%s\n", error.what());
       _exit(1);
     }
   }
-  double seconds = 0;
+  double told[2] = {0, 0};
   ::close(ends[1]);
-  const bool done = ::read(ends[0], &seconds, sizeof seconds) == sizeof seconds;
+  const bool done = ::read(ends[0], told, sizeof told) == sizeof told;
   ::close(ends[0]);
   int status = 0;
   rusage usage{};
   wait4(child, &status, 0, &usage);
   if (!done) throw Error("a child process failed");
-  return {seconds, static_cast<double>(usage.ru_maxrss) * 1024};
+  return {told[0], static_cast<double>(usage.ru_maxrss) * 1024, told[1]};
 }
 
 /// The peak memory, in bytes, of such a child.

@@ -20,20 +20,22 @@
 //              (--quick: S-100000 and P-zipf-5000, in memory.)
 //   --commits  S-1000000 in a file, journal and WAL: 100,000 transactions of one report: the median and the
 //              slowest, and how many pages a commit writes. (--quick: 10,000, S-100000.)
-//   --loads    S-500000 into a file, ids ascending or shuffled, in 1, 10 and 20 transactions; then one UPDATE
-//              of all rows, 'optimize' and 'rebuild'. Each in a process of its own, with its peak memory
-//              beyond that of an empty table. us a row are compared with the first load of the first scene:
-//              --loads S-500000 S-10000000 shows how they grow. Then a load in one transaction against the
-//              R*Tree, for scenes up to a million. (--quick: S-100000.)
+//   --loads    S-500000 into a file, with the default journal (--wal: with WAL), ids ascending or shuffled, in
+//              1, 20 and 100 transactions, each beside an ordinary table; of twenty, shuffled, then one UPDATE
+//              of all rows, 'optimize' and 'rebuild'. Each in a process of its own, with the bytes that it
+//              writes and its peak memory beyond that of an empty table. us a row are compared with the first
+//              load of the first scene: --loads S-500000 S-10000000 shows how they grow. Then a load in one
+//              transaction against the R*Tree, for scenes up to a million. (--quick: S-100000.)
 //   --lookups  S-1000000, in memory: x of a fifth of the ids, drawn at random, in that or in rising order: by
 //              a prepared query, from a list table by CROSS JOIN, by IN; and the pairs of a join with
 //              horizon 11 joined to the table by id on one side or both. Against an ordinary table of the
 //              same rows in the same database; the time of list or join alone is subtracted on both sides.
 //              (--quick: S-100000.)
 //   --after    S-100000 and S-1000000, in memory: every object reports ten times, each time in ten
-//              transactions of a random tenth; another table is loaded in twenty transactions. Then joins,
-//              windows of about 10, 100 and 1000, nearest and a = ?, against a fresh table of the same
-//              objects, and the size of both. Scenes of two axes. (--quick: S-100000.)
+//              transactions of a random tenth. Then joins, windows of about 10, 100 and 1000, nearest and
+//              a = ?, against a fresh table of the same objects, and the size of both. Another table is loaded
+//              in twenty transactions, and read after each of them: the median and the slowest of the twenty.
+//              Scenes of two axes. (--quick: S-100000.)
 //   --planner  S-100000, S-1000000 and L-30: tables joined to functions as one writes it, and in the orders
 //              that CROSS JOIN can prescribe: ships s JOIN predictive_join(60, 'ships') j ON j.a = s.id WHERE
 //              s.x < 100; then with the scene's horizon the same, and by a box, by id, both sides, LEFT JOIN,

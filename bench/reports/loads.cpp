@@ -43,15 +43,15 @@ double load(Table& table, const Workload& w, const Order& order, std::size_t tra
 /// nor an empty table count.
 class Loader {
  public:
-  explicit Loader(const Workload& w) : w_(w) {
+  Loader(Table::Kind kind, const Workload& w, Medium medium) : kind_(kind), w_(w), medium_(medium) {
     const TwoFiles files;
-    idle_ = peak_of([&] { Table(Table::foresee, w_, Medium::journal, files.ours); });
+    idle_ = peak_of([&] { Table(kind_, w_, medium_, files.ours); });
   }
 
   /// Leaves the file there.
   Cost load(const Order& order, std::size_t transactions, const std::string& path) const {
     return beyond_idle(cost_in_child([&] {
-      Table table(Table::foresee, w_, Medium::journal, path);
+      Table table(kind_, w_, medium_, path);
       return bench::load(table, w_, order, transactions);
     }));
   }
@@ -65,37 +65,51 @@ class Loader {
   }
 
  private:
-  Cost beyond_idle(const Cost& cost) const { return {cost.seconds, cost.peak_bytes - idle_}; }
+  Cost beyond_idle(const Cost& cost) const {
+    return {cost.seconds, cost.peak_bytes - idle_, cost.written_bytes};
+  }
 
+  Table::Kind kind_;
   const Workload& w_;
+  Medium medium_;
   double idle_;
 };
 
 /// Microseconds per row of the first load in one transaction, with which all others are compared.
 double print(const std::string& what, const Workload& w, const Cost& cost, double bytes, double first) {
   const double n = static_cast<double>(w.count), a_row = cost.seconds / n * 1e6;
-  std::printf("%-44s %7.2f us a row", (what + ", " + w.name).c_str(), a_row);
+  std::printf("%-48s %7.2f us a row", (what + ", " + w.name).c_str(), a_row);
   if (first > 0) std::printf(" %6.2f times the first", a_row / first);
-  std::printf(" %7.1f bytes a row   peak %7.1f MB, of which a row %6.1f B\n", bytes / n,
-              cost.peak_bytes / 1e6, cost.peak_bytes / n);
+  std::printf(" %7.1f bytes a row, %7.1f written   peak %7.1f MB, of which a row %6.1f B\n", bytes / n,
+              cost.written_bytes / n, cost.peak_bytes / 1e6, cost.peak_bytes / n);
   std::fflush(stdout);
   return a_row;
 }
 
+/// Ours beside an ordinary table: with shuffled ids that too keeps an order in which rows do not come.
+void print_ratio(const Cost& ours, const Cost& ordinary) {
+  std::printf("  an ordinary table: %.2fx of our time, ours writes %.2f of its bytes\n",
+              ordinary.seconds / ours.seconds, ours.written_bytes / ordinary.written_bytes);
+  std::fflush(stdout);
+}
+
 /// Loads in one transaction and in many, and the commands that rewrite the whole table.
-double measure(const Workload& w, double first) {
+double measure(const Workload& w, Medium medium, double first) {
   for (const bool shuffles : {false, true}) {
     const Order order = shuffles ? shuffled(w.count) : ascending(w.count);
-    const Loader loader(w);
-    for (const std::size_t transactions : {1, 10, 20}) {
+    const Loader loader(Table::foresee, w, medium), ordinary(Table::ordinary, w, medium);
+    for (const std::size_t transactions : {1, 20, 100}) {
       const TwoFiles files;
       const auto print_file = [&](const std::string& what, const Cost& cost) {
         return print(what, w, cost, static_cast<double>(std::filesystem::file_size(files.ours)), first);
       };
-      const std::string how = "load in " + std::to_string(transactions) + (shuffles ? ", shuffled" : "");
-      const double a_row = print_file(how, loader.load(order, transactions, files.ours));
+      const std::string how = std::string(name_of(medium)) + ", load in " + std::to_string(transactions) +
+                              (shuffles ? ", shuffled" : "");
+      const Cost ours = loader.load(order, transactions, files.ours);
+      const double a_row = print_file(how, ours);
       if (first == 0) first = a_row;
-      if (!shuffles || transactions < 20) continue;
+      print_ratio(ours, ordinary.load(order, transactions, files.theirs));
+      if (!shuffles || transactions != 20) continue;
       print_file("  then UPDATE of all", loader.run("UPDATE ships SET x = x + 1, y = y - 1", files.ours));
       print_file("  then 'optimize'", loader.run("INSERT INTO ships(ships) VALUES('optimize')", files.ours));
       print_file("  then 'rebuild'", loader.run("INSERT INTO ships(ships) VALUES('rebuild')", files.ours));
@@ -128,7 +142,9 @@ void measure_loads(const Options& options) {
   const bool quick = options.has("--quick");
   const std::vector<std::string> names = options.names({quick ? "S-100000" : "S-500000"});
   double first = 0;
-  for (const std::string& name : names) first = measure(make_workload(name), first);
+  for (const std::string& name : names)
+    for (const Medium medium : mediums_of(options, {Medium::journal}))
+      if (medium != Medium::memory) first = measure(make_workload(name), medium, first);
   for (const std::string& name : names)
     for (const Medium medium : mediums_of(options, {Medium::memory, Medium::journal}))
       if (make_workload(name).count <= 1000000)

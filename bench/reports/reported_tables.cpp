@@ -1,5 +1,5 @@
-// Queries of a table all of whose objects have reported, or that was loaded in twenty transactions, beside a
-// table of the same objects that was loaded at once. Both must give the same results.
+// Queries of a table all of whose objects have reported, or of one after each of the twenty transactions that
+// load it, beside a table of the same objects that was loaded at once. Both must give the same results.
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -47,18 +47,18 @@ struct Question {
 };
 
 /// S has an object on every 14 units of area, and during the horizon of 3 they come from about 4.4 units
-/// away.
-double window_side(int objects) {
-  return std::sqrt(14.0 * objects) - 4.4;
+/// away. `stored` of the scene's objects are in the table, and its ids are the first.
+double window_side(const Workload& w, std::size_t stored, int objects) {
+  return std::sqrt(14.0 * objects * static_cast<double>(w.count) / static_cast<double>(stored)) - 4.4;
 }
 
-Question window(const Workload& w, int objects, int questions) {
+Question window(const Workload& w, std::size_t stored, int objects, int questions) {
   return {"windows of about " + std::to_string(objects),
-          [&w, objects, questions](Table& table, Answer& answer) {
+          [&w, stored, objects, questions](Table& table, Answer& answer) {
             Statement find(table.db(), "SELECT id, t FROM predictive_window(3, 'ships', ?1, ?2, ?3, ?4)");
             Places places(w);
             for (int i = 0; i < questions; ++i) {
-              const double x = places.next(0), y = places.next(1), side = window_side(objects);
+              const double x = places.next(0), y = places.next(1), side = window_side(w, stored, objects);
               find.bind(1, x), find.bind(2, x + side), find.bind(3, y), find.bind(4, y + side);
               while (find.step()) answer.add({find.number(0), find.number(1)});
             }
@@ -76,12 +76,12 @@ Question nearest(const Workload& w, int questions) {
           }};
 }
 
-Question partners(const Workload& w, int questions) {
-  return {"join, a = ?", [&w, questions](Table& table, Answer& answer) {
+Question partners(std::size_t stored, int questions) {
+  return {"join, a = ?", [stored, questions](Table& table, Answer& answer) {
             Statement find(table.db(), "SELECT b, t FROM predictive_join(3, 'ships') WHERE a = ?");
             testing::Random random(29);
             for (int i = 0; i < questions; ++i) {
-              find.bind(1, static_cast<std::int64_t>(1 + random.below(w.count)));
+              find.bind(1, static_cast<std::int64_t>(1 + random.below(stored)));
               while (find.step()) answer.add({find.number(0), find.number(1)});
             }
           }};
@@ -95,27 +95,23 @@ Question join(const char* what, const char* method) {
           }};
 }
 
-/// Ratio of fresh to used time of every query, in the same repetition.
-void compare(Table& used, Table& fresh, const Workload& w, int repetitions) {
-  const Question questions[] = {join("join", "auto"), join("join by the tree", "tree"),
-                                window(w, 10, 3000),  window(w, 100, 1000),
-                                window(w, 1000, 200), nearest(w, 1000),
-                                partners(w, 3000)};
-  for (const Question& question : questions) {
-    Comparison times;
-    for (int i = 0; i <= repetitions; ++i) {  // the first is a warm-up
-      Answer of_used, of_fresh;
-      const double seconds = seconds_of([&] { question.run(used, of_used); });
-      const double as_fresh = seconds_of([&] { question.run(fresh, of_fresh); });
-      if (of_used != of_fresh) throw Error(question.what + ": the used table answers otherwise");
-      if (i > 0) times.add(seconds, as_fresh);
-      if (i == repetitions)
-        std::printf("  %-24s used %9.2f   fresh %9.2f ms   %5.2fx (mark: 0.85x), %llu rows\n",
-                    question.what.c_str(), median(times.ours) * 1e3, median(times.rivals) * 1e3,
-                    median(times.ratios), static_cast<unsigned long long>(of_used.rows));
-    }
-    std::fflush(stdout);
+std::vector<Question> all_questions(const Workload& w, std::size_t stored) {
+  return {join("join", "auto"),         join("join by the tree", "tree"), window(w, stored, 10, 3000),
+          window(w, stored, 100, 1000), window(w, stored, 1000, 200),     nearest(w, 1000),
+          partners(stored, 3000)};
+}
+
+/// Fresh against used, each repetition one after the other; the first is a warm-up.
+Comparison compare(const Question& question, Table& used, Table& fresh, int repetitions) {
+  Comparison times;
+  for (int i = 0; i <= repetitions; ++i) {
+    Answer of_used, of_fresh;
+    const double seconds = seconds_of([&] { question.run(used, of_used); });
+    const double as_fresh = seconds_of([&] { question.run(fresh, of_fresh); });
+    if (of_used != of_fresh) throw Error(question.what + ": the used table answers otherwise");
+    if (i > 0) times.add(seconds, as_fresh);
   }
+  return times;
 }
 
 double bytes_of(Table& table) {
@@ -132,17 +128,45 @@ void compare_with_fresh(const std::string& how, Table& used, const Workload& w, 
   if (!same_rows(used, fresh)) throw Error(how + ": other rows than were reported");
   std::printf("%s, %s: %.2f times the bytes of a fresh one (mark: 1.3)\n", w.name.c_str(), how.c_str(),
               bytes_of(used) / bytes_of(fresh));
-  compare(used, fresh, w, repetitions);
+  for (const Question& question : all_questions(w, w.count)) {
+    const Comparison times = compare(question, used, fresh, repetitions);
+    std::printf("  %-24s used %9.2f   fresh %9.2f ms   %5.2fx (mark: 0.85x)\n", question.what.c_str(),
+                median(times.ours) * 1e3, median(times.rivals) * 1e3, median(times.ratios));
+    std::fflush(stdout);
+  }
 }
 
-void transactions_of(Table& table, const Writes& writes, std::size_t transactions,
-                     void (Table::*write)(const Writes&, std::size_t)) {
-  const std::size_t n = writes.size();
+/// write() of all but the first `begin` of the first `end` rows, in one transaction.
+void transaction_of(Table& table, const Writes& writes, std::size_t begin, std::size_t end,
+                    void (Table::*write)(const Writes&, std::size_t)) {
+  table.db().run("BEGIN");
+  for (std::size_t i = begin; i < end; ++i) (table.*write)(writes, i);
+  table.db().run("COMMIT");
+}
+
+/// Every query after each of the transactions that load a table.
+void compare_while_it_grows(const Workload& w, std::size_t transactions, int repetitions) {
+  Table grown(Table::foresee, w, Medium::memory, "");
+  const Writes writes = writes_of(w);
+  std::vector<std::vector<double>> ratios(all_questions(w, w.count).size());
   for (std::size_t k = 0; k < transactions; ++k) {
-    table.db().run("BEGIN");
-    for (std::size_t i = k * n / transactions; i < (k + 1) * n / transactions; ++i) (table.*write)(writes, i);
-    table.db().run("COMMIT");
+    const std::size_t stored = (k + 1) * w.count / transactions;
+    transaction_of(grown, writes, k * w.count / transactions, stored, &Table::insert);
+    Table fresh(Table::foresee, w, Medium::memory, "");
+    transaction_of(fresh, writes, 0, stored, &Table::insert);
+    const std::vector<Question> questions = all_questions(w, stored);
+    for (std::size_t q = 0; q < questions.size(); ++q)
+      ratios[q].push_back(median(compare(questions[q], grown, fresh, repetitions).ratios));
   }
+  std::printf("%s, after each of %zu transactions that load it (marks: median 0.85x, slowest 0.80x)\n",
+              w.name.c_str(), transactions);
+  for (std::size_t q = 0; q < ratios.size(); ++q) {
+    const auto slowest = std::min_element(ratios[q].begin(), ratios[q].end());
+    std::printf("  %-24s median %5.2fx   slowest %5.2fx, after %td\n",
+                all_questions(w, w.count)[q].what.c_str(), median(ratios[q]), *slowest,
+                slowest - ratios[q].begin() + 1);
+  }
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -155,13 +179,15 @@ void measure_after(const Options& options) {
     Feed feed(make_workload(name));
     Table reported(Table::foresee, feed.objects(), Medium::memory, "");
     reported.insert_all(writes_of(feed.objects()));
-    for (int round = 0; round < 10; ++round)
-      transactions_of(reported, writes_of(feed.reports_of_all(), feed.objects()), 10, &Table::update);
+    const std::size_t n = feed.objects().count;
+    for (int round = 0; round < 10; ++round) {
+      const Writes reports = writes_of(feed.reports_of_all(), feed.objects());
+      for (std::size_t k = 0; k < 10; ++k)
+        transaction_of(reported, reports, k * n / 10, (k + 1) * n / 10, &Table::update);
+    }
     compare_with_fresh("every object reported ten times, a random tenth a transaction", reported,
                        feed.objects(), repetitions);
-    Table grown(Table::foresee, feed.objects(), Medium::memory, "");
-    transactions_of(grown, writes_of(feed.objects()), 20, &Table::insert);
-    compare_with_fresh("loaded in twenty transactions", grown, feed.objects(), repetitions);
+    compare_while_it_grows(feed.objects(), 20, quick ? 1 : 3);
   }
 }
 
