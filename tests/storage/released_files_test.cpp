@@ -1,4 +1,4 @@
-// A file of version 0.1 can be read and written at once; created again, its nodes have the same bytes.
+// Files of released versions are read without changing a byte, can be written at once, and stay sound.
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -10,8 +10,6 @@ namespace foresee {
 namespace {
 
 const std::string files = FORESEE_SOURCE_DIR "/tests/storage/files/";
-const std::vector<std::string> tables{"ships", "crates", "drones"};
-
 std::string content(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;
@@ -19,16 +17,20 @@ std::string content(const std::string& path) {
   return text.str();
 }
 
-class VersionZeroOne : public ::testing::Test {
+/// A copy of a released file, opened with foresee.
+class ReleasedFile : public ::testing::Test {
  protected:
-  VersionZeroOne()
-      : path(std::filesystem::path(FORESEE_BINARY_DIR) / "version_0_1_copy.db"), db((copy(), path)) {
+  ReleasedFile(const std::string& name, std::vector<std::string> names_of_tables)
+      : original(files + name),
+        tables(std::move(names_of_tables)),
+        path(std::filesystem::path(FORESEE_BINARY_DIR) / ("copy_of_" + name)),
+        db((copy(), path)) {
     sqlite3_foresee_init(db, nullptr, nullptr);
   }
-  ~VersionZeroOne() override { std::filesystem::remove(path); }
-  void copy() {
+  ~ReleasedFile() override { std::filesystem::remove(path); }
+  void copy() const {
     std::filesystem::remove(path);
-    std::filesystem::copy_file(files + "version_0_1.db", path);
+    std::filesystem::copy_file(original, path);
     using std::filesystem::perms;
     std::filesystem::permissions(path, perms::owner_read | perms::owner_write);
   }
@@ -47,6 +49,20 @@ class VersionZeroOne : public ::testing::Test {
     EXPECT_EQ(sqlite3_finalize(select), SQLITE_OK);
     return text;
   }
+  void expect_sound() {
+    for (const std::string& table : tables)
+      db.run("INSERT INTO " + table + "(" + table + ") VALUES('integrity-check')");
+  }
+
+  std::string original;
+  std::vector<std::string> tables;
+  std::string path;
+  Database db;
+};
+
+class VersionZeroOne : public ReleasedFile {
+ protected:
+  VersionZeroOne() : ReleasedFile("version_0_1.db", {"ships", "crates", "drones"}) {}
   /// The shadow tables without the map, without the stamp, which is random, and without keys that version 0.1
   /// lacks.
   static std::string stored_apart_from_map(Database& db, const std::string& table) {
@@ -58,13 +74,6 @@ class VersionZeroOne : public ::testing::Test {
   static std::string stored(Database& db, const std::string& table) {
     return stored_apart_from_map(db, table) + rows(db, "SELECT * FROM " + table + "_map");
   }
-  void expect_sound() {
-    for (const std::string& table : tables)
-      db.run("INSERT INTO " + table + "(" + table + ") VALUES('integrity-check')");
-  }
-
-  std::string path;
-  Database db;
 };
 
 TEST_F(VersionZeroOne, IsReadWithoutChangingAByte) {
@@ -76,7 +85,7 @@ TEST_F(VersionZeroOne, IsReadWithoutChangingAByte) {
   EXPECT_EQ(rows(db, pairs + "(30, 'crates')"), "1|-5|5|\n");
   EXPECT_EQ(rows(db, pairs + "(30, 'drones')"), "7|96|211|\n");
   expect_sound();
-  EXPECT_TRUE(content(path) == content(files + "version_0_1.db"));
+  EXPECT_TRUE(content(path) == content(original));
 }
 
 // A write converts the rows of the map to blocks, and adds a feature that version 0.1 does not know.
@@ -116,6 +125,68 @@ TEST_F(VersionZeroOne, CreatedAgainHasTheSameBytes) {
     }
     const std::string all = "SELECT * FROM " + table + " ORDER BY id";
     EXPECT_EQ(rows(fresh, all), rows(db, all));
+  }
+}
+
+class VersionZeroTwo : public ReleasedFile {
+ protected:
+  VersionZeroTwo() : ReleasedFile("version_0_2.db", {"ships", "hulls", "bodies"}) {}
+  /// The pairs of the watch are those of a join at its own clock.
+  void expect_watch_equals_join() {
+    EXPECT_EQ(rows(db, "SELECT a, b, t FROM near ORDER BY a, b"),
+              rows(db,
+                   "SELECT a, b, t FROM predictive_join WHERE h = 60 AND tbl = 'ships' AND within = 5 AND "
+                   "now = (SELECT value FROM near_meta WHERE key = 'now') ORDER BY a, b"));
+  }
+};
+
+TEST_F(VersionZeroTwo, IsReadWithoutChangingAByte) {
+  EXPECT_EQ(rows(db, "SELECT count(*), sum(id), sum(t), sum(x), sum(growth) FROM ships"),
+            "180|18020|18185.25|85711.0|32.5|\n");
+  EXPECT_EQ(rows(db, "SELECT count(*), sum(x), count(DISTINCT shape) FROM hulls"), "40|8420.0|2|\n");
+  EXPECT_EQ(rows(db, "SELECT count(*), sum(z), count(DISTINCT shape) FROM bodies"), "24|108.0|2|\n");
+  const std::string pairs = "SELECT count(*), sum(a), sum(b) FROM predictive_join";
+  EXPECT_EQ(rows(db, pairs + "(60, 'ships', 5)"), "66|3614|9481|\n");
+  EXPECT_EQ(rows(db, pairs + "(60, 'hulls')"), "57|772|1508|\n");
+  EXPECT_EQ(rows(db, pairs + "(20, 'bodies')"), "5|53|73|\n");
+  EXPECT_EQ(rows(db, "SELECT count(*), sum(a), sum(b) FROM near"), "66|3614|9481|\n");
+  expect_watch_equals_join();
+  expect_sound();
+  EXPECT_TRUE(content(path) == content(original));
+}
+
+TEST_F(VersionZeroTwo, IsWrittenWithItsWatchOfFormatOne) {
+  db.run("BEGIN; UPDATE ships SET t = 104, x = x + 0.5, growth = 0.25 WHERE id % 3 = 0");
+  db.run(
+      "DELETE FROM ships WHERE id = 12; INSERT INTO ships VALUES(500, 104, 1.5, 2.5, 0, 0, 1, 0, 'new'); "
+      "COMMIT");
+  EXPECT_EQ(rows(db, "SELECT value FROM near_meta WHERE key = 'format'"), "2|\n");
+  expect_watch_equals_join();
+  db.run(
+      "INSERT INTO hulls SELECT 100 + id, t, x + 7, y, vx, vy, shape, heading, r FROM hulls WHERE id % 4 = "
+      "0");
+  db.run("UPDATE bodies SET heading = 90, z = z + 1 WHERE id % 2 = 0; DELETE FROM bodies WHERE id = 3");
+  expect_sound();
+  for (const char* join : {"(60, 'ships', 5)", "(60, 'hulls')", "(20, 'bodies')"}) {
+    const std::string from = std::string("SELECT a, b, t FROM predictive_join") + join;
+    EXPECT_EQ(rows(db, from + " WHERE method = 'tree' ORDER BY a, b"),
+              rows(db, from + " WHERE method = 'scan' ORDER BY a, b"));
+  }
+}
+
+// Each shape is stored once, with the bytes of version 0.2.
+TEST_F(VersionZeroTwo, CreatedAgainHasTheSameRowsAndShapes) {
+  Database fresh;
+  sqlite3_foresee_init(fresh, nullptr, nullptr);
+  const std::string sql = content(files + "version_0_2.sql");
+  fresh.run(sql.substr(0, sql.find("VACUUM INTO")));
+  for (const std::string& table : tables) {
+    const std::string all = "SELECT * FROM " + table + " ORDER BY id";
+    EXPECT_EQ(rows(fresh, all), rows(db, all));
+  }
+  for (const char* shapes : {"hulls_shape", "bodies_shape"}) {
+    const std::string all = std::string("SELECT * FROM ") + shapes + " ORDER BY number";
+    EXPECT_TRUE(rows(fresh, all) == rows(db, all)) << shapes;
   }
 }
 
