@@ -1,20 +1,39 @@
-// Contact times of given pairs: the exact stage of a join without a search for candidates.
+// The join queries of a watch, and the contact times of given pairs: the exact stage of a join without a search.
 //
-//   question.wants = {.contact = true, .ends = true, .approach = false};
-//   for (const JoinRow& row : pair_contacts(question, pairs, interrupt)) use(row.a, row.b, row.contact.t);
+//   const JoinQuestion question = question_of(tables, state, {clock, state.horizon});
+//   for (const JoinRow& row : contacts_of(tables, question, pairs, interrupt)) use(row.a, row.b, row.contact.t);
 //
 // Guarantee: a row for each pair that may meet and touches during [now, now + h], with the same numbers as
 // the join gives; the others are left out. Rows come in the order of the pairs, within one scene the smaller id first.
-// Cost: some hundred nanoseconds per pair.
+// Cost: some hundred nanoseconds per pair, and a look-up per object.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "base/error.h"
 #include "query/join/question.h"
+#include "query/table_source.h"
+#include "query/watch/watch_state.h"
 
 namespace foresee {
+
+/// The join query of the watch during `horizon`, with empty scenes.
+JoinQuestion question_of(const JoinedTables& tables, const WatchDeclaration& declaration,
+                         const Horizon& horizon);
+/// The same query with the scenes of all objects.
+JoinQuestion question_of_all(const JoinedTables& tables, const WatchDeclaration& declaration,
+                             const Horizon& horizon, const JoinResources& resources);
+
+struct PairIds {
+  std::int64_t a, b;
+
+  friend auto operator<=>(const PairIds&, const PairIds&) = default;
+};
+
+/// One row for each of the pairs that is in contact within the horizon of `question`, with the fields that it
+/// wants. Pairs of an object that does not exist are left out.
+std::vector<JoinRow> contacts_of(const JoinedTables& tables, const JoinQuestion& question,
+                                 std::span<const PairIds> pairs, Interrupt& interrupt);
 
 /// `pairs`: row numbers in the scenes of `queried`. Throws Error as Join does.
 std::vector<JoinRow> pair_contacts(const JoinQuestion& queried, std::span<const Pair> pairs,

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "query/watch/watch_state.h"
 #include "storage/rows/shadow_tables.h"
-#include "storage/watch/watch_state.h"
 
 namespace foresee {
 

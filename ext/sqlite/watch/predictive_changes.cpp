@@ -39,7 +39,7 @@ class ChangeRows final : public FunctionRows {
  public:
   ChangeRows(std::shared_ptr<WatchRows> rows, std::int64_t after, std::int64_t last)
       : rows_(std::move(rows)), after_(after), last_(last) {}
-  explicit ChangeRows(std::vector<StoredChange> all) : batch_(std::move(all)) {}
+  explicit ChangeRows(std::vector<LoggedChange> all) : batch_(std::move(all)) {}
 
   bool next() override {
     if (++row_ < batch_.size()) return true;
@@ -54,7 +54,7 @@ class ChangeRows final : public FunctionRows {
   }
 
   void output(sqlite3_context* context, int output) const override {
-    const StoredChange& row = batch_[row_];
+    const LoggedChange& row = batch_[row_];
     if (output == out_seq) return sqlite3_result_int64(context, row.seq);
     if (output == out_op) return sqlite3_result_text(context, &row.op, 1, SQLITE_TRANSIENT);
     if (output == out_a || output == out_b)
@@ -66,7 +66,7 @@ class ChangeRows final : public FunctionRows {
  private:
   std::shared_ptr<WatchRows> rows_;
   std::int64_t after_ = 0, last_ = 0;
-  std::vector<StoredChange> batch_;
+  std::vector<LoggedChange> batch_;
   std::size_t row_ = static_cast<std::size_t>(-1);
 };
 
@@ -87,10 +87,10 @@ QualifiedName find_watch(sqlite3* db, const std::string& name, const std::option
 
 /// The held pairs, all with the current position of the watch. Their times are those of the log and not
 /// clipped to the clock, so that every reader sees the same times after the clock goes back.
-std::vector<StoredChange> whole_watch(WatchRows& rows, const WatchState& state) {
-  std::vector<StoredChange> all;
+std::vector<LoggedChange> whole_watch(WatchRows& rows, const WatchState& state) {
+  std::vector<LoggedChange> all;
   const double now = state.clock.value_or(0);
-  for (const StoredPair& pair : rows.pairs())
+  for (const WatchedPair& pair : rows.pairs())
     if (pair.held) all.push_back({state.seq, '+', pair.a, pair.b, pair.told, now});
   return all;
 }

@@ -3,11 +3,11 @@
 //   CREATE  declare_watch.h     read  WatchCursor     commands  watch_commands.cpp     COMMIT  settlement.h
 #include <utility>
 
+#include "query/watch/pair_contacts.h"
 #include "sqlite/callback.h"
 #include "sqlite/modules.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/watch/declare_watch.h"
-#include "sqlite/watch/settlement.h"
 #include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watch_table.h"
 #include "storage/rows/value_text.h"
@@ -36,9 +36,10 @@ std::unique_ptr<WatchTable> declare(sqlite3* db, void* aux, const char* const* a
 void require_valid_query(Connection& connection, const QualifiedName& name,
                          const WatchDeclaration& declaration) try {
   require_tables(connection.db(), name, declaration);
-  const WatchedTables tables = watched_tables(connection, name.schema, declaration);
+  const OpenTables tables = watched_tables(connection, name.schema, declaration);
   if (tables.b) require_one_frame(tables.a, *tables.b);
-  const JoinQuestion question = question_of(tables, declaration, {0, declaration.horizon});
+  const JoinQuestion question =
+      question_of(sources_of(connection, tables), declaration, {0, declaration.horizon});
   require_valid(question);
   contact_of(question);
 } catch (const StoreError&) {
@@ -59,7 +60,7 @@ int watch_create(sqlite3* db, void* aux, int argc, const char* const* argv, sqli
     watch->watches().forget(watch->name);
     watch->rows()->write_declaration(declaration);
     watch->watches().add_to_tables(connection, watch->name, declaration);
-    Settlement(connection, *watch->rows()).settle(Settlement::Log::nothing);
+    settle_watch(connection, *watch->rows(), Settlement::Log::nothing);
     *table = watch.release();
     return SQLITE_OK;
   });
@@ -207,7 +208,7 @@ int watch_rename(sqlite3_vtab* base, const char* new_name) noexcept {
     table.watches().add_to_tables(connection, table.name, state);
     if (!settled) return;
     WatchState moved = state;
-    const WatchedTables tables = watched_tables(connection, table.name.schema, state);
+    const OpenTables tables = watched_tables(connection, table.name.schema, state);
     moved.stamp = tables.a.store->settled_stamp();
     if (tables.b) moved.other_stamp = tables.b->store->settled_stamp();
     table.rows()->write_state(moved, state);

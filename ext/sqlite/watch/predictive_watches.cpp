@@ -3,7 +3,6 @@
 
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
-#include "sqlite/watch/pair_search.h"
 #include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watch_table.h"
 #include "sqlite/watch/watches.h"
@@ -41,10 +40,10 @@ struct ListedWatch {
 };
 
 /// Whether the next commit must recompute the watch. Changes of an open transaction are not a reason.
-bool is_lost(const WatchState& state, const WatchedTables& tables) {
+bool is_lost(const WatchState& state, const OpenTables& tables) {
   if (is_settled(state, tables)) return false;
-  ChangedSides changed{.a = changed_objects(tables.a, state.stamp), .b = {}};
-  if (tables.b && !tables.are_one()) changed.b = changed_objects(*tables.b, state.other_stamp);
+  ChangedSides changed{.a = changed_objects(*tables.a.store, state.stamp), .b = {}};
+  if (tables.b && !tables.are_one()) changed.b = changed_objects(*tables.b->store, state.other_stamp);
   if (state.anew || !changed.a.reported || !changed.b.reported) return true;
   return changed.a.ids.empty() && changed.b.ids.empty() && lacks_clock(state, tables);
 }
@@ -65,7 +64,7 @@ ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool c
     watch.state = rows->read_state();
     watch.oldest = rows->oldest().value_or(watch.state.seq);
     if (counts) watch.pairs = rows->count_pairs(true), watch.waiting = rows->count_pairs(false);
-    const WatchedTables tables = watched_tables(connection, name.schema, watch.state);
+    const OpenTables tables = watched_tables(connection, name.schema, watch.state);
     require_listed(tables.a, name.table);
     if (tables.b) require_listed(*tables.b, name.table);
     if (is_lost(watch.state, tables))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "query/watch/pair_contacts.h"
 #include "sqlite/callback.h"
 #include "sqlite/watch/watch_table.h"
 #include "storage/rows/value_text.h"
@@ -18,9 +19,10 @@ double time_of(const WatchTable& table, sqlite3_value* now) {
               table.name.table + ", now) VALUES('advance', 1260.0); not " + shown(now));
 }
 
-std::vector<ShownPair> joined_pairs(Connection& connection, const WatchedTables& tables,
+std::vector<ShownPair> joined_pairs(Connection& connection, const OpenTables& tables,
                                     const WatchState& state) {
-  JoinQuestion question = question_of_all(connection, tables, state, {state.now(), state.horizon});
+  JoinQuestion question = question_of_all(sources_of(connection, tables), state, {state.now(), state.horizon},
+                                          resources_of(connection));
   question.wants = {.contact = true, .ends = false, .approach = false};
   Join join(std::move(question), connection.interrupt());
   std::vector<ShownPair> pairs;
@@ -42,10 +44,10 @@ std::string watch_fault(WatchTable& table) {
   const std::shared_ptr<WatchRows> rows = table.rows();
   const WatchState state = rows->read_state();
   if (!rows->indexes_agree()) return "the indexes of " + table.name.table + "_pair do not hold its rows";
-  const WatchedTables tables = watched_tables(connection, table.name.schema, state);
+  const OpenTables tables = watched_tables(connection, table.name.schema, state);
   if (!is_settled(state, tables)) return "";
   std::vector<ShownPair> held;
-  for (const StoredPair& pair : rows->pairs())
+  for (const WatchedPair& pair : rows->pairs())
     if (pair.held) held.push_back({pair.a, pair.b, std::max(pair.t, state.now())});
   std::sort(held.begin(), held.end());
   const std::vector<ShownPair> joined = joined_pairs(connection, tables, state);

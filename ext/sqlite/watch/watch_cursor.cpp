@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "base/integer_of.h"
+#include "query/watch/pair_contacts.h"
+#include "query/watch/pair_search.h"
 #include "sqlite/watch/watch_table.h"
 
 namespace foresee {
@@ -26,7 +28,7 @@ void result_key(sqlite3_context* context, const JoinRow& row) {
 
 }  // namespace
 
-bool is_settled(const WatchState& state, const WatchedTables& tables) {
+bool is_settled(const WatchState& state, const OpenTables& tables) {
   const auto holds = [](const Connection::OpenTable& table, const std::optional<std::int64_t>& stamp) {
     return stamp && table.store->settled_stamp() == stamp;
   };
@@ -34,7 +36,7 @@ bool is_settled(const WatchState& state, const WatchedTables& tables) {
          (!tables.b || holds(*tables.b, state.other_stamp)) && !lacks_clock(state, tables);
 }
 
-bool lacks_clock(const WatchState& state, const WatchedTables& tables) {
+bool lacks_clock(const WatchState& state, const OpenTables& tables) {
   const auto has_any = [](const Connection::OpenTable& table) {
     return table.store->take_snapshot()->find_root() != 0;
   };
@@ -55,7 +57,7 @@ void WatchCursor::filter(int plan, sqlite3_value** arguments) {
   Connection& connection = *table_.connection;
   const std::shared_ptr<WatchRows> rows = table_.rows();
   const WatchState state = rows->read_state();
-  const WatchedTables tables = watched_tables(connection, table_.name.schema, state);
+  const OpenTables tables = watched_tables(connection, table_.name.schema, state);
   now_ = state.now();
   if (is_settled(state, tables)) {
     give(kept_pairs(*rows, {}), state, tables);
@@ -69,7 +71,7 @@ void WatchCursor::filter(int plan, sqlite3_value** arguments) {
 std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSides& changed) const {
   const auto pairs = only_a_ ? rows.pairs_of_a(*only_a_) : only_b_ ? rows.pairs_of_b(*only_b_) : rows.pairs();
   std::vector<ShownPair> kept;
-  for (const StoredPair& pair : pairs)
+  for (const WatchedPair& pair : pairs)
     if (pair.held && (!only_b_ || pair.b == *only_b_) && !changed.a.holds(pair.a) && !changed.b.holds(pair.b))
       kept.push_back({pair.a, pair.b, std::max(pair.t, now_)});
   return kept;
@@ -77,19 +79,21 @@ std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSid
 
 /// Reads within an open transaction: the stored pairs of unchanged objects, and the current pairs of changed
 /// ones. False if the join is cheaper, or if the changes are unknown.
-bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const WatchedTables& tables) {
+bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const OpenTables& tables) {
   if (state.anew || state.asked || !state.clock) return false;
-  ChangedSides changed{.a = changed_objects(tables.a, state.stamp), .b = {}};
-  changed.b = tables.b && !tables.are_one() ? changed_objects(*tables.b, state.other_stamp) : changed.a;
-  if (!changed.a.reported || !changed.b.reported || is_majority(changed.a, tables.a)) return false;
-  if (tables.b && is_majority(changed.b, *tables.b)) return false;
+  const JoinedTables sources = sources_of(*table_.connection, tables);
+  ChangedSides changed{.a = sources.a->changes_since(state.stamp), .b = {}};
+  changed.b = sources.is_within_one() ? changed.a : sources.b->changes_since(state.other_stamp);
+  if (!changed.a.reported || !changed.b.reported || is_majority(changed.a, *sources.a)) return false;
+  if (is_majority(changed.b, sources.last())) return false;
   // For one object, all its pairs are recomputed, however many other objects have changed.
   const bool of_one = only_a_ || only_b_;
   std::vector<ShownPair> pairs = of_one ? std::vector<ShownPair>{} : kept_pairs(rows, changed);
   if (of_one) rows.pair(0, 0);  // throws if the table of pairs is missing
-  JoinQuestion question = question_of(tables, state, {now_, state.horizon});
+  JoinQuestion question = question_of(sources, state, {now_, state.horizon});
   question.wants = {.contact = true, .ends = false, .approach = false};
-  PairSearch search(*table_.connection, tables, std::move(question));
+  const JoinResources resources = resources_of(*table_.connection);
+  PairSearch search(sources, std::move(question), resources);
   const auto take = [&](std::span<const JoinRow> found) {
     for (const JoinRow& row : found) {
       const bool exchanged = !tables.b && row.b < row.a;
@@ -112,14 +116,14 @@ bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const W
   return true;
 }
 
-void WatchCursor::give(std::span<const ShownPair> pairs, const WatchState& state,
-                       const WatchedTables& tables) {
+void WatchCursor::give(std::span<const ShownPair> pairs, const WatchState& state, const OpenTables& tables) {
   if ((plan_ & (WatchPlan::times | WatchPlan::approach)) != 0) {
     std::vector<PairIds> ids;
     for (const ShownPair& pair : pairs) ids.push_back({pair.a, pair.b});
-    JoinQuestion question = question_of(tables, state, {now_, state.horizon});
+    const JoinedTables sources = sources_of(*table_.connection, tables);
+    JoinQuestion question = question_of(sources, state, {now_, state.horizon});
     question.wants.approach = (plan_ & WatchPlan::approach) != 0;
-    stored_ = contacts_of(*table_.connection, tables, question, ids);
+    stored_ = contacts_of(sources, question, ids, table_.connection->interrupt());
   } else {
     for (const ShownPair& pair : pairs) {
       JoinRow& row = stored_.emplace_back();
@@ -130,12 +134,14 @@ void WatchCursor::give(std::span<const ShownPair> pairs, const WatchState& state
 }
 
 /// After an 'advance' that is not committed yet, or after changes that were not reported to the watch.
-void WatchCursor::join_now(const WatchState& state, const WatchedTables& tables) {
-  JoinQuestion question = question_of_all(*table_.connection, tables, state, {state.now(), state.horizon});
+void WatchCursor::join_now(const WatchState& state, const OpenTables& tables) {
+  Connection& connection = *table_.connection;
+  JoinQuestion question = question_of_all(sources_of(connection, tables), state, {state.now(), state.horizon},
+                                          resources_of(connection));
   question.only_a = only_a_, question.only_b = only_b_;
   question.wants.ends = (plan_ & WatchPlan::times) != 0;
   question.wants.approach = (plan_ & WatchPlan::approach) != 0;
-  join_ = std::make_unique<Join>(std::move(question), table_.connection->interrupt());
+  join_ = std::make_unique<Join>(std::move(question), connection.interrupt());
   rows_ = join_->next();
 }
 

@@ -5,8 +5,6 @@
 #include <string>
 
 #include "query/join/join.h"
-#include "sqlite/connection.h"
-#include "sqlite/watch/pair_search.h"
 #include "sqlite/watch/watches.h"
 
 namespace foresee {
@@ -52,6 +50,11 @@ struct WatchPlan {
   enum Bits : int { by_a = 1, by_b = 2, times = 4, approach = 8 };
 };
 
+/// What the open transaction has changed on each side; equal for a watch within one table.
+struct ChangedSides {
+  ChangedObjects a, b;
+};
+
 /// A pair with the time that readers see: its contact's start, clipped to the clock.
 struct ShownPair {
   std::int64_t a, b;
@@ -73,9 +76,9 @@ class WatchCursor : public sqlite3_vtab_cursor {
 
  private:
   std::vector<ShownPair> kept_pairs(WatchRows& rows, const ChangedSides& changed) const;
-  bool read_changed(WatchRows& rows, const WatchState& state, const WatchedTables& tables);
-  void give(std::span<const ShownPair> pairs, const WatchState& state, const WatchedTables& tables);
-  void join_now(const WatchState& state, const WatchedTables& tables);
+  bool read_changed(WatchRows& rows, const WatchState& state, const OpenTables& tables);
+  void give(std::span<const ShownPair> pairs, const WatchState& state, const OpenTables& tables);
+  void join_now(const WatchState& state, const OpenTables& tables);
 
   WatchTable& table_;
   int plan_ = 0;
@@ -93,9 +96,9 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
 std::string watch_fault(WatchTable& table);
 
 /// Whether the rows match the tables as this connection sees them, at the time of the watch's clock.
-bool is_settled(const WatchState& state, const WatchedTables& tables);
+bool is_settled(const WatchState& state, const OpenTables& tables);
 
 /// Whether objects exist but no clock: the clock is lost, unless the open transaction has added the objects.
-bool lacks_clock(const WatchState& state, const WatchedTables& tables);
+bool lacks_clock(const WatchState& state, const OpenTables& tables);
 
 }  // namespace foresee

@@ -1,8 +1,8 @@
 #include "sqlite/watch/watches.h"
 
 #include "sqlite/callback.h"
+#include "sqlite/names/open_table.h"
 #include "sqlite/sql_tokens.h"
-#include "sqlite/watch/settlement.h"
 #include "storage/rows/store_error.h"
 
 namespace foresee {
@@ -20,17 +20,37 @@ void mark_damaged(WatchRows& rows) try { rows.write_damaged(); } catch (const St
   if (!is_of_watch(error)) throw;  // _meta is damaged too, which a reader detects
 }
 
-void settle_or_mark(Connection& connection, WatchRows& rows) {
-  Settlement settlement(connection, rows);
+Connection::OpenTable find_table(Connection& connection, const std::string& schema, const std::string& name) {
+  const TableName table{name, schema};
+  if (const auto number = connection.lookups().kept_number(table))
+    if (const Connection::OpenTable* open = connection.find(*number)) return *open;
+  // A damaged file may name a watch, or a view of one: a query of it would recurse into this function.
+  require_moving_objects(connection.db(), name, schema);
+  return open_table(connection, table);
+}
+
+}  // namespace
+
+OpenTables watched_tables(Connection& connection, const std::string& schema,
+                          const WatchDeclaration& declaration) {
+  OpenTables tables{find_table(connection, schema, declaration.tbl)};
+  if (declaration.other) tables.b = find_table(connection, schema, *declaration.other);
+  return tables;
+}
+
+void settle_watch(Connection& connection, WatchRows& rows, Settlement::Log log) {
+  const WatchState before = rows.read_state();
+  const OpenTables tables = watched_tables(connection, rows.name().schema, before);
+  tables.a.store->sync();
+  if (tables.b) tables.b->store->sync();
+  Settlement settlement(sources_of(connection, tables), before, rows, rows, resources_of(connection));
   try {
-    settlement.settle();
+    if (const auto after = settlement.settle(log)) rows.write_state(*after, before);
   } catch (const StoreError& error) {
     if (is_of_watch(error) && settlement.has_written()) mark_damaged(rows);
     throw;
   }
 }
-
-}  // namespace
 
 Watches& watches_of(Connection& connection) {
   return static_cast<Watches&>(*connection.watches());
@@ -57,7 +77,7 @@ std::optional<WatchState> Watches::known_state(Connection& connection, const Qua
 void Watches::settle(Connection& connection, const QualifiedName& watch) try {
   const KeptInsertRowid kept(connection.db());
   const std::shared_ptr<WatchRows> rows = this->rows(connection, watch);
-  settle_or_mark(connection, *rows);
+  settle_watch(connection, *rows, Settlement::Log::changes);
 } catch (const StoreError& error) {
   if (!is_of_watch(error)) throw;
   forget(watch);
@@ -98,7 +118,7 @@ void Watches::change_stamp(Connection& connection, const Connection::OpenTable& 
 
 void Watches::add_to_tables(Connection& connection, const QualifiedName& watch,
                             const WatchDeclaration& declaration) {
-  const WatchedTables tables = watched_tables(connection, watch.schema, declaration);
+  const OpenTables tables = watched_tables(connection, watch.schema, declaration);
   const auto add = [&](Store& store) { store.add_watch(watch.table); };
   change_stamp(connection, tables.a, add);
   if (tables.b && !tables.are_one()) change_stamp(connection, *tables.b, add);
@@ -144,7 +164,7 @@ void Watches::require_frame(Connection& connection, std::int64_t number, const F
     try {
       const auto state = known_state(connection, {table.schema, name});
       if (!state || !state->other) continue;
-      const WatchedTables tables = watched_tables(connection, table.schema, *state);
+      const OpenTables tables = watched_tables(connection, table.schema, *state);
       const Connection::OpenTable& other = tables.a.store == table.store ? *tables.b : tables.a;
       if (other.store != table.store)
         conflict = frame_conflict(other.table, other.store->frame(), table.table, frame);

@@ -14,9 +14,10 @@
 #include <string>
 #include <utility>
 
-#include "sqlite/connection.h"
+#include "query/watch/settlement.h"
+#include "sqlite/stored_table.h"
+#include "sqlite/watch/watch_rows.h"
 #include "sqlite/watch_upkeep.h"
-#include "storage/watch/watch_rows.h"
 
 namespace foresee {
 
@@ -48,6 +49,14 @@ class Watches final : public WatchUpkeep {
 
   std::map<std::pair<std::string, std::string>, std::shared_ptr<WatchRows>> rows_;
 };
+
+/// The watched tables, by the declared names in the schema of the watch. Throws Error if one does not exist.
+OpenTables watched_tables(Connection& connection, const std::string& schema,
+                          const WatchDeclaration& declaration);
+
+/// Brings the watch up to date with its tables. `log`: `nothing` for a new watch, which no reader knows yet.
+/// Throws StoreError or Error if the watch or a table cannot be read.
+void settle_watch(Connection& connection, WatchRows& rows, Settlement::Log log);
 
 /// The watches of a connection. Requires: register_predictive_watch has run.
 Watches& watches_of(Connection& connection);

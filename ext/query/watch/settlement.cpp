@@ -1,4 +1,4 @@
-#include "sqlite/watch/settlement.h"
+#include "query/watch/settlement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,34 +23,29 @@ void sort_and_unique(std::vector<WatchedPair>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end(), same_ids), pairs.end());
 }
 
-WatchedPair watched(const StoredPair& pair) {
-  return {pair.a, pair.b, pair.t, pair.due.value_or(never_due), pair.told, pair.held};
-}
-
 }  // namespace
 
-Settlement::Settlement(Connection& connection, WatchRows& rows)
-    : connection_(connection),
-      rows_(rows),
-      before_(rows.read_state()),
-      state_(before_),
-      tables_(watched_tables(connection, rows.name().schema, before_)) {
-  tables_.a.store->sync();
-  if (tables_.b) tables_.b->store->sync();
-  // The stamp of the stored rows: with an open savepoint, memory may also have nodes already written.
-  state_.stamp = tables_.a.store->stored_stamp();
-  if (tables_.b) state_.other_stamp = tables_.b->store->stored_stamp();
+Settlement::Settlement(JoinedTables tables, const WatchState& before, WatchPairs& pairs, WatchLog& log,
+                       const JoinResources& resources)
+    : tables_(std::move(tables)),
+      rows_(pairs),
+      log_(log),
+      resources_(resources),
+      before_(before),
+      state_(before) {
+  state_.stamp = tables_.a->stamp();
+  if (tables_.b) state_.other_stamp = tables_.b->stamp();
 }
 
-void Settlement::settle(Log log) {
+std::optional<WatchState> Settlement::settle(Log log) {
   const bool same_contents = state_.stamp == before_.stamp && state_.other_stamp == before_.other_stamp;
-  if (same_contents && !before_.asked && !before_.anew) return;
+  if (same_contents && !before_.asked && !before_.anew) return std::nullopt;
   logs_ = log == Log::changes;
-  changed_a_ = changed_objects(tables_.a, before_.stamp);
+  changed_a_ = tables_.a->changes_since(before_.stamp);
   if (tables_.are_one())
     changed_b_ = changed_a_;
   else if (tables_.b)
-    changed_b_ = changed_objects(*tables_.b, before_.other_stamp);
+    changed_b_ = tables_.b->changes_since(before_.other_stamp);
   move_clock();
   if (must_recompute())
     recompute();
@@ -58,8 +53,8 @@ void Settlement::settle(Log log) {
     apply_changes();
   state_.anew = false;
   if (!logs_) state_.seq = new_.empty() ? 0 : 1;
-  if (state_.seq != before_.seq && state_.seq > state_.keep) rows_.trim(state_.seq - state_.keep);
-  rows_.write_state(state_, before_);
+  if (state_.seq != before_.seq && state_.seq > state_.keep) log_.trim(state_.seq - state_.keep);
+  return state_;
 }
 
 // --- recomputation, or update by changes
@@ -67,10 +62,10 @@ void Settlement::settle(Log log) {
 void Settlement::recompute() {
   if (before_.clock && !before_.anew) adapt_look_ahead();
   extend_look_ahead();
-  for (const StoredPair& pair : rows_.pairs()) old_.push_back(watched(pair));
-  JoinQuestion all = question_of_all(connection_, tables_, state_, queried_horizon());
+  old_ = rows_.pairs();
+  JoinQuestion all = question_of_all(tables_, state_, queried_horizon(), resources_);
   all.wants = {.contact = true, .ends = true, .approach = false};
-  Join join(std::move(all), connection_.interrupt());
+  Join join(std::move(all), resources_.interrupt);
   for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows);
   write_differences(true);
 }
@@ -93,8 +88,8 @@ void Settlement::apply_changes() {
 }
 
 void Settlement::read_old_pairs() {
-  const auto add = [&](const std::vector<StoredPair>& pairs) {
-    for (const StoredPair& pair : pairs) old_.push_back(watched(pair));
+  const auto add = [&](const std::vector<WatchedPair>& pairs) {
+    old_.insert(old_.end(), pairs.begin(), pairs.end());
   };
   for (const std::int64_t id : changed_a_.ids) {
     add(rows_.pairs_of_a(id));
@@ -107,25 +102,25 @@ void Settlement::read_old_pairs() {
 /// stored start; each of the others needs a contact query.
 void Settlement::query_due_pairs() {
   std::vector<PairIds> uncertain;
-  const auto is_changed = [&](const StoredPair& pair) {
+  const auto is_changed = [&](const WatchedPair& pair) {
     return changed_a_.holds(pair.a) || (tables_.b ? changed_b_ : changed_a_).holds(pair.b);
   };
-  const auto read_pair = [&](const StoredPair& pair) {
+  const auto read_pair = [&](const WatchedPair& pair) {
     if (is_changed(pair)) return;
-    old_.push_back(watched(pair));
+    old_.push_back(pair);
     if (!pair.held && pair.t > clock_ && pair.t < horizon_end_)
       new_.push_back({pair.a, pair.b, pair.t, pair.t, pair.t, true});
     else
       uncertain.push_back({pair.a, pair.b});
   };
-  for (const StoredPair& pair : rows_.due_pairs(true, clock_)) read_pair(pair);
-  for (const StoredPair& pair : rows_.due_pairs(false, horizon_end_)) read_pair(pair);
-  take(contacts_of(connection_, tables_, question(queried_horizon()), uncertain));
+  for (const WatchedPair& pair : rows_.due_pairs(true, clock_)) read_pair(pair);
+  for (const WatchedPair& pair : rows_.due_pairs(false, horizon_end_)) read_pair(pair);
+  take(contacts_of(tables_, question(queried_horizon()), uncertain, resources_.interrupt));
 }
 
 void Settlement::search_changed() {
   if (changed_a_.ids.empty() && changed_b_.ids.empty()) return;
-  PairSearch search(connection_, tables_, question(queried_horizon()));
+  PairSearch search(tables_, question(queried_horizon()), resources_);
   const auto take_all = [&](std::span<const JoinRow> rows) { take(rows); };
   search.pairs_of(Side::a, changed_a_.ids, take_all);
   if (tables_.b) search.pairs_of(Side::b, changed_b_.ids, take_all);
@@ -133,11 +128,11 @@ void Settlement::search_changed() {
 
 /// Adds the contacts that start at or after `from`, and those whose end is within reach only now.
 void Settlement::look_ahead(double from) {
-  JoinQuestion all = question_of_all(connection_, tables_, state_, queried_horizon());
+  JoinQuestion all = question_of_all(tables_, state_, queried_horizon(), resources_);
   all.wants = {.contact = true, .ends = true, .approach = false};
   const std::size_t first = new_.size();
   std::vector<JoinRow> unknown;
-  Join join(std::move(all), connection_.interrupt());
+  Join join(std::move(all), resources_.interrupt);
   for (auto rows = join.next(); !rows.empty(); rows = join.next()) {
     unknown.clear();
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(unknown), [&](const JoinRow& row) {
@@ -146,7 +141,7 @@ void Settlement::look_ahead(double from) {
     take(unknown);
   }
   for (std::size_t i = first; i < new_.size(); ++i)
-    if (const auto known = rows_.pair(new_[i].a, new_[i].b)) old_.push_back(watched(*known));
+    if (const auto known = rows_.pair(new_[i].a, new_[i].b)) old_.push_back(*known);
 }
 
 // --- the difference
@@ -160,7 +155,7 @@ JoinQuestion Settlement::question(const Horizon& horizon) const {
 // Ends beyond the reach are clipped to it. A contact that lasts beyond known_to is never due: the next
 // look-ahead finds its end.
 void Settlement::take(std::span<const JoinRow> found) {
-  const bool within_one = !tables_.b || tables_.are_one();
+  const bool within_one = tables_.is_within_one();
   for (const JoinRow& row : found) {
     if (within_one && row.a == row.b) continue;
     const ContactTimes& contact = row.contact;
@@ -178,7 +173,8 @@ void Settlement::decide_ties() {
   std::vector<PairIds> ties, held;
   for (const WatchedPair& pair : new_)
     if (!pair.held && pair.t == horizon_end_) ties.push_back({pair.a, pair.b});
-  for (const JoinRow& row : contacts_of(connection_, tables_, question({clock_, state_.horizon}), ties))
+  const JoinQuestion exactly = question({clock_, state_.horizon});
+  for (const JoinRow& row : contacts_of(tables_, exactly, ties, resources_.interrupt))
     held.push_back({row.a, row.b});
   std::sort(held.begin(), held.end());
   for (WatchedPair& pair : new_) {
@@ -228,8 +224,7 @@ void Settlement::write_difference(const WatchedPair* before, const WatchedPair* 
   state_.dropped += waits(before) && !after;
   has_written_ |= change.erases || change.writes || change.op;
   const auto write = [&](const WatchedPair& pair, PairWrite how) {
-    const auto due = pair.due == never_due ? std::nullopt : std::optional(pair.due);
-    rows_.write_pair({pair.a, pair.b, pair.t, due, pair.told, pair.held}, how, state_.tolerance > 0);
+    rows_.write_pair(pair, how, state_.tolerance > 0);
   };
   if (replaces_) {
     if (!change.erases) write(change.writes ? row : *before, PairWrite::adds);
@@ -239,7 +234,7 @@ void Settlement::write_difference(const WatchedPair* before, const WatchedPair* 
     const bool only_moves = before && before->held == row.held && before->due == row.due;
     write(row, !before ? PairWrite::adds : only_moves ? PairWrite::moves : PairWrite::changes);
   }
-  if (change.op && logs_) rows_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
+  if (change.op && logs_) log_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
 }
 
 }  // namespace foresee

@@ -1,5 +1,5 @@
-// State of a predictive watch as stored in <name>_meta: its declaration and how far it has been computed. It
-// has the current names of the tables; the text of CREATE may have older ones.
+// State of a predictive watch: its declaration and how far it has been computed. A database keeps it in
+// <name>_meta, with the current names of the tables; the text of CREATE may have older ones.
 #pragma once
 
 #include <cstdint>

@@ -6,9 +6,9 @@
 
 #include "base/float_environment.h"
 #include "base/number_text.h"
+#include "sqlite/watch/watch_rows.h"
 #include "storage/rows/store_error.h"
 #include "storage/rows/value_text.h"
-#include "storage/watch/watch_rows.h"
 
 namespace foresee {
 namespace {

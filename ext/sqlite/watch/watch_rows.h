@@ -14,38 +14,16 @@
 #include <string_view>
 #include <vector>
 
+#include "query/watch/watch_pairs.h"
+#include "query/watch/watch_state.h"
 #include "storage/rows/shadow_tables.h"
-#include "storage/watch/watch_state.h"
 
 namespace foresee {
-
-struct StoredPair {
-  std::int64_t a, b;
-  double t;
-  std::optional<double> due;  ///< nothing: the clock never reaches it
-  double told;
-  bool held;
-};
-
-/// What writing a pair does to its row.
-enum class PairWrite : std::uint8_t {
-  adds,     ///< a new row
-  moves,    ///< only times change, and no index does
-  changes,  ///< any other change
-};
-
-struct StoredChange {
-  std::int64_t seq;
-  char op;
-  std::int64_t a, b;
-  double t;  ///< not stored for a removed pair
-  double now;
-};
 
 /// True for pair, log and meta.
 bool is_watch_suffix(std::string_view suffix);
 
-class WatchRows {
+class WatchRows final : public WatchPairs, public WatchLog {
  public:
   static ShadowTables tables(sqlite3* db, const QualifiedName& name);
 
@@ -65,32 +43,32 @@ class WatchRows {
   void write_tables(const WatchDeclaration& declaration);
 
   // --- _pair
-  std::vector<StoredPair> pairs();
-  std::vector<StoredPair> pairs_of_a(std::int64_t id);
-  std::vector<StoredPair> pairs_of_b(std::int64_t id);
-  std::vector<StoredPair> due_pairs(bool held, double until);
-  std::optional<StoredPair> pair(std::int64_t a, std::int64_t b);
-  void write_pair(const StoredPair& pair, PairWrite how, bool with_told);
-  void erase_pair(std::int64_t a, std::int64_t b);
+  std::vector<WatchedPair> pairs() override;
+  std::vector<WatchedPair> pairs_of_a(std::int64_t id) override;
+  std::vector<WatchedPair> pairs_of_b(std::int64_t id) override;
+  std::vector<WatchedPair> due_pairs(bool held, double until) override;
+  std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) override;
+  void write_pair(const WatchedPair& pair, PairWrite how, bool with_told) override;
+  void erase_pair(std::int64_t a, std::int64_t b) override;
   /// Cost: the pages of the tables are released without reading rows.
-  void erase_all_pairs();
+  void erase_all_pairs() override;
   std::int64_t count_pairs(bool held);
   /// True if each index holds exactly the rows of the table.
   bool indexes_agree();
 
   // --- _log
-  void append(const StoredChange& change);
-  void trim(std::int64_t up_to);
+  void append(const LoggedChange& change) override;
+  void trim(std::int64_t up_to) override;
   /// The position after which changes can be read; nothing if the log is empty.
   std::optional<std::int64_t> oldest();
   /// At most `limit` changes with seq in (after, last], ascending.
-  std::vector<StoredChange> changes(std::int64_t after, std::int64_t last, std::int64_t limit);
+  std::vector<LoggedChange> changes(std::int64_t after, std::int64_t last, std::int64_t limit);
 
  private:
   [[noreturn]] void damaged(const std::string& what) const;
-  std::vector<StoredPair> read_pairs(Statement::Run& run) const;
+  std::vector<WatchedPair> read_pairs(Statement::Run& run) const;
   bool has_pairs();
-  static bool holds(Statement& index, std::span<const StoredPair> pairs, bool with_due);
+  static bool holds(Statement& index, std::span<const WatchedPair> pairs, bool with_due);
   template <class Value>
   void write_meta(std::string_view key, const std::optional<Value>& value);
   template <class Value>

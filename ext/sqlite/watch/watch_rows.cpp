@@ -1,4 +1,4 @@
-#include "storage/watch/watch_rows.h"
+#include "sqlite/watch/watch_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -67,8 +67,8 @@ void WatchRows::damaged(const std::string& what) const {
 
 // --- _pair
 
-std::vector<StoredPair> WatchRows::read_pairs(Statement::Run& run) const {
-  std::vector<StoredPair> pairs;
+std::vector<WatchedPair> WatchRows::read_pairs(Statement::Run& run) const {
+  std::vector<WatchedPair> pairs;
   while (run.step()) {
     const auto number = [&](int column) {
       if (sqlite3_value_type(run.value(column)) != SQLITE_FLOAT) damaged("pair");
@@ -80,46 +80,45 @@ std::vector<StoredPair> WatchRows::read_pairs(Statement::Run& run) const {
     // In a damaged file pages may refer back to one another: no order has a pair twice in a row.
     if (!pairs.empty() && pairs.back().a == a && pairs.back().b == b) damaged("pair");
     const bool is_due = sqlite3_value_type(run.value(3)) != SQLITE_NULL;
-    pairs.push_back(
-        {a, b, number(2), is_due ? std::optional(number(3)) : std::nullopt, number(5), state == 1});
+    pairs.push_back({a, b, number(2), is_due ? number(3) : never_due, number(5), state == 1});
   }
   return pairs;
 }
 
-std::vector<StoredPair> WatchRows::pairs() {
+std::vector<WatchedPair> WatchRows::pairs() {
   Statement::Run run(pairs_);
   return read_pairs(run);
 }
 
-std::vector<StoredPair> WatchRows::pairs_of_a(std::int64_t id) {
+std::vector<WatchedPair> WatchRows::pairs_of_a(std::int64_t id) {
   Statement::Run run(pairs_of_a_);
   run.bind(1, id);
   return read_pairs(run);
 }
 
-std::vector<StoredPair> WatchRows::pairs_of_b(std::int64_t id) {
+std::vector<WatchedPair> WatchRows::pairs_of_b(std::int64_t id) {
   Statement::Run run(pairs_of_b_);
   run.bind(1, id);
   return read_pairs(run);
 }
 
-std::vector<StoredPair> WatchRows::due_pairs(bool held, double until) {
+std::vector<WatchedPair> WatchRows::due_pairs(bool held, double until) {
   Statement::Run run(due_pairs_);
   run.bind(1, std::int64_t{held});
   run.bind(2, until);
   return read_pairs(run);
 }
 
-std::optional<StoredPair> WatchRows::pair(std::int64_t a, std::int64_t b) {
+std::optional<WatchedPair> WatchRows::pair(std::int64_t a, std::int64_t b) {
   Statement::Run run(pair_);
   run.bind(1, a);
   run.bind(2, b);
-  const std::vector<StoredPair> found = read_pairs(run);
+  const std::vector<WatchedPair> found = read_pairs(run);
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
 // An unexpected row is damage of the watch, not an error of the statement that commits.
-void WatchRows::write_pair(const StoredPair& pair, PairWrite how, bool with_told) try {
+void WatchRows::write_pair(const WatchedPair& pair, PairWrite how, bool with_told) try {
   Statement::Run run(how == PairWrite::adds    ? add_pair_
                      : how == PairWrite::moves ? move_pair_
                                                : change_pair_);
@@ -127,7 +126,7 @@ void WatchRows::write_pair(const StoredPair& pair, PairWrite how, bool with_told
   run.bind(2, pair.b);
   run.bind(3, pair.t);
   if (how != PairWrite::moves) {
-    if (pair.due) run.bind(4, *pair.due);
+    if (pair.due != never_due) run.bind(4, pair.due);
     run.bind(5, std::int64_t{pair.held});
   }
   if (with_told) run.bind(6, pair.told);
@@ -161,32 +160,34 @@ bool WatchRows::has_pairs() {
 }
 
 /// Compares an index with `pairs`, in its order; the statement reads the index alone.
-bool WatchRows::holds(Statement& index, std::span<const StoredPair> pairs, bool with_due) {
+bool WatchRows::holds(Statement& index, std::span<const WatchedPair> pairs, bool with_due) {
   auto pair = pairs.begin();
   for (Statement::Run run(index); run.step(); ++pair) {
     if (pair == pairs.end() || run.integer(0) != pair->a || run.integer(1) != pair->b) return false;
     if (!with_due) continue;
     const bool is_due = sqlite3_value_type(run.value(2)) != SQLITE_NULL;
-    const auto due = is_due ? std::optional(sqlite3_value_double(run.value(2))) : std::nullopt;
+    const double due = is_due ? sqlite3_value_double(run.value(2)) : never_due;
     if (due != pair->due || run.integer(3) != pair->held) return false;
   }
   return pair == pairs.end();
 }
 
 bool WatchRows::indexes_agree() {
-  std::vector<StoredPair> rows = pairs();
+  std::vector<WatchedPair> rows = pairs();
   const auto sort_by = [&](auto key) {
     std::sort(rows.begin(), rows.end(), [&](const auto& x, const auto& y) { return key(x) < key(y); });
   };
-  sort_by([](const StoredPair& pair) { return std::tuple(pair.b, pair.a); });
+  sort_by([](const WatchedPair& pair) { return std::tuple(pair.b, pair.a); });
   if (!holds(by_b_, rows, false)) return false;
-  sort_by([](const StoredPair& pair) { return std::tuple(pair.held, pair.due, pair.a, pair.b); });
+  sort_by([](const WatchedPair& pair) {  // NULL, never due, comes first
+    return std::tuple(pair.held, pair.due != never_due, pair.due, pair.a, pair.b);
+  });
   return holds(by_due_, rows, true);
 }
 
 // --- _log
 
-void WatchRows::append(const StoredChange& change) {
+void WatchRows::append(const LoggedChange& change) {
   Statement::Run run(append_);
   run.bind(1, change.seq);
   run.bind(2, std::string_view(&change.op, 1));
@@ -209,8 +210,8 @@ std::optional<std::int64_t> WatchRows::oldest() {
   return run.integer(0) - 1;
 }
 
-std::vector<StoredChange> WatchRows::changes(std::int64_t after, std::int64_t last, std::int64_t limit) {
-  std::vector<StoredChange> found;
+std::vector<LoggedChange> WatchRows::changes(std::int64_t after, std::int64_t last, std::int64_t limit) {
+  std::vector<LoggedChange> found;
   Statement::Run run(changes_);
   run.bind(1, after);
   run.bind(2, last);

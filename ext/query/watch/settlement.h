@@ -1,7 +1,8 @@
 // Incremental update of one watch: writes the difference between its stored pairs and the current pairs as
 // rows and in its log.
 //
-//   Settlement(connection, rows).settle();               // before COMMIT, or after CREATE
+//   Settlement settlement(tables, before, pairs, log, {interrupt});       // before COMMIT, or after CREATE
+//   if (const auto after = settlement.settle()) keep(*after);
 //
 // The watch stores all pairs whose first contact starts in [clock, known_to]. Pairs beyond the horizon wait:
 // they are stored, but not shown.
@@ -25,9 +26,9 @@
 #include <span>
 #include <vector>
 
-#include "query/watch/watched_pair.h"
-#include "sqlite/watch/pair_search.h"
-#include "storage/watch/watch_rows.h"
+#include "query/watch/pair_search.h"
+#include "query/watch/watch_pairs.h"
+#include "query/watch/watch_state.h"
 
 namespace foresee {
 
@@ -39,12 +40,14 @@ class Settlement {
  public:
   enum class Log : std::uint8_t { changes, nothing };
 
-  /// Writes the pending changes of the watch's tables as rows. Throws StoreError or Error if the watch or a
-  /// table cannot be read.
-  Settlement(Connection& connection, WatchRows& rows);
+  /// Requires: the contents of the tables are those of their stamps, nothing waits to be written.
+  Settlement(JoinedTables tables, const WatchState& before, WatchPairs& pairs, WatchLog& log,
+             const JoinResources& resources);
 
-  /// `log`: `nothing` for a new watch, which no reader knows yet.
-  void settle(Log log = Log::changes);
+  /// Writes the changes of the tables since `before` as rows. Returns the state after them, for the caller to
+  /// keep; nothing if the watch is up to date. `log`: `nothing` for a new watch, which no reader knows yet.
+  /// Throws what tables and rows throw.
+  std::optional<WatchState> settle(Log log = Log::changes);
 
   /// Whether rows are written already: an error after that leaves changes that the log does not have.
   bool has_written() const { return has_written_; }
@@ -79,10 +82,11 @@ class Settlement {
   Horizon queried_horizon() const { return {clock_, reach_}; }
   JoinQuestion question(const Horizon& horizon) const;
 
-  Connection& connection_;
-  WatchRows& rows_;
+  JoinedTables tables_;
+  WatchPairs& rows_;
+  WatchLog& log_;
+  JoinResources resources_;
   WatchState before_, state_;
-  WatchedTables tables_;
   ChangedObjects changed_a_, changed_b_;
   double clock_ = 0;        ///< new value
   double horizon_end_ = 0;  ///< clock + horizon, rounded

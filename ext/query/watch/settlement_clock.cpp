@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sqlite/watch/settlement.h"
+#include "query/watch/settlement.h"
 
 namespace foresee {
 namespace {
@@ -19,10 +19,7 @@ void append_times(const Scene& scene, std::vector<double>& instants) {
 }  // namespace
 
 bool Settlement::any_object() const {
-  const auto has_any = [](const Connection::OpenTable& table) {
-    return table.store->take_snapshot()->find_root() != 0;
-  };
-  return has_any(tables_.a) || (tables_.b && has_any(*tables_.b));
+  return tables_.a->tree()->find_root() != 0 || tables_.last().tree()->find_root() != 0;
 }
 
 void Settlement::move_clock() {
@@ -31,8 +28,7 @@ void Settlement::move_clock() {
   if (!state_.manual && state_.ahead)
     follow_reports();
   else if ((!state_.manual || !state_.clock) && any_object()) {
-    double newest = tables_.a.store->read_newest_t();
-    if (tables_.b) newest = std::max(newest, tables_.b->store->read_newest_t());
+    const double newest = tables_.newest_t();
     state_.clock = std::max(newest, state_.clock.value_or(newest));
   }
   if (!state_.clock && state_.manual) state_.clock = 0;
@@ -45,16 +41,15 @@ void Settlement::move_clock() {
 /// unknown; in rising order.
 std::vector<double> Settlement::reported_times() const {
   std::vector<double> instants;
-  const auto add = [&](const ChangedObjects& changed, const Connection::OpenTable& table) {
-    const Layout& layout = table.store->format().layout;
-    if (changed.reported && layout.has_t)
+  const auto add = [&](const ChangedObjects& changed, TableSource& table) {
+    if (changed.reported && table.layout().has_t)
       instants.insert(instants.end(), changed.instants.begin(), changed.instants.end());
     else if (changed.reported)
       instants.resize(instants.size() + changed.ids.size());
     else
-      append_times(*connection_.load_scene(table), instants);
+      append_times(*table.all(), instants);
   };
-  add(changed_a_, tables_.a);
+  add(changed_a_, *tables_.a);
   if (tables_.b && !tables_.are_one()) add(changed_b_, *tables_.b);
   std::sort(instants.begin(), instants.end());
   return instants;
@@ -77,15 +72,15 @@ void Settlement::follow_reports() {
 bool Settlement::must_recompute() const {
   if (!changed_a_.reported || !changed_b_.reported || before_.anew || !before_.clock) return true;
   if (clock_ < *before_.clock || clock_ > before_.known_to) return true;
-  return is_majority(changed_a_, tables_.a) || (tables_.b && is_majority(changed_b_, *tables_.b));
+  return is_majority(changed_a_, *tables_.a) || (tables_.b && is_majority(changed_b_, *tables_.b));
 }
 
 /// Doubles or halves the look-ahead. A search costs about a hundred nanoseconds per object at any length.
 /// Each pair found costs two row writes, which are wasted if the pair is erased before it is shown. The two
 /// costs are kept about equal.
 void Settlement::adapt_look_ahead() {
-  double objects = static_cast<double>(tables_.a.store->likely_objects());
-  if (tables_.b && !tables_.are_one()) objects += static_cast<double>(tables_.b->store->likely_objects());
+  double objects = tables_.a->likely_objects();
+  if (!tables_.is_within_one()) objects += tables_.b->likely_objects();
   const double dropped = static_cast<double>(state_.dropped), fair = std::max(objects / 64, 16.0);
   if (dropped < fair / 2 && 10 * state_.dropped <= state_.waited)
     state_.further *= 2;

@@ -1,0 +1,56 @@
+// A table of moving objects in memory: for applications that embed the core without SQLite, and for tests.
+//
+//   MemoryTable ships("ships", {.axes = 2, .law = Law::uniform, .shape = Shape::ball});
+//   ships.put(7, std::vector<double>{0, 0, 6, 0, 30});        // record_offsets(layout)
+//   ships.commit();
+//
+// Between two commits the table knows which objects changed. Guarantee: scenes and the tree hold the same
+// doubles as the records that were put. Cost: an update of the tree per put; all() copies every object once per
+// change. Outlines and meshes are not kept: a layout with `shape` needs a database.
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "index/memory_pages.h"
+#include "index/tpr_tree/tpr_tree.h"
+#include "query/table_source.h"
+
+namespace foresee {
+
+class MemoryTable final : public TableSource {
+ public:
+  /// `horizon`: the look-ahead for which the tree is arranged. Requires: a layout without outlines and meshes.
+  MemoryTable(std::string name, const Layout& layout, double horizon = 60);
+
+  /// Inserts the object, or replaces the one with this id. Requires: a valid record.
+  void put(std::int64_t id, std::span<const double> record);
+  bool erase(std::int64_t id);
+  /// Ends a transaction: later changes count from here on.
+  void commit();
+
+  const std::string& name() const override { return name_; }
+  const Layout& layout() const override { return pages_.layout(); }
+  double likely_objects() const override { return static_cast<double>(records_.size()); }
+  double newest_t() override;
+  std::shared_ptr<const Scene> all(bool with_levels = false) override;
+  bool is_loaded() override { return all_ != nullptr; }
+  std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) override;
+  /// Valid until the next change.
+  std::shared_ptr<NodeSource> tree() override { return {std::shared_ptr<void>(), &pages_}; }
+  std::optional<std::int64_t> stamp() override { return stamp_; }
+  ChangedObjects changes_since(const std::optional<std::int64_t>& stamp) override;
+
+ private:
+  void changed(std::int64_t id);
+
+  std::string name_;
+  MemoryPages pages_;
+  std::unique_ptr<TprTree> tree_;
+  std::map<std::int64_t, std::vector<double>> records_;
+  std::shared_ptr<const Scene> all_ = nullptr;  ///< of the current contents, once they are read
+  std::set<std::int64_t> changed_ids_;          ///< since the last commit
+  std::int64_t stamp_ = 0, committed_ = 0;
+};
+
+}  // namespace foresee

@@ -1,0 +1,72 @@
+#include "query/watch/pair_search.h"
+
+#include "query/join/join.h"
+#include "query/join/probe.h"
+#include "query/watch/pair_contacts.h"
+
+namespace foresee {
+namespace {
+
+// A probe costs about ten microseconds. The join of a few objects with all decodes all of them, at about a
+// hundred nanoseconds per object. Either way the pairs of a changed object are read and written.
+constexpr double few = 32, share_of_few = 1.0 / 50, many = 64, share_of_many = 0.3;
+
+}  // namespace
+
+bool is_majority(const ChangedObjects& changed, const TableSource& table) {
+  return static_cast<double>(changed.ids.size()) > std::max(many, share_of_many * table.likely_objects());
+}
+
+PairSearch::PairSearch(const JoinedTables& tables, JoinQuestion question, const JoinResources& resources)
+    : tables_(tables),
+      question_(std::move(question)),
+      resources_(resources),
+      reach_(contact_of(question_)->reach()) {}
+
+void PairSearch::pairs_of(Side side, std::span<const std::int64_t> ids, const Take& take) {
+  if (ids.empty()) return;
+  TableSource& others = table(side == Side::a ? Side::b : Side::a);
+  if (static_cast<double>(ids.size()) > std::max(few, share_of_few * others.likely_objects()))
+    return join(side, ids, take);
+  const auto tree = others.tree();
+  for (const std::int64_t id : ids) probe(side, id, *tree, take);
+}
+
+void PairSearch::probe(Side side, std::int64_t id, NodeSource& others_tree, const Take& take) {
+  const bool by_a = side == Side::a;
+  const std::shared_ptr<const Scene> object = table(side).objects(std::span(&id, 1));
+  if (object->size() == 0) return;
+  const bool within_one = tables_.is_within_one();
+  const auto near = objects_near(*object, others_tree, table(by_a ? Side::b : Side::a).name(),
+                                 {question_.now, question_.h}, reach_, resources_.interrupt,
+                                 [&](std::int64_t other) { return !within_one || other != id; });
+  if (near->size() == 0) return;
+  JoinQuestion question = question_;
+  question.a = by_a ? object : near, question.b = by_a ? near : object;
+  std::vector<Pair> pairs;
+  for (std::uint32_t i = 0; i < near->size(); ++i) pairs.push_back(by_a ? Pair{0, i} : Pair{i, 0});
+  take(pair_contacts(question, pairs, resources_.interrupt));
+}
+
+void PairSearch::join(Side side, std::span<const std::int64_t> ids, const Take& take) {
+  JoinQuestion question = question_;
+  const bool within_one = tables_.is_within_one();
+  question.a = tables_.a->all();
+  question.b = within_one ? question.a : tables_.b->all();
+  question.space = resources_.space, question.helpers = resources_.helpers;
+  (side == Side::a ? question.a : question.b) = table(side).objects(ids);
+  Join join(std::move(question), resources_.interrupt);
+  std::vector<JoinRow> others;
+  for (auto rows = join.next(); !rows.empty(); rows = join.next()) {
+    if (!within_one) {
+      take(rows);
+      continue;
+    }
+    others.clear();  // without each object's contact with itself
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(others),
+                 [](const JoinRow& row) { return row.a != row.b; });
+    take(others);
+  }
+}
+
+}  // namespace foresee

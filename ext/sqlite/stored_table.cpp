@@ -1,0 +1,50 @@
+#include "sqlite/stored_table.h"
+
+#include <algorithm>
+
+#include "base/float_environment.h"
+
+namespace foresee {
+
+ChangedObjects changed_objects(Store& store, const std::optional<std::int64_t>& stamp) {
+  ChangedObjects changed;
+  changed.reported = stamp && stamp == store.stamp_before_changes();
+  if (!changed.reported) return changed;
+  const int t = store.format().at.t;
+  store.for_each_change([&](std::int64_t id, std::span<const double>, std::span<const double> after) {
+    changed.ids.push_back(id);
+    if (!after.empty() && t >= 0) changed.instants.push_back(after[static_cast<std::size_t>(t)]);
+  });
+  std::sort(changed.ids.begin(), changed.ids.end());
+  return changed;
+}
+
+std::shared_ptr<const Scene> StoredTable::objects(std::span<const std::int64_t> ids) {
+  const FloatEnvironment environment;  // accelerations are computed on loading
+  auto scene = std::make_shared<Scene>();
+  scene->name = name(), scene->layout = layout();
+  const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
+  StatementReadState statement_state;
+  for (const std::int64_t id : ids) {
+    const std::span<const double> record = table_.store->find(id, statement_state);
+    if (record.empty()) continue;
+    scene->ids.push_back(id);
+    scene->rows.resize(scene->rows.size() + row_size);
+    row_from_record(scene->layout, record.data(), scene->rows.data() + scene->rows.size() - row_size);
+  }
+  scene->take_forms(table_.store->forms(), connection_.interrupt());
+  return scene;
+}
+
+JoinedTables sources_of(Connection& connection, const OpenTables& tables) {
+  JoinedTables sources{std::make_shared<StoredTable>(connection, tables.a)};
+  if (tables.b)
+    sources.b = tables.are_one() ? sources.a : std::make_shared<StoredTable>(connection, *tables.b);
+  return sources;
+}
+
+JoinResources resources_of(Connection& connection) {
+  return {connection.interrupt(), connection.grid_space(), connection.helper_threads()};
+}
+
+}  // namespace foresee

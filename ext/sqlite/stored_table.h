@@ -1,0 +1,63 @@
+// The tables of a connection as queries read them: TableSource over a store and the connection's scenes.
+//
+//   const OpenTables tables{open_table(connection, ships), open_table(connection, ferries)};
+//   const JoinedTables sources = sources_of(connection, tables);
+//   Settlement(sources, state, rows, rows, resources_of(connection)).settle();
+//
+// Cost: as TableSource says; the scene of all objects is cached for one version of the contents.
+#pragma once
+
+#include <optional>
+
+#include "query/table_source.h"
+#include "sqlite/connection.h"
+
+namespace foresee {
+
+/// The objects that this transaction has changed, if its changes start from this stamp.
+ChangedObjects changed_objects(Store& store, const std::optional<std::int64_t>& stamp);
+
+class StoredTable final : public TableSource {
+ public:
+  /// Requires: the connection outlives this.
+  StoredTable(Connection& connection, Connection::OpenTable table)
+      : connection_(connection), table_(std::move(table)) {}
+
+  const std::string& name() const override { return table_.table; }
+  const Layout& layout() const override { return table_.store->declaration().layout; }
+  double likely_objects() const override { return static_cast<double>(table_.store->likely_objects()); }
+  double newest_t() override { return table_.store->read_newest_t(); }
+  std::shared_ptr<const Scene> all(bool with_levels) override {
+    return connection_.load_scene(table_, with_levels);
+  }
+  bool is_loaded() override { return connection_.find_scene(table_) != nullptr; }
+  std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) override;
+  std::shared_ptr<NodeSource> tree() override { return table_.store->take_snapshot(); }
+
+  /// That of the stored rows: with an open savepoint, memory may also have nodes that are written already.
+  std::optional<std::int64_t> stamp() override { return table_.store->stored_stamp(); }
+  ChangedObjects changes_since(const std::optional<std::int64_t>& stamp) override {
+    return changed_objects(*table_.store, stamp);
+  }
+
+ private:
+  Connection& connection_;
+  Connection::OpenTable table_;
+};
+
+/// The tables of a join or of a watch.
+struct OpenTables {
+  Connection::OpenTable a;
+  std::optional<Connection::OpenTable> b = {};  ///< nothing: pairs within a, each once
+
+  /// Whether both are the same table: then pairs occur in both orders.
+  bool are_one() const { return b && b->store == a.store; }
+};
+
+/// Requires: the connection outlives the result.
+JoinedTables sources_of(Connection& connection, const OpenTables& tables);
+
+/// Requires: the connection outlives the result.
+JoinResources resources_of(Connection& connection);
+
+}  // namespace foresee
