@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "base/float_environment.h"
 #include "base/number_text.h"
+#include "base/text/wkt_lexer.h"
 #include "shape/mesh/weld.h"
-#include "shape/wkt_lexer.h"
 
 namespace foresee {
 

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/float_environment.h"
 #include "base/number_text.h"
-#include "shape/wkt_lexer.h"
+#include "base/text/wkt_lexer.h"
 
 namespace foresee {
 

@@ -18,8 +18,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/text/wkt_lexer.h"
 #include "shape/outline/outline.h"
-#include "shape/wkt_lexer.h"
 
 namespace foresee {
 

@@ -1,4 +1,4 @@
-#include "shape/wkt_lexer.h"
+#include "base/text/wkt_lexer.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,4 @@
-// Lexer of well-known text (WKT; OGC Simple Features, part 1, section 7) for the readers of outlines and
-// meshes.
+// Lexer of well-known text (WKT; OGC Simple Features, part 1, section 7) for readers of geometries.
 //
 //   if (take_word("POLYGON")) must_take('(');
 //   const double x = number(), y = number();
