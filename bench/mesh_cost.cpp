@@ -17,6 +17,7 @@
 #include "pair_costs.h"
 #include "plain_mesh.h"
 #include "program.h"
+#include "shape/mesh/triangle_tree.h"
 
 namespace foresee::bench {
 namespace {
@@ -83,7 +84,7 @@ struct Fleet final : MeshRows {
     }
   }
 
-  const TriangleTree* triangles(std::size_t row, ScratchPieces<TriangleTree>&) const override {
+  const TriangleTree* pieces(std::size_t row, ScratchPieces<TriangleTree>&) const override {
     return &trees[row];
   }
   Bodies bodies() const { return {{.axes = 3, .law = Law::uniform}, rows.data(), rows.size() / 6}; }

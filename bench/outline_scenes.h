@@ -8,7 +8,8 @@
 
 #include "base/pair.h"
 #include "shape/bodies.h"
-#include "shape/outline/outline_rows.h"
+#include "shape/form_rows.h"
+#include "shape/outline/convex_pieces.h"
 
 namespace foresee::bench {
 

@@ -26,8 +26,7 @@
 #include "contact/contact.h"
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
-#include "shape/mesh/mesh_rows.h"
-#include "shape/outline/outline_rows.h"
+#include "shape/form_rows.h"
 
 namespace foresee {
 
@@ -46,23 +45,20 @@ std::unique_ptr<Contact> make_typed(int axes, int degree, Arguments&&... argumen
   });
 }
 
-/// The outlines of both tables. Null: the rows are what their layout says; for a layout of outlines these are
-/// the smallest rectangles around them, inflated by r.
-struct OutlineTables {
-  const OutlineRows *a = nullptr, *b = nullptr;
+/// The outlines or meshes of both tables. Null: the rows are what their layout says; for a layout of outlines
+/// or meshes these are the smallest rectangles or boxes around them, inflated by r.
+template <class Pieces>
+struct FormTables {
+  const FormRows<Pieces>*a = nullptr, *b = nullptr;
 };
+using OutlineTables = FormTables<ConvexPieces>;
+using MeshTables = FormTables<TriangleTree>;
 
 /// Contact of two outlines, or of one with a point, disc, box or cylinder. If the setup has a window, then
 /// the first table is that window, or the zone whose outline it has; a window of a zone is bounded along z
 /// alone. `degree`: of the relative motion, at most 2. Requires: two or three axes; the tables outlive the
 /// contact.
 std::unique_ptr<Contact> make_outline_contact(const Setup& setup, const OutlineTables& outlines, int degree);
-
-/// The meshes of both tables. Null: the rows are what their layout says; for a layout of meshes these are the
-/// smallest boxes around them, inflated by r.
-struct MeshTables {
-  const MeshRows *a = nullptr, *b = nullptr;
-};
 
 /// Contact of two meshes, or of one with a point, ball or box. Surfaces are triangles under a tree of boxes,
 /// or the one box of a row's half extents; a solid also touches what is inside it. If the setup has a window,

@@ -5,6 +5,7 @@
 #include "contact/contact_factories.h"
 #include "contact/set/minkowski_sum.h"
 #include "contact/window_contact.h"
+#include "shape/shared_form.h"
 
 namespace foresee {
 namespace {
@@ -23,16 +24,18 @@ bool is_round(const PairRule& rule, const Bodies& a, const Bodies& b) {
          has_radius(b, radius.b, radius.growth_b);
 }
 
-/// The outlines of a table for contact, and its meshes; null where `rectangles` or boxes stand for them.
-const OutlineRows* outlines_of(const Bodies& bodies, bool rectangles) {
-  if (rectangles || bodies.layout.shape != Shape::outline) return nullptr;
-  if (!bodies.outlines && bodies.count > 0) throw Error("the outlines of these rows are not loaded");
-  return bodies.outlines;
-}
-const MeshRows* meshes_of(const Bodies& bodies, bool boxes) {
-  if (boxes || bodies.layout.shape != Shape::mesh) return nullptr;
-  if (!bodies.meshes && bodies.count > 0) throw Error("the meshes of these rows are not loaded");
-  return bodies.meshes;
+/// The forms of both tables for contact; null where `bounds_alone`, or boxes and points, stand for them.
+template <class Pieces>
+FormTables<Pieces> tables_of(const Bodies& a, const Bodies& b, const FormRows<Pieces>* Bodies::*forms,
+                             bool bounds_alone) {
+  const auto of = [&](const Bodies& bodies) -> const FormRows<Pieces>* {
+    if (bounds_alone || !is_stored_apart(bodies.layout.shape)) return nullptr;
+    if (!(bodies.*forms) && bodies.count > 0)
+      throw Error(std::string("the ") + name_of_form(bodies.layout.shape) +
+                  (bodies.layout.shape == Shape::mesh ? "es" : "s") + " of these rows are not loaded");
+    return bodies.*forms;
+  };
+  return {of(a), of(b)};
 }
 
 }  // namespace
@@ -47,9 +50,9 @@ std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const Co
   const int degree = std::max(degree_of(a.layout.law), degree_of(b.layout.law));
   const bool boxes = question.rectangles_for_outlines;
   if (rule.pieces == PieceKind::planar)
-    return make_outline_contact(setup, {outlines_of(a, boxes), outlines_of(b, boxes)}, degree);
+    return make_outline_contact(setup, tables_of(a, b, &Bodies::outlines, boxes), degree);
   if (rule.pieces == PieceKind::spatial)
-    return make_mesh_contact(setup, {meshes_of(a, boxes), meshes_of(b, boxes)}, degree);
+    return make_mesh_contact(setup, tables_of(a, b, &Bodies::meshes, boxes), degree);
   if (rule.distance == Distance::per_axis && !rule.grows) return make_box_contact(setup, degree);
   return make_set_contact(setup, contact_set(setup), degree);
 }

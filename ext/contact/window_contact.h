@@ -21,7 +21,7 @@
 
 #include "contact/contact.h"
 #include "contact/set/relative_motion.h"
-#include "shape/outline/outline_rows.h"
+#include "shape/form_rows.h"
 #include "shape/outline/shared_outline.h"
 
 namespace foresee {

@@ -12,7 +12,7 @@
 
 #include "index/tpr_tree/search/tree_join.h"
 #include "shape/bodies.h"
-#include "shape/row_forms.h"
+#include "shape/turned_forms.h"
 
 namespace foresee {
 

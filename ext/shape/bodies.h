@@ -13,12 +13,10 @@
 
 #include "base/pair.h"
 #include "motion/motion.h"
+#include "shape/form_rows.h"
 #include "shape/row_layout.h"
 
 namespace foresee {
-
-class MeshRows;
-class OutlineRows;
 
 struct Bodies {
   Bodies() = default;

@@ -8,9 +8,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <unordered_map>
 
+#include "shape/form_rows.h"
 #include "shape/shared_form.h"
 
 namespace foresee {
@@ -18,7 +18,7 @@ namespace foresee {
 class ExtentsCache {
  public:
   const Extents<3>& of(std::int64_t number, const Form& form, double heading) {
-    const Pose pose{number, heading};
+    const Pose<std::int64_t> pose{number, heading};
     const auto found = known_.find(pose);
     if (found != known_.end()) return found->second;
     if (known_.size() >= limit) known_.clear();
@@ -28,19 +28,7 @@ class ExtentsCache {
  private:
   static constexpr std::size_t limit = 1 << 16;
 
-  struct Pose {
-    std::int64_t number;
-    double heading;
-
-    friend bool operator==(const Pose&, const Pose&) = default;
-  };
-  struct PoseHash {
-    std::size_t operator()(const Pose& pose) const {
-      return std::hash<std::int64_t>()(pose.number) * 0x9e3779b97f4a7c15U ^ std::hash<double>()(pose.heading);
-    }
-  };
-
-  std::unordered_map<Pose, Extents<3>, PoseHash> known_;
+  std::unordered_map<Pose<std::int64_t>, Extents<3>, PoseHash<std::int64_t>> known_;
 };
 
 }  // namespace foresee

@@ -2,8 +2,6 @@
 
 #include "base/integer_of.h"
 #include "base/interrupt_steps.h"
-#include "shape/mesh/shared_mesh.h"
-#include "shape/outline/shared_outline.h"
 
 namespace foresee {
 
@@ -30,7 +28,7 @@ template <class KindOfForm>
 const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::pieces(std::size_t row,
                                                                    ScratchPieces<Pieces>& own) const {
   const KindOfForm* const form = forms_[row];
-  const Pose pose{form, heading(row)};
+  const FormPose pose{form, heading(row)};
   if (!form || pose.heading == 0) return form ? &form->pieces() : nullptr;
   if (const Pieces* const known = turned_[row].load(std::memory_order_acquire)) return known;
   const Pieces* pieces = kept(pose);
@@ -40,14 +38,14 @@ const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::pieces(std::size_t r
 }
 
 template <class KindOfForm>
-const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::kept(const Pose& pose) const {
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::kept(const FormPose& pose) const {
   const std::lock_guard lock(mutex_);
   const auto found = kept_.find(pose);
   return found == kept_.end() ? nullptr : found->second.get();
 }
 
 template <class KindOfForm>
-const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::made_for(std::size_t row, const Pose& pose,
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::made_for(std::size_t row, const FormPose& pose,
                                                                      ScratchPieces<Pieces>& own) const {
   if (own.are_of(pose.form, pose.heading)) return own.pieces.get();
   auto made = std::make_unique<const Pieces>(pose.form->rotated_pieces(pose.heading));
@@ -57,7 +55,7 @@ const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::made_for(std::size_t
 }
 
 template <class KindOfForm>
-const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::keep(const Pose& pose,
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::keep(const FormPose& pose,
                                                                  std::unique_ptr<const Pieces>& made) const {
   const std::lock_guard lock(mutex_);
   const std::size_t more = made->memory() + sizeof(typename decltype(kept_)::value_type);

@@ -1,16 +1,13 @@
 // Rotated forms of many rows, cached by form and heading and shared by rows, as contact reads them.
 //
-// Common to outlines (outline/turned_outlines.h) and meshes (mesh/turned_meshes.h).
-//
-//   TurnedForms<SharedOutline> forms;
+//   RowForms forms;                                       // outlines or meshes, as the layout says
 //   forms.assign(ships, source, interrupt);               // looks up the form number of every row
-//   ScratchPieces<ConvexPieces> own;
-//   if (const ConvexPieces* hull = forms.pieces(row, own)) …   // turned by the row's heading
+//   forms.attach_to(ships);                               // contact reads ships.outlines or ships.meshes
 //
 // Rows of the same form and heading share its pieces. Pieces are made on the first read of a row with that
 // heading, and kept until the cache reaches its budget. Beyond the budget each caller makes its own pieces,
-// and discards them with its next read. Thread-safe. Cost: a look-up per row; on demand a rotation and the
-// pieces, as a rule once.
+// and discards them with its next read. Thread-safe. Cost: a look-up per row. On demand it is a microsecond per
+// heading and some 50 ns per corner of an outline, 200 ns per corner of a mesh, as a rule once.
 #pragma once
 
 #include <atomic>
@@ -21,13 +18,15 @@
 
 #include "base/error.h"
 #include "shape/bodies.h"
-#include "shape/scratch_pieces.h"
+#include "shape/form_rows.h"
+#include "shape/mesh/shared_mesh.h"
+#include "shape/outline/shared_outline.h"
 #include "shape/shared_form.h"
 
 namespace foresee {
 
 template <class KindOfForm>
-class TurnedForms {
+class TurnedForms final : public FormRows<typename KindOfForm::Pieces> {
  public:
   using Pieces = typename KindOfForm::Pieces;
 
@@ -35,6 +34,9 @@ class TurnedForms {
   static constexpr std::size_t usual_budget = std::size_t{256} << 20;
 
   explicit TurnedForms(std::size_t budget = usual_budget) : budget_(budget) {}
+  TurnedForms(const Bodies& bodies, FormSource& source, Interrupt& interrupt) : TurnedForms() {
+    assign(bodies, source, interrupt);
+  }
   TurnedForms(const TurnedForms&) = delete;
   TurnedForms& operator=(const TurnedForms&) = delete;
 
@@ -42,9 +44,8 @@ class TurnedForms {
   /// and do not change.
   void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt);
 
-  /// The pieces of the row's rotated form; they live as long as this, or in `own`. Null: the row has no form.
   /// Throws Error if the rotated form is not valid: no accepted row has such a heading.
-  const Pieces* pieces(std::size_t row, ScratchPieces<Pieces>& own) const;
+  const Pieces* pieces(std::size_t row, ScratchPieces<Pieces>& own) const override;
 
   /// In bytes, partly an estimate; it grows as rows are read.
   std::size_t memory() const;
@@ -52,23 +53,12 @@ class TurnedForms {
  private:
   using Turned = std::atomic<const Pieces*>;
 
-  /// The key of the cache: a form and its heading.
-  struct Pose {
-    const KindOfForm* form;
-    double heading;
+  using FormPose = Pose<const KindOfForm*>;
 
-    friend bool operator==(const Pose&, const Pose&) = default;
-  };
-  struct PoseHash {
-    std::size_t operator()(const Pose& pose) const {
-      return std::hash<const void*>()(pose.form) ^ 0x9e3779b97f4a7c15U * std::hash<double>()(pose.heading);
-    }
-  };
-
-  const Pieces* kept(const Pose& pose) const;
+  const Pieces* kept(const FormPose& pose) const;
   /// Caches the pieces; null if the budget does not allow it.
-  const Pieces* keep(const Pose& pose, std::unique_ptr<const Pieces>& made) const;
-  const Pieces* made_for(std::size_t row, const Pose& pose, ScratchPieces<Pieces>& own) const;
+  const Pieces* keep(const FormPose& pose, std::unique_ptr<const Pieces>& made) const;
+  const Pieces* made_for(std::size_t row, const FormPose& pose, ScratchPieces<Pieces>& own) const;
   double heading(std::size_t row) const { return value_or(bodies_.row(row), bodies_.at.heading, 0); }
 
   Bodies bodies_;
@@ -77,8 +67,35 @@ class TurnedForms {
   mutable std::unique_ptr<Turned[]> turned_;  ///< per row: its cached pieces; null: not known
   std::size_t budget_;
   mutable std::mutex mutex_;  ///< protects the members below
-  mutable std::unordered_map<Pose, std::unique_ptr<const Pieces>, PoseHash> kept_;
+  mutable std::unordered_map<FormPose, std::unique_ptr<const Pieces>, PoseHash<const KindOfForm*>> kept_;
   mutable std::size_t kept_bytes_ = 0;
+};
+
+using TurnedOutlines = TurnedForms<SharedOutline>;
+using TurnedMeshes = TurnedForms<SharedMesh>;
+
+/// The rotated forms of many rows, to be attached to bodies.
+class RowForms {
+ public:
+  /// As TurnedForms::assign(). Requires: a layout whose shapes are stored separately.
+  void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
+    if (bodies.layout.shape == Shape::mesh)
+      meshes_.assign(bodies, source, interrupt);
+    else
+      outlines_.assign(bodies, source, interrupt);
+  }
+  /// From now on contact reads the forms of these bodies here; this must outlive it.
+  void attach_to(Bodies& bodies) const {
+    if (bodies.layout.shape == Shape::mesh)
+      bodies.meshes = &meshes_;
+    else
+      bodies.outlines = &outlines_;
+  }
+  std::size_t memory() const { return outlines_.memory() + meshes_.memory(); }
+
+ private:
+  TurnedOutlines outlines_;
+  TurnedMeshes meshes_;
 };
 
 }  // namespace foresee

@@ -71,7 +71,7 @@ Vec<3> place_at(const double* numbers) {
 
 /// Reads the pieces of a row.
 void take_row(SpacePieces& pieces, const Bodies& bodies, const MeshRows* meshes, std::size_t i) {
-  const TriangleTree* const known = meshes ? meshes->triangles(i, pieces.own()) : nullptr;
+  const TriangleTree* const known = meshes ? meshes->pieces(i, pieces.own()) : nullptr;
   if (known) return pieces.take(*known);
   const double* const row = bodies.row(i);
   const Offsets& at = bodies.at;

@@ -1,7 +1,7 @@
 // Convex pieces of one object in space, under a tree of boxes: the triangles of its mesh, or one box.
 //
 //   SpacePieces pieces;
-//   pieces.take(*meshes.triangles(row, pieces.own()));  // or take_box(box), take_point()
+//   pieces.take(*meshes.pieces(row, pieces.own()));  // or take_box(box), take_point()
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
 //
 // The box is made of the row's half extents; a point is a box of size 0.
@@ -9,8 +9,8 @@
 
 #include <array>
 
+#include "shape/form_rows.h"
 #include "shape/mesh/triangle_tree.h"
-#include "shape/scratch_pieces.h"
 
 namespace foresee {
 

@@ -11,7 +11,8 @@
 
 #include "contact/outline/convex_sum.h"
 #include "shape/bodies.h"
-#include "shape/outline/outline_rows.h"
+#include "shape/form_rows.h"
+#include "shape/outline/convex_pieces.h"
 
 namespace foresee {
 

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "shape/mesh/mesh_rows.h"
+#include "shape/form_rows.h"
+#include "shape/mesh/triangle_tree.h"
 
 namespace foresee::testing_by_hand {
 namespace {
@@ -14,7 +15,7 @@ class OneMesh final : public MeshRows {
   explicit OneMesh(const Mesh& mesh) {
     if (!mesh.triangles().empty()) tree_ = TriangleTree(mesh);
   }
-  const TriangleTree* triangles(std::size_t /*row*/, ScratchPieces<TriangleTree>& /*own*/) const override {
+  const TriangleTree* pieces(std::size_t /*row*/, ScratchPieces<TriangleTree>& /*own*/) const override {
     return tree_.count() > 0 ? &tree_ : nullptr;
   }
 

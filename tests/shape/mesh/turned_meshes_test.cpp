@@ -1,12 +1,11 @@
 // The rotated meshes of many rows: looked up once, rotated on demand, also by several threads.
-#include "shape/mesh/turned_meshes.h"
-
 #include <gtest/gtest.h>
 
 #include <thread>
 
 #include "shape/mesh/test_meshes.h"
 #include "shape/swept_boxes.h"
+#include "shape/turned_forms.h"
 
 namespace foresee {
 namespace {
@@ -36,14 +35,14 @@ TEST(TurnedMeshes, AreSharedUnlessTheyAreTurned) {
   ScratchPieces<TriangleTree> own;
   const TurnedMeshes meshes(Bodies(drones, rows.data(), 5), rack, never);
   EXPECT_EQ(rack.queried, 2);
-  EXPECT_EQ(meshes.triangles(1, own), nullptr);
-  EXPECT_EQ(meshes.triangles(0, own), meshes.triangles(4, own));
-  EXPECT_NE(meshes.triangles(0, own), meshes.triangles(2, own));
-  EXPECT_EQ(meshes.triangles(2, own), meshes.triangles(2, own));
-  EXPECT_EQ(meshes.triangles(2, own)->tree().box(0).lower[1], -1);  // clockwise from the y axis
-  EXPECT_TRUE(meshes.triangles(2, own)->is_solid());
-  EXPECT_EQ(meshes.triangles(3, own)->count(), 1u);
-  EXPECT_FALSE(meshes.triangles(3, own)->is_solid());
+  EXPECT_EQ(meshes.pieces(1, own), nullptr);
+  EXPECT_EQ(meshes.pieces(0, own), meshes.pieces(4, own));
+  EXPECT_NE(meshes.pieces(0, own), meshes.pieces(2, own));
+  EXPECT_EQ(meshes.pieces(2, own), meshes.pieces(2, own));
+  EXPECT_EQ(meshes.pieces(2, own)->tree().box(0).lower[1], -1);  // clockwise from the y axis
+  EXPECT_TRUE(meshes.pieces(2, own)->is_solid());
+  EXPECT_EQ(meshes.pieces(3, own)->count(), 1u);
+  EXPECT_FALSE(meshes.pieces(3, own)->is_solid());
 }
 
 TEST(TurnedMeshes, ManyThreadsGetTheSameTriangles) {
@@ -58,7 +57,7 @@ TEST(TurnedMeshes, ManyThreadsGetTheSameTriangles) {
   for (auto& mine : seen)
     threads.emplace_back([&] {
       ScratchPieces<TriangleTree> own;
-      for (std::size_t i = 0; i < 64; ++i) mine.push_back(meshes.triangles(i, own));
+      for (std::size_t i = 0; i < 64; ++i) mine.push_back(meshes.pieces(i, own));
     });
   for (std::thread& thread : threads) thread.join();
   for (const auto& mine : seen) EXPECT_EQ(mine, seen[0]);
@@ -76,9 +75,9 @@ TEST(TurnedMeshes, OfMoreHeadingsThanThereIsRoomForAreMadeAgain) {
   meshes.assign(Bodies(drones, rows.data(), 200), rack, never);
   const std::size_t before = meshes.memory();
   for (std::size_t i = 0; i < 200; ++i)
-    EXPECT_EQ(meshes.triangles(i, own)->count(), meshes.triangles(0, own)->count());
+    EXPECT_EQ(meshes.pieces(i, own)->count(), meshes.pieces(0, own)->count());
   EXPECT_LE(meshes.memory(), before + budget);
-  EXPECT_EQ(meshes.triangles(199, own), own.pieces.get());
+  EXPECT_EQ(meshes.pieces(199, own), own.pieces.get());
 }
 
 // A row of a mesh that lies at (3, 4, 5) to (4, 6, 8) of its position, grown by 2.

@@ -1,12 +1,11 @@
 // The rotated outlines of many rows: looked up once, rotated on demand, also by several threads.
-#include "shape/outline/turned_outlines.h"
-
 #include <gtest/gtest.h>
 
 #include <thread>
 
 #include "shape/outline/wkt.h"
 #include "shape/swept_boxes.h"
+#include "shape/turned_forms.h"
 
 namespace foresee {
 namespace {
