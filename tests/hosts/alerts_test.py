@@ -18,14 +18,25 @@ KILLS = 50 if LONG else 3       # of each of the two: lines and web server
 
 
 class Server:
-    """A web server on loopback that fails by chance: errors, closed connections, a request for patience."""
+    """A web server on loopback that fails by chance: errors, closed connections, a request for patience.
 
-    def __init__(self, test, chance=None, port=0):
-        self.received, self.failures, self.keys = [], 0, []
+    With `posts` it closes each connection after so many, without a word before.
+    """
+
+    def __init__(self, test, chance=None, port=0, posts=None):
+        self.received, self.failures, self.keys, self.connections, self.lines = [], 0, [], 0, []
         owner = self
 
         class Handler(http.server.BaseHTTPRequestHandler):
+            protocol_version = "HTTP/1.1"
+
+            def setup(self):
+                super().setup()
+                owner.connections += 1
+                self.posts = 0
+
             def do_POST(self):
+                self.posts += 1
                 body = self.rfile.read(int(self.headers["Content-Length"]))
                 fate = chance.random() if chance else 1.0
                 if fate < 0.15:
@@ -36,20 +47,24 @@ class Server:
                     owner.failures += 1
                     self.send_response(chance.choice((500, 503, 404, 302)))
                     self.send_header("Retry-After", "0.05")
+                    self.send_header("Content-Length", "0")
                     self.end_headers()
                     return
                 owner.received.append(json.loads(body))
                 owner.keys.append(self.headers["Idempotency-Key"])
+                owner.lines.append((self.path, self.headers["Host"], self.headers["Authorization"]))
                 if fate < 0.35:
                     self.close_connection = True
                     return                          # it arrived, and the answer did not
                 self.send_response(204)
                 self.end_headers()
+                self.close_connection = self.posts == posts
 
             def log_message(self, *arguments):
                 pass
 
         self.server = http.server.ThreadingHTTPServer(("127.0.0.1", port), Handler)
+        self.server.handle_error = lambda *arguments: None      # a reader that is killed in the middle of a post
         threading.Thread(target=self.server.serve_forever, daemon=True).start()
         test.addCleanup(self.stop)
         self.url = f"http://127.0.0.1:{self.server.server_port}/hook?key=secret"
@@ -197,6 +212,32 @@ class Alerts(Live):
         self.assertEqual(server.keys[0], f"alerts-{wanted[0]}-1-3")
         self.assertFalse(any("secret" in line for line in reader.errors), reader.errors)
         self.assertTrue(reader.said("127.0.0.1: answers 50") or reader.said("127.0.0.1: Remote end closed"), reader.errors)
+
+    def posts_of(self, server, count):
+        """What the server got of so many changes, as one reader sends them; the lines on stderr."""
+        self.alerts()
+        start = self.published(0)[0]
+        self.write_changes(count, 0).join()
+        wanted = self.published(start)
+        errors = self.command("alerts", self.file, "alerts", "--once", "--webhook", server.url)[1]
+        self.assertEqual([change["seq"] for change in server.received], wanted)
+        return errors
+
+    def test_one_connection_carries_all_posts(self):
+        server = Server(self)
+        self.assertEqual(self.posts_of(server, 60), "")
+        self.assertEqual(server.connections, 1)
+
+    def test_a_connection_that_the_server_closes_is_opened_again(self):
+        server = Server(self, posts=7)
+        self.assertEqual(self.posts_of(server, 60), "")
+        self.assertEqual(server.connections, -(-len(server.received) // 7))
+
+    def test_a_proxy_of_the_environment_gets_the_posts(self):
+        self.environment = {**self.environment, "http_proxy": (proxy := Server(self)).url, "no_proxy": ""}
+        self.command("alerts", self.file, "alerts", "--once", "--webhook", "http://user:pass%20word@hook.invalid/x?key=1")
+        self.assertEqual(len(proxy.received), 1)
+        self.assertEqual(proxy.lines, [("http://hook.invalid/x?key=1", "hook.invalid", "Basic dXNlcjpwYXNzIHdvcmQ=")])
 
     def test_killed_at_random_it_misses_no_post(self):
         self.alerts()

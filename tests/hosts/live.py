@@ -139,14 +139,14 @@ def made_up_report(number, ships):
 class Broker:
     """mosquitto on loopback, which can be stopped and started again with what it holds."""
 
-    def __init__(self, test):
+    def __init__(self, test, settings=""):
         if not shutil.which("mosquitto") and not Path("/usr/sbin/mosquitto").exists():
             skip("feed over MQTT", "there is no mosquitto")
         if subprocess.run([PYTHON, "-c", "import paho.mqtt.client"], capture_output=True).returncode != 0:
             skip("feed over MQTT", f"{PYTHON} has no paho.mqtt (python3-paho-mqtt)")
         self.port, self.process = free_port(), None
         self.settings = test.write("broker/mosquitto.conf", f"listener {self.port} 127.0.0.1\nallow_anonymous true\nmax_queued_messages 0\n"
-                                   f"persistence true\npersistence_location {test.folder}/broker/\n" +
+                                   f"persistence true\npersistence_location {test.folder}/broker/\n" + settings +
                                    ("user root\n" if os.geteuid() == 0 else ""))
         self.url = f"mqtt://127.0.0.1:{self.port}/ais/#"
         test.addCleanup(self.stop)
@@ -182,6 +182,33 @@ class Broker:
                 one.wait_for_publish()
         client.disconnect()
         client.loop_stop()
+
+
+class ForgetfulBroker:
+    """A broker of MQTT 3.1.1 that reads no acknowledgement: it sends a script of packets per connection, then closes it.
+
+    A packet is (mid, dup, text). The session is there from the second connection on.
+    """
+
+    def __init__(self, test, connections):
+        self.server = socket.create_server(("127.0.0.1", 0))
+        test.addCleanup(self.server.close)
+        self.url = f"mqtt://127.0.0.1:{self.server.getsockname()[1]}/ais/#"
+        threading.Thread(target=self.serve, args=(test, connections), daemon=True).start()
+
+    def serve(self, test, connections):
+        for number, packets in enumerate(connections):
+            peer = self.server.accept()[0]
+            peer.recv(4096)                                                     # CONNECT
+            peer.sendall(bytes([0x20, 2, number > 0, 0]))
+            subscribe = peer.recv(4096)
+            peer.sendall(bytes([0x90, 3]) + subscribe[2:4] + b"\1")
+            for mid, dup, text in packets:
+                body = b"\0\5ais/x" + mid.to_bytes(2, "big") + text.encode()
+                length = bytes([len(body) % 128 | 128, len(body) // 128])
+                peer.sendall(bytes([0x32 | 8 * dup]) + length + body)
+            peer.recv(4096)                                                     # what was sent is stored
+            peer.close()
 
 
 def totals(errors):

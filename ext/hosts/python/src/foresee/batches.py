@@ -24,7 +24,7 @@ class Progress:
     def __init__(self, stream, every=10.0):
         self.stream, self.every = stream, every
         self.started = self.shown = time.monotonic()
-        self.lines = self.stored = self.older = self.bad = 0
+        self.lines = self.stored = self.older = self.bad = self.repeated = 0
         self.left_out = lambda: 0           # of the decoder
 
     def name_bad(self, number, message):
@@ -44,15 +44,16 @@ class Progress:
         self.shown = now
         rate = self.lines / max(now - self.started, 1e-3)
         self.say(f"{self.lines} lines, {self.stored} reports stored, {self.older} older than what is stored, {self.left_out()} without "
-                 f"position or speed, {self.bad} bad; {rate:.0f} lines per second")
+                 f"position or speed, {self.bad} bad{f', {self.repeated} sent again' if self.repeated else ''}; {rate:.0f} lines per second")
 
 
 class Batches:
     def __init__(self, db, table, progress):
         self.db, self.table, self.progress = db, table, progress
 
-    def commit(self, reports, bad, lines, last_line=None):
-        """Stores reports in one transaction. What the table refuses is a bad line; everything else ends the feed, and stores nothing."""
+    def commit(self, reports, bad, lines, last_line=None, also=lambda: None):
+        """Stores reports in one transaction, in which also() writes too. What the table refuses is a bad line; everything else ends the
+        feed, and stores nothing."""
         stored, refused = 0, []
         with committed(self.db):
             for report in reports:
@@ -67,6 +68,7 @@ class Batches:
                 self.db.execute("UPDATE foresee_feed SET messages = messages + ? WHERE tbl = ?", (lines, self.table.name))
             else:
                 self.db.execute("UPDATE foresee_feed SET line = ? WHERE tbl = ?", (last_line, self.table.name))
+            also()
         progress = self.progress
         progress.lines += lines
         progress.stored += stored

@@ -12,6 +12,7 @@ import socket
 import sys
 import time
 
+from .applied import Applied
 from .batches import MAX_ROWS, Batches, Progress, line_groups
 from .files import committed, opened, quoted
 from .layouts import MissingColumns, decoder_of
@@ -76,8 +77,8 @@ class Payloads:
 
     def read(self, messages):
         now, reports, bad, sentences, lines = time.time(), [], [], [], 0
-        for topic, payload in messages:
-            text = payload.decode("utf-8", "replace").strip()
+        for message in messages:
+            topic, text = message.topic, message.payload.decode("utf-8", "replace").strip()
             for line in text.splitlines() if not text.startswith("{\n") else [text]:
                 lines += 1
                 if line[:1] in ("!", "$", "\\"):
@@ -98,15 +99,20 @@ class Payloads:
 
 
 def from_broker(batches, options, stop):
-    path = os.path.abspath(options.file)
-    identity = hashlib.sha256(f"{socket.gethostname()} {path} {batches.table.name} {Address(options.mqtt).topic}".encode()).hexdigest()[:12]
-    source = MqttSource(options.mqtt, options.client_id or f"foresee-{identity}", batches.progress.say)
+    path, address = os.path.abspath(options.file), Address(options.mqtt)
+    identity = hashlib.sha256(f"{socket.gethostname()} {path} {batches.table.name} {address.topic}".encode()).hexdigest()[:12]
+    client_id = options.client_id or f"foresee-{identity}"
+    applied = Applied(batches.db, batches.table.name, f"{client_id} at {address.host}:{address.port}")
+    source = MqttSource(options.mqtt, client_id, batches.progress.say, applied.forget)
     payloads = Payloads()
     batches.progress.left_out = lambda: payloads.left_out + (payloads.sentences.left_out if payloads.sentences else 0)
 
     def commit(messages):
-        reports, bad, lines = payloads.read(messages)
-        batches.commit(reports, bad, lines)
+        fresh = applied.fresh(messages)
+        batches.progress.repeated += len(messages) - len(fresh)
+        if fresh:
+            reports, bad, lines = payloads.read(fresh)
+            batches.commit(reports, bad, lines, also=lambda: applied.keep(fresh))
 
     source.run(commit, options.every, MAX_ROWS, stop)
 

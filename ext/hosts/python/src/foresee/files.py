@@ -5,6 +5,7 @@
 
 foresee_feed(tbl, line, messages, origin): per table the last committed line of standard input, how many messages of a broker were
 committed, and the origin of a table in metres.
+foresee_messages(tbl, session, mid, digest, number): per table and session of a broker the last messages that were committed.
 foresee_readers(watch, reader, seq): per watch and reader the last change that was delivered.
 """
 import os
@@ -35,6 +36,8 @@ def opened(path, create=False, **options):
             db.execute("PRAGMA journal_mode = WAL").fetchone()
             db.execute("CREATE TABLE IF NOT EXISTS foresee_feed(tbl TEXT PRIMARY KEY, line INTEGER NOT NULL DEFAULT 0, "
                        "messages INTEGER NOT NULL DEFAULT 0, origin TEXT)")
+            db.execute("CREATE TABLE IF NOT EXISTS foresee_messages(tbl TEXT, session TEXT, mid INTEGER, digest BLOB, number INTEGER, "
+                       "PRIMARY KEY(tbl, session, mid)) WITHOUT ROWID")
         return db
     except BaseException:
         db.close()

@@ -1,15 +1,16 @@
 """Reports from an MQTT broker, none of which is lost: a message is acknowledged after the transaction that stores it.
 
     source = MqttSource("mqtt://127.0.0.1:1883/ais/#", client_id="harbour")
-    source.run(commit, seconds=1.0, limit=1000, stop=lambda: False)
+    source.run(commit, seconds=1.0, limit=1000, stop=lambda: False)       # commit(messages), each a Message
 
 QoS 1 and a persistent session: the broker keeps what was not acknowledged, also while this program or the network is down, and sends
-it again. Needs paho (python3-paho-mqtt), version 1.5 or later, also 2. A message holds JSON, one NMEA sentence or several lines of
+it again with the DUP flag (applied.py recognises it). Needs paho (python3-paho-mqtt), version 1.5 or later, also 2. A message holds JSON, one NMEA sentence or several lines of
 either; a ship's number may be the topic's last whole number instead.
 """
 import re
 import select
 import time
+from typing import NamedTuple
 from urllib.parse import unquote, urlsplit
 
 from .process import Refusal
@@ -17,6 +18,14 @@ from .process import Refusal
 IN_FLIGHT = 20          # messages that mosquitto sends before it waits for an acknowledgement (max_inflight_messages)
 PAUSE = 0.002           # seconds without a message: the broker waits for us
 LONGEST_WAIT = 30.0     # seconds between attempts to connect
+
+
+class Message(NamedTuple):
+    mid: int                # the packet identifier, 0 with QoS 0
+    qos: int
+    dup: bool
+    topic: str
+    payload: bytes
 
 
 def paho():
@@ -42,9 +51,9 @@ class Address:
 
 
 class MqttSource:
-    def __init__(self, url, client_id, say=lambda text: None):
-        self.module, self.address, self.say = paho(), Address(url), say
-        self.pending = []                   # messages that are not acknowledged: (mid, qos, topic, payload)
+    def __init__(self, url, client_id, say=lambda text: None, new_session=lambda: None):
+        self.module, self.address, self.say, self.new_session = paho(), Address(url), say, new_session
+        self.pending = []                   # messages that are not acknowledged
         self.client = self.make_client(client_id)
 
     def make_client(self, client_id):
@@ -62,8 +71,8 @@ class MqttSource:
         versions = (module.CallbackAPIVersion.VERSION1,) if hasattr(module, "CallbackAPIVersion") else ()
         client = Acknowledging(*versions, client_id=client_id, clean_session=False)
         client.on_message = lambda client, data, message: source.pending.append(
-            (message.mid, message.qos, topic_of(message), message.payload))
-        client.on_connect = lambda client, data, flags, status, *more: source.connected(status)
+            Message(message.mid, message.qos, message.dup, topic_of(message), message.payload))
+        client.on_connect = lambda client, data, flags, status, *more: source.connected(flags, status)
         client.on_subscribe = lambda client, data, mid, granted, *more: source.subscribed(granted)
         if self.address.user:
             client.username_pw_set(self.address.user, self.address.password)
@@ -71,10 +80,12 @@ class MqttSource:
             client.tls_set()
         return client
 
-    def connected(self, status):
+    def connected(self, flags, status):
         if status != 0:
             self.say(f"the broker refuses the connection: {self.module.connack_string(status)}")
             return
+        if not flags.get("session present"):
+            self.new_session()          # packet identifiers start again
         self.client.subscribe(self.address.topic, qos=1)
 
     def subscribed(self, granted):
@@ -84,7 +95,7 @@ class MqttSource:
             self.say(f"connected to {self.address.host}:{self.address.port}, topic {self.address.topic}")
 
     def run(self, commit, seconds, limit, stop, in_flight=IN_FLIGHT):
-        """Calls commit(messages) with lists of (topic, payload), and acknowledges them when it returns."""
+        """Calls commit(messages), and acknowledges them when it returns."""
         wait = 0.2
         while not stop():
             try:
@@ -92,9 +103,9 @@ class MqttSource:
                 wait = 0.2 if self.receive(commit, seconds, limit, stop, in_flight) else wait
             except OSError as error:
                 self.say(f"no connection to {self.address.host}:{self.address.port}: {error}; next attempt in {wait:.1f} s")
-            # What was received is stored. Its acknowledgement did not go out, so that the broker sends it again: harmless.
+            # What was received is stored. Its acknowledgement did not go out, so that the broker sends it again.
             if self.pending:
-                commit([message[2:] for message in self.pending])
+                commit(self.pending)
                 self.pending.clear()
             patience = time.monotonic() + wait
             while not stop() and time.monotonic() < patience:
@@ -133,13 +144,13 @@ class MqttSource:
     def store(self, commit):
         messages, self.pending = self.pending, []
         try:
-            commit([message[2:] for message in messages])
+            commit(messages)
         except BaseException:
             self.pending = []
             raise
-        for mid, qos, _, _ in messages:
-            if qos:
-                self.client.acknowledge(mid)
+        for message in messages:
+            if message.qos:
+                self.client.acknowledge(message.mid)
 
 
 def topic_of(message):
