@@ -112,6 +112,21 @@ class Alerts(Live):
         self.assertAlmostEqual(change["lat"], there[0], delta=1e-8)
         self.assertAlmostEqual(change["lon"], there[1], delta=1e-8)
 
+    def test_a_zone_has_a_time_of_entry_in_place_of_cpa(self):
+        db = self.database()
+        db.execute("CREATE VIRTUAL TABLE zones USING moving_objects(id, zone, +name TEXT, origin = '54 8')")
+        db.execute("INSERT INTO zones VALUES (1, 'POLYGON((7.9 53.9, 7.95 53.9, 7.95 54, 7.9 54, 7.9 53.9))', 'reserve')")
+        db.execute("CREATE VIRTUAL TABLE fence USING predictive_watch(ships, horizon = 1800, other = zones)")
+        lines = self.command("alerts", self.file, "fence", "--once")[0].splitlines()
+        self.assertRegex(lines[0], r"^1970-01-01 00:00:10  \+  ANNA, reserve  inside in 7\.6 min  53\.989\d N 7\.9000 E$")
+        self.assertRegex(lines[-1], r"^1970-01-01 00:00:10  \+  DORA, reserve  inside  53\.9875 N 7\.9200 E$")
+        change = json.loads(self.command("alerts", self.file, "fence", "--once", "--from-start", "--json")[0].splitlines()[0])
+        t, = db.execute("SELECT t FROM fence WHERE a = 1").fetchone()
+        self.assertEqual((change["entry_min"], change["tcpa_min"], change["cpa_m"]), ((t - 10) / 60, None, None))
+        db.execute("CREATE VIRTUAL TABLE near USING predictive_watch(ships, horizon = 60, other = zones, within = 3000)")
+        lines = self.command("alerts", self.file, "near", "--once")[0].splitlines()
+        self.assertTrue(any("BRUNO, reserve  within 3000 m in 0." in line for line in lines), lines)
+
     def test_news_leaves_out_what_is_near_already(self):
         self.report("4,10,53.99,7.8505,14,91,ELSE\n")                # beside Anna
         self.assertEqual([line.split("  ")[2] for line in self.alerts("--news", "--reader", "news")], ["ANNA, DORA", "DORA, ELSE"])

@@ -5,9 +5,11 @@ FORESEE_PICTURES=FOLDER keeps the pictures.
 """
 import http.client
 import json
+import math
 import os
 import re
 import shutil
+import tempfile
 from pathlib import Path
 
 from hosts import main, need_commands, run, skip
@@ -60,11 +62,81 @@ const puppeteer = require('puppeteer-core');
   await browser.close();
 })().catch((error) => { console.error(error); process.exit(1); });
 """
+VISIT_ZONES = """
+const puppeteer = require('puppeteer-core');
+(async () => {
+  const [chromium, address, folder] = process.argv.slice(2);
+  const browser = await puppeteer.launch({executablePath: chromium, args: ['--no-sandbox', '--disable-gpu'], headless: 'new'});
+  const seen = {requests: [], faults: [], shots: {}};
+  for (const scheme of ['light', 'dark']) {
+    const page = await browser.newPage();
+    await page.setViewport({width: 1280, height: 800});
+    await page.emulateMediaFeatures([{name: 'prefers-color-scheme', value: scheme}]);
+    page.on('request', (request) => seen.requests.push(request.url()));
+    page.on('pageerror', (error) => seen.faults.push(error.message));
+    page.on('console', (message) => message.text().includes('willReadFrequently') || seen.faults.push(message.text()));
+    await page.goto(address);
+    await page.waitForSelector('html[data-state=ready]', {timeout: 30000});
+    const colours = () => page.evaluate(() => {
+      const canvas = document.getElementById('map'), data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+      const hex = (name) => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim().slice(1);
+      const count = {};
+      for (const name of ['zone', 'near', 'soon']) {
+        const wanted = [0, 2, 4].map((i) => parseInt(hex(name).slice(i, i + 2), 16));
+        count[name] = 0;
+        for (let i = 0; i < data.length; i += 4) count[name] += wanted.every((value, k) => data[i + k] === value);
+      }
+      return count;
+    });
+    const first = await colours(), zones = await page.$eval('#zones', (box) => !box.hidden);
+    await page.screenshot({path: `${folder}/zones_${scheme}.png`});
+    const rows = await page.$$eval('li', (all) => all.map((one) => [one.className, ...[...one.querySelectorAll('b, span')].map((part) => part.textContent)]));
+    const headings = await page.$$eval('h2', (all) => all.map((one) => one.textContent));
+    await page.click('li button');
+    await page.screenshot({path: `${folder}/zones_${scheme}_chosen.png`});
+    seen.shots[scheme] = {first, zones, rows, headings, chosen: await colours()};
+    await page.close();
+  }
+  console.log(JSON.stringify(seen));
+  await browser.close();
+})().catch((error) => { console.error(error); process.exit(1); });
+"""
+# The upper bay, with a hole, has ships under way and at rest; the wedge off Long Island and the third one have none.
+ZONES = ("INSERT INTO reserves VALUES (1, 'POLYGON((-74.06 40.63, -74.02 40.63, -74.02 40.68, -74.06 40.68, -74.06 40.63), "
+         "(-74.045 40.64, -74.035 40.64, -74.035 40.65, -74.045 40.65, -74.045 40.64))', 'Upper Bay <i>'), "
+         "(2, 'POLYGON((-73.2 40.2, -72.2 40.4, -73.2 40.6, -73.2 40.2))', 'far away'), "
+         "(3, 'POLYGON((-73.72 40.65, -73.65 40.65, -73.65 40.7, -73.72 40.7, -73.72 40.65))', 'nothing here')")
 NEWCOMERS = ("mmsi,t,lat,lon,sog,cog,name\n"
              "999000001,1641169520,40.45,-73.90,12,90,NEWCOMER <b>1</b>\n999000002,1641169520,40.45,-73.84,12,270,NEWCOMER 2\n")
 
 
 class Map(Live):
+    scripts = None
+
+    @classmethod
+    def with_browser(cls):
+        """A folder in which node finds puppeteer-core."""
+        need_commands("the map", "node", "npm", "chromium")
+        if cls.scripts is None:
+            cls.scripts = Path(tempfile.mkdtemp(prefix="foresee-hosts-"))
+            cls.addClassCleanup(shutil.rmtree, cls.scripts)
+            try:
+                # Later ones want a newer Node than Debian has.
+                run("timeout", "120", "npm", "install", "--silent", "--no-audit", "--no-fund", "puppeteer-core@23", folder=cls.scripts)
+            except AssertionError:
+                skip("the map in a browser", "npm could not fetch puppeteer-core")
+        return cls.scripts
+
+    def visit(self, script, *arguments):
+        """What a script saw, in Chromium."""
+        path = self.with_browser() / "visit.cjs"
+        path.write_text(script)
+        seen = json.loads(run("node", path, run("which", "chromium").strip(), *arguments, folder=self.scripts).splitlines()[-1])
+        if os.environ.get("FORESEE_PICTURES"):
+            for picture in self.folder.glob("*.png"):
+                shutil.copy(picture, Path(os.environ["FORESEE_PICTURES"]))
+        return seen
+
     def setUp(self):
         super().setUp()
         self.command("feed", self.file, "--table", "ships", "--watch", "alerts", text=NEW_YORK.read_text())
@@ -83,21 +155,11 @@ class Map(Live):
         return answer.status, answer.headers, answer.read()
 
     def test_the_page_in_a_browser(self):
-        need_commands("the map", "node", "npm", "chromium")
-        try:
-            # Later ones want a newer Node than Debian has.
-            run("timeout", "120", "npm", "install", "--silent", "--no-audit", "--no-fund", "puppeteer-core@23", folder=self.folder)
-        except AssertionError:
-            skip("the map in a browser", "npm could not fetch puppeteer-core")
         server, address = self.serve()
         self.assertTrue(address.startswith("http://127.0.0.1:"), address)
-        newcomers, script = self.write("new.csv", NEWCOMERS), self.write("visit.cjs", VISIT)
+        newcomers = self.write("new.csv", NEWCOMERS)
         feed = f"PYTHONPATH={self.site} /usr/bin/python3 -m foresee feed {self.file} --table ships < {newcomers}"
-        seen = json.loads(run("node", script, run("which", "chromium").strip(), address, feed, self.folder, folder=self.folder).splitlines()[-1])
-        if os.environ.get("FORESEE_PICTURES"):
-            for picture in self.folder.glob("*.png"):
-                shutil.copy(picture, Path(os.environ["FORESEE_PICTURES"]))
-
+        seen = self.visit(VISIT, address, feed, self.folder)
         self.assertEqual(seen["faults"], [])
         self.assertEqual([url for url in seen["requests"] if not url.startswith((address, "data:,"))], [])
         light, dark = seen["shots"]["light"], seen["shots"]["dark"]
@@ -135,6 +197,65 @@ class Map(Live):
         watch, = state["watches"]
         self.assertEqual(len(watch["pairs"]), self.database().execute("SELECT count(*) FROM alerts").fetchone()[0])
         self.assertEqual(self.get(address, f"/state?version={state['version']}")[0], 204)
+
+    def with_zones(self):
+        db = self.database()
+        origin, = db.execute("SELECT origin FROM foresee_tables WHERE name = 'ships'").fetchone()
+        db.execute(f"CREATE VIRTUAL TABLE reserves USING moving_objects(id, zone, +name TEXT, origin = '{origin}')")
+        db.execute(ZONES)
+        db.execute("CREATE VIRTUAL TABLE fence USING predictive_watch(ships, horizon = 1800, other = reserves)")
+        return db
+
+    def test_zones_in_a_browser(self):
+        db = self.with_zones()
+        db.execute("DROP TABLE alerts")
+        _, address = self.serve()
+        seen = self.visit(VISIT_ZONES, address, self.folder)
+        self.assertEqual(seen["faults"], [])
+        self.assertEqual([url for url in seen["requests"] if not url.startswith((address, "data:,"))], [])
+        pairs = db.execute("SELECT w.t > w.now, count(*) FROM (SELECT f.t, n.now FROM fence f, predictive_watches n) w GROUP BY 1 ORDER BY 1").fetchall()
+        self.assertEqual([is_later for is_later, _ in pairs], [0, 1])
+        self.assertEqual(db.execute("SELECT count(DISTINCT s.speed > 0) FROM fence f JOIN ships s ON s.id = f.a WHERE f.t <= 1641169516").fetchone(), (2,))
+        for shot in seen["shots"].values():
+            self.assertTrue(shot["zones"])
+            self.assertEqual(shot["headings"], ["To come fence: inside in 30 min; entry to reserves", "Inside fence"])
+            self.assertEqual([sum(row[0] == "near" for row in shot["rows"]), sum(row[0] != "near" for row in shot["rows"])],
+                             [count for _, count in pairs])
+            self.assertEqual({row[3] for row in shot["rows"]}, {"Upper Bay <i>"})
+            minutes = [float(row[2].split()[0]) for row in shot["rows"] if row[0] != "near"]
+            self.assertEqual(minutes, sorted(minutes))
+            self.assertGreater(shot["first"]["near"], 200)              # the outline of the zone that holds ships, and they
+            self.assertGreater(shot["first"]["zone"], 20)               # that of the other one
+            self.assertGreater(shot["chosen"]["near"], shot["first"]["near"])      # nearer, and with a thicker outline
+
+    def test_the_areas_are_those_of_the_tables(self):
+        db = self.with_zones()
+        origin, = db.execute("SELECT origin FROM foresee_tables WHERE name = 'ships'").fetchone()
+        db.execute(f"CREATE VIRTUAL TABLE hulls USING moving_objects(id, lat, lon, shape, heading, origin = '{origin}')")
+        lat, lon = map(float, origin.split())
+        db.execute("INSERT INTO hulls VALUES (1, ?, ?, 'POLYGON((-10 -50, 10 -50, 10 50, -10 50, -10 -50))', 90)", (lat, lon))
+        db.execute("CREATE VIRTUAL TABLE close USING predictive_watch(ships, horizon = 60, other = hulls)")
+        _, address = self.serve("--table", "ships")
+        state = json.loads(self.get(address, "/state")[2])
+        self.assertEqual(sorted(state["areas"]), ["hulls", "reserves", "ships"])
+        bay, wedge, _ = state["areas"]["reserves"]
+        self.assertEqual(bay[:2] + [len(bay[2]), bay[2][1]], [1, "Upper Bay <i>", 2, [-74.045, 40.64, -74.035, 40.64, -74.035, 40.65, -74.045, 40.65,
+                                                                                   -74.045, 40.64]])
+        # A long edge is a geodesic: the middle of the one from 40.2 to 40.4 degrees is north of the chord, by less than 0.001 degrees here.
+        ring = list(zip(wedge[2][0][::2], wedge[2][0][1::2]))
+        self.assertGreater(len(ring), 40)
+        middle = min(ring, key=lambda corner: abs(corner[0] + 72.7))
+        chord = 40.2 + 0.2 * (middle[0] + 73.2)
+        self.assertTrue(chord + 1e-4 < middle[1] < chord + 2e-3, middle)
+        # A hull of 100 m by 20 m that is turned eastward.
+        ring = state["areas"]["hulls"][0][2][0]
+        self.assertAlmostEqual(max(ring[::2]) - min(ring[::2]), 100 / 111320 / math.cos(math.radians(lat)), delta=3e-6)
+        self.assertAlmostEqual(max(ring[1::2]) - min(ring[1::2]), 20 / 111050, delta=3e-6)
+        # They are sent again when they are others.
+        known = f"/state?version=x&areas={state['areas_version']}"
+        self.assertNotIn("areas", json.loads(self.get(address, known)[2]))
+        db.execute("DELETE FROM reserves WHERE id = 2")
+        self.assertEqual(len(json.loads(self.get(address, known)[2])["areas"]["reserves"]), 2)
 
     def test_it_answers_this_machine_alone(self):
         _, address = self.serve()

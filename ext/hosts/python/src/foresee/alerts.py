@@ -87,8 +87,11 @@ def as_text(change):
     line = f"{time_of(change['now'])}  {change['op']}  {change['a_name']}, {change['b_name']}"
     if change["op"] == "-":
         return line + "  over"
+    there = f"within {change['within_m']:.0f} m" if change["within_m"] or change["entry_min"] is None else "inside"
     if change["near"]:
-        line += f"  within {change['within_m']:.0f} m"
+        line += f"  {there}"
+    elif change["entry_min"] is not None:
+        line += f"  {there} in {change['entry_min']:.1f} min"
     if change["tcpa_min"] is not None:
         line += f"  TCPA {change['tcpa_min']:.1f} min  CPA {change['cpa_m']:.0f} m"
     if change["lat"] is not None:
@@ -106,7 +109,8 @@ def is_news(change):
 
 def urgency(change):
     """What comes first, then what is near already."""
-    return change["near"], math.inf if change["tcpa_min"] is None else change["tcpa_min"]
+    minutes = change["tcpa_min"] if change["entry_min"] is None else change["entry_min"]
+    return change["near"], math.inf if minutes is None else minutes
 
 
 def write_line(text):

@@ -4,11 +4,14 @@
     encounters.describe((7, "+", 1, 2, 1641168629.0, 1641168600.0))
 
 gives a dictionary that JSON can hold. TCPA, CPA and place are those of the pair as the watch has it now; they are None once it is gone.
+With a table of areas (a column `zone`, or `shape` without a velocity) the distance to its position says nothing: then `entry_min` is the
+time until the object comes within the distance, place is where it does, and TCPA and CPA are None.
 """
 from .files import quoted
 from .tables import Table
 
-KEYS = ("watch", "seq", "op", "a", "b", "a_name", "b_name", "now", "t", "near", "tcpa_min", "cpa_m", "lat", "lon", "x", "y", "within_m")
+KEYS = ("watch", "seq", "op", "a", "b", "a_name", "b_name", "now", "t", "near", "tcpa_min", "cpa_m", "lat", "lon", "x", "y", "within_m",
+        "entry_min")
 
 
 class Encounters:
@@ -16,7 +19,9 @@ class Encounters:
         self.db, self.watch, self.within = db, watch, within
         self.first = Table(db, table)
         self.second = Table(db, other) if other else self.first
-        self.pair = f"SELECT t_cpa, d_cpa FROM {quoted(watch)} WHERE a = ? AND b = ?"
+        columns = self.second.columns
+        self.is_of_areas = "zone" in columns or ("shape" in columns and "vx" not in columns and "speed" not in columns)
+        self.pair = f"SELECT t, t_cpa, d_cpa FROM {quoted(watch)} WHERE a = ? AND b = ?"
 
     def name(self, table, number):
         """Its name, else its number."""
@@ -37,15 +42,20 @@ class Encounters:
     def describe(self, row):
         seq, op, a, b, t, now = row
         closest = None if op == "-" else self.db.execute(self.pair, (a, b)).fetchone()
-        tcpa = cpa = None
+        measured = {"tcpa_min": None, "cpa_m": None, "entry_min": None}
         place = (None, None, None, None)
         if closest is not None:
-            t_cpa, cpa = closest
-            tcpa = max(t_cpa - now, 0.0) / 60
-            place = self.place_at(a, t_cpa)
+            start, t_cpa, distance = closest
+            measured = self.measures(start, t_cpa, distance, now)
+            place = self.place_at(a, max(start, now) if self.is_of_areas else t_cpa)
         near = t is not None and t <= now
-        return dict(zip(KEYS, (self.watch, seq, op, a, b, self.name(self.first, a), self.name(self.second, b), now, t, near, tcpa, cpa,
-                               *place, self.within)))
+        return dict(zip(KEYS, (self.watch, seq, op, a, b, self.name(self.first, a), self.name(self.second, b), now, t, near,
+                               measured["tcpa_min"], measured["cpa_m"], *place, self.within, measured["entry_min"])))
+
+    def measures(self, t, t_cpa, distance, now):
+        if self.is_of_areas:
+            return {"tcpa_min": None, "cpa_m": None, "entry_min": max(t - now, 0.0) / 60}
+        return {"tcpa_min": max(t_cpa - now, 0.0) / 60, "cpa_m": distance, "entry_min": None}
 
 
 def printable(text):

@@ -1,12 +1,14 @@
-"""The command map: one page on 127.0.0.1 with the ships of a table on a coastline, and the pairs of its watches as they come.
+"""The command map: one page on 127.0.0.1 with the ships of a table on a coastline, zones, and the pairs of its watches as they come.
 
     python3 -m foresee map fleet.db
 
     GET /                  the page, its script, style and coast: files of the package
-    GET /state?version=7   ships and pairs as JSON; 204 where nothing has changed since that version
+    GET /state?version=7&areas=5f   ships, zones and pairs as JSON; 204 where nothing has changed since that version; zones where their
+                                    digest is another one
 
 The server answers requests that name this machine alone, reads the file and never writes it. The page may request nothing else.
 """
+import hashlib
 import json
 import secrets
 import socket
@@ -15,6 +17,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from urllib.parse import parse_qs, urlsplit
 
+from .areas import Areas
 from .encounters import Encounters, printable
 from .files import one_state, opened, quoted
 from .process import Refusal, Stop
@@ -32,12 +35,13 @@ class State:
     def __init__(self, path, table):
         self.db, self.lock = opened(path, check_same_thread=False), threading.Lock()
         self.table = Table(self.db, table or only_table(self.db))
+        self.areas = {}                         # of tables beside it
         self.token = secrets.token_hex(4)       # versions of another run are none of this one
         if self.table.place(0.0, 0.0) is None and self.db.execute(f"SELECT 1 FROM {quoted(self.table.name)} LIMIT 1").fetchone():
             raise Refusal(f"{self.table.name} is in metres and its origin is not known: a map needs degrees")
 
-    def read(self, known):
-        """None where the state is the known one."""
+    def read(self, known, known_areas=""):
+        """None where the state is the known one; without the areas where they are."""
         with self.lock:
             version = f"{self.token}-{self.db.execute('PRAGMA data_version').fetchone()[0]}"
             if version == known:
@@ -49,8 +53,23 @@ class State:
                 now = next((clock for _, clock in watches if clock is not None), None)
                 if now is None:
                     now = self.db.execute(f"SELECT max(t) FROM {quoted(self.table.name)}").fetchone()[0]
+                watched = [self.pairs(watch) for watch, _ in watches]
+                areas = {name: self.areas_of(name, now) for name in self.area_tables({watch["other"] for watch in watched})}
+                digest = hashlib.sha256(json.dumps(areas).encode()).hexdigest()[:16]
                 return {"version": version, "table": self.table.name, "now": now, "ships": [] if now is None else self.ships(now),
-                        "watches": [self.pairs(watch) for watch, _ in watches]}
+                        "watches": watched, "areas_version": digest, **({} if digest == known_areas else {"areas": areas})}
+
+    def area_tables(self, others):
+        """Tables of zones, tables that a watch joins with the ships, and the ships where they have a shape."""
+        tables = [row[0] for row in self.db.execute("SELECT name FROM foresee_tables WHERE schema = 'main' ORDER BY name")]
+        for name in tables:
+            table = Table(self.db, name)
+            if name not in self.areas or self.areas[name].table.columns != table.columns:
+                self.areas[name] = Areas(self.db, table)
+        return [name for name in tables if self.areas[name].is_zone or name in others or name == self.table.name]
+
+    def areas_of(self, name, now):
+        return self.areas[name].at(0.0 if now is None else now)
 
     def ships(self, now):
         """[number, name, latitude, longitude, knots, course] of each object at a time."""
@@ -68,15 +87,17 @@ class State:
         _, other, within, now, horizon = self.db.execute(
             "SELECT tbl, other, within, now, horizon FROM predictive_watches('main') WHERE name = ?", (watch,)).fetchone()
         encounters = Encounters(self.db, watch, self.table.name, other, within)
-        rows = self.db.execute(f"SELECT a, b, t, t_cpa, d_cpa FROM {quoted(watch)} ORDER BY t <= ?, t_cpa, a, b LIMIT ?",
+        first = "t" if encounters.is_of_areas else "t_cpa"
+        rows = self.db.execute(f"SELECT a, b, t, t_cpa, d_cpa FROM {quoted(watch)} ORDER BY t <= ?, {first}, a, b LIMIT ?",
                                (now, MAX_PAIRS)).fetchall()
-        return {"name": watch, "within": within, "horizon": horizon, "other": other, "now": now, "pairs": [
+        return {"name": watch, "within": within, "horizon": horizon, "other": other, "of_areas": encounters.is_of_areas, "now": now, "pairs": [
             {"a": a, "b": b, "a_name": encounters.name(encounters.first, a), "b_name": encounters.name(encounters.second, b),
-             "near": t <= now, "tcpa_min": max(t_cpa - now, 0.0) / 60, "cpa_m": d_cpa} for a, b, t, t_cpa, d_cpa in rows]}
+             "near": t <= now, **encounters.measures(t, t_cpa, d_cpa, now)} for a, b, t, t_cpa, d_cpa in rows]}
 
 
 def only_table(db):
-    names = [row[0] for row in db.execute("SELECT name FROM sqlite_master WHERE sql LIKE '%USING moving_objects%' ORDER BY name")]
+    names = [row[0] for row in db.execute("SELECT name FROM foresee_tables WHERE schema = 'main' ORDER BY name")
+             if "zone" not in Table(db, row[0]).columns]
     if len(names) != 1:
         raise Refusal(f"there are {len(names)} tables of moving objects ({', '.join(names)}); write --table NAME" if names else
                       "there is no table of moving objects; feed creates one")
@@ -97,7 +118,8 @@ class Handler(BaseHTTPRequestHandler):
         if url.path != "/state":
             return self.answer(404, b"There is no such page.\n", "text/plain")
         try:
-            state = self.server.state.read(parse_qs(url.query).get("version", [""])[0])
+            known = parse_qs(url.query)
+            state = self.server.state.read(known.get("version", [""])[0], known.get("areas", [""])[0])
         except Exception as error:          # a dropped table, a damaged file: the page shows it
             return self.answer(500, json.dumps({"error": str(error)}).encode(), "application/json")
         if state is None:

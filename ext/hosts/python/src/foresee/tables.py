@@ -13,7 +13,8 @@ from .reports import REST_BELOW
 
 KNOT = 1852 / 3600
 IN_UNIT = {"mps": KNOT, "knots": 1.0, "kmh": 1.852}     # one knot in the units of a table
-MOORED, UNDER_WAY = 1, 2                                # bits of `category`; moored ships do not meet one another
+# Bits of `category`. Moored ships do not meet one another; both meet tables without kinds, such as zones, whose category is 1.
+UNDER_WAY, MOORED = 1, 2
 
 
 def create(connection, name, origin):

@@ -3,7 +3,7 @@
 const $ = (id) => document.getElementById(id);
 const canvas = $('map'), pen = canvas.getContext('2d');
 const TRACK = 200;                       // positions kept per ship, from this page's start on
-let coast = null, state = null, view = null, chosen = null, touchedView = false;
+let coast = null, state = null, areas = [], view = null, chosen = null, touchedView = false;
 const tracks = new Map();
 
 // Mercator: east and north in units of degrees at the equator.
@@ -27,6 +27,13 @@ function decoded(text, units) {
   return withBox(ring);
 }
 
+// Of longitudes and latitudes one after the other.
+function ringOf(values) {
+  const ring = [];
+  for (let i = 0; i < values.length; i += 2) ring.push([values[i], north(values[i + 1])]);
+  return withBox(ring);
+}
+
 function withBox(ring) {
   ring.box = [Infinity, Infinity, -Infinity, -Infinity];
   for (const [x, y] of ring) ring.box = [Math.min(ring.box[0], x), Math.min(ring.box[1], y), Math.max(ring.box[2], x), Math.max(ring.box[3], y)];
@@ -34,7 +41,7 @@ function withBox(ring) {
 }
 
 function fit() {
-  const ships = state ? state.ships : [];
+  const ships = state && state.ships.length ? state.ships : areas.flatMap((area) => area.rings.flat().map(([lon, y]) => [0, '', latOf(y), lon]));
   if (!ships.length) { view = {lon: 0, y: 20, scale: canvas.clientWidth / 300}; return; }
   // All but stray positions: the middle 98 of 100.
   const span = (values) => { values.sort((a, b) => a - b); const cut = Math.floor(values.length / 100); return [values[cut], values[values.length - 1 - cut]]; };
@@ -124,6 +131,33 @@ function pairsOf() {
   return state.watches.flatMap((watch) => watch.pairs.map((pair) => ({...pair, watch: watch.name, other: watch.other})));
 }
 
+// Of the areas that the pairs name, and of the chosen pair: 'soon' or 'near'; 'near' counts more, since the area is entered.
+function drawAreas() {
+  const marked = new Map();
+  for (const pair of pairsOf().filter((one) => one.other)) {
+    const key = `${pair.other.toLowerCase()} ${pair.b}`;
+    if (!marked.has(key) || pair.near || isChosen(pair)) marked.set(key, {kind: pair.near ? 'near' : 'soon', chosen: isChosen(pair) || marked.get(key)?.chosen});
+  }
+  pen.font = '12px system-ui, sans-serif'; pen.textAlign = 'center'; pen.lineJoin = 'round';
+  const named = new Set();
+  for (const area of areas) {
+    const mark = marked.get(`${area.table.toLowerCase()} ${area.number}`);
+    if (!trace(area.rings).length) continue;
+    pen.fillStyle = colour('zone-fill'); pen.strokeStyle = colour(mark ? mark.kind : 'zone');
+    pen.lineWidth = mark && mark.chosen ? 4 : mark ? 2.5 : 2;
+    pen.fill('evenodd'); pen.stroke();
+    // The name, where the area is wide enough for it.
+    const box = area.rings[0].box, [left, top] = screen(box[0], box[3]), [right, bottom] = screen(box[2], box[1]);
+    const place = `${Math.round((left + right) / 40)} ${Math.round((top + bottom) / 16)}`;
+    if (area.own || named.has(place) || right - left < pen.measureText(area.name).width + 8 || bottom - top < 16) continue;
+    named.add(place);
+    pen.lineWidth = 3; pen.strokeStyle = colour('halo'); pen.fillStyle = colour('text');
+    pen.strokeText(area.name, (left + right) / 2, (top + bottom) / 2 + 4);
+    pen.fillText(area.name, (left + right) / 2, (top + bottom) / 2 + 4);
+  }
+  pen.textAlign = 'left';
+}
+
 function drawShips() {
   const kind = new Map(), at = new Map(state.ships.map((ship) => [ship[0], ship]));
   const pairs = pairsOf();
@@ -171,7 +205,7 @@ function draw() {
   if (!view) return;
   if (coast) drawCoast();
   drawGrid();
-  if (state) drawShips();
+  if (state) { drawAreas(); drawShips(); }
 }
 
 const isChosen = (pair) => chosen && chosen.a === pair.a && chosen.b === pair.b && chosen.watch === pair.watch;
@@ -180,8 +214,9 @@ const element = (name, text, kind) => { const made = document.createElement(name
 function row(pair) {
   const item = element('li', '', pair.near ? 'near' : ''), button = element('button', '');
   if (isChosen(pair)) item.classList.add('chosen');
-  button.append(element('b', pair.a_name), element('span', pair.tcpa_min > 0 ? `${pair.tcpa_min.toFixed(1)} min` : 'now'),
-                element('b', pair.b_name), element('span', `${pair.cpa_m.toFixed(0)} m`, 'quiet'));
+  const minutes = pair.entry_min ?? pair.tcpa_min;
+  button.append(element('b', pair.a_name), element('span', minutes > 0 ? `${minutes.toFixed(1)} min` : 'now'),
+                element('b', pair.b_name), element('span', pair.cpa_m === null ? '' : `${pair.cpa_m.toFixed(0)} m`, 'quiet'));
   button.addEventListener('click', () => {
     chosen = pair;
     const ship = state.ships.find((one) => one[0] === pair.a);
@@ -203,13 +238,15 @@ function list(title, note, pairs) {
 function show() {
   const when = state.now === null ? 'no ship yet' : state.now > 1e6 ? new Date(state.now * 1000).toISOString().replace('T', ' ').slice(0, 19) + ' UTC' : `${state.now.toFixed(0)} s`;
   $('title').textContent = state.table;
+  $('zones').hidden = !areas.some((area) => !area.own);
   $('facts').textContent = `${state.ships.length} ships, ${state.ships.filter((ship) => ship[5] !== null).length} under way \n${when}`;
   const focus = document.activeElement && [...document.querySelectorAll('li button')].indexOf(document.activeElement);
   const place = $('lists').scrollTop;
   $('lists').replaceChildren(...(state.watches.length ? state.watches.flatMap((watch) => {
     const pairs = watch.pairs.map((pair) => ({...pair, watch: watch.name}));
-    return [...list('To come', `${watch.name}: within ${watch.within} m in ${watch.horizon / 60} min; TCPA, CPA`, pairs.filter((pair) => !pair.near)),
-            ...list(`Within ${watch.within} m`, '', pairs.filter((pair) => pair.near))];
+    const there = watch.of_areas && !watch.within ? 'inside' : `within ${watch.within} m`, note = watch.of_areas ? `entry to ${watch.other}` : 'TCPA, CPA';
+    return [...list('To come', `${watch.name}: ${there} in ${watch.horizon / 60} min; ${note}`, pairs.filter((pair) => !pair.near)),
+            ...list(there[0].toUpperCase() + there.slice(1), watch.of_areas ? watch.name : '', pairs.filter((pair) => pair.near))];
   }) : [element('p', 'This table has no watch: feed --watch NAME creates one.', 'none')]));
   $('lists').scrollTop = place;
   if (focus >= 0) document.querySelectorAll('li button')[focus]?.focus();
@@ -218,10 +255,12 @@ function show() {
 
 async function poll() {
   try {
-    const answer = await fetch('state' + (state ? `?version=${state.version}` : ''));
+    const answer = await fetch('state' + (state ? `?version=${state.version}&areas=${state.areas_version}` : ''));
     if (answer.status === 200) {
       const first = !state || !state.ships.length;
       state = await answer.json();
+      if (state.areas) areas = Object.entries(state.areas).flatMap(([table, rows]) => rows.map(([number, name, rings]) => ({table, number, name,
+        own: table.toLowerCase() === state.table.toLowerCase(), rings: rings.map(ringOf)})));
       for (const ship of state.ships) {
         const track = tracks.get(ship[0]) || [], last = track[track.length - 1], point = [ship[3], north(ship[2])];
         if (!last || last[0] !== point[0] || last[1] !== point[1]) track.push(point);
