@@ -116,6 +116,13 @@ INSERT INTO ais_ships(id, t, x, y, vx, vy, name)
   LEFT JOIN named m ON m.mmsi = n.mmsi AND m.age = 1
   WHERE n.age = 1 AND p.x * p.x + p.y * p.y <= c.reach_m * c.reach_m;
 
+-- A file of a whole continent has its middle where no ship is.
+SELECT printf('no ship within %.0f km of %.2f %.2f in the %.0f s before %s', max(value) FILTER (WHERE name = 'reach_m') / 1000,
+              max(value) FILTER (WHERE name = 'centre_lat'), max(value) FILTER (WHERE name = 'centre_lon'),
+              max(value) FILTER (WHERE name = 'heard_within_s'), datetime(max(value) FILTER (WHERE name = 'moment'), 'unixepoch')) AS empty,
+       'UPDATE ais_parameters SET value = … WHERE name = ''centre_lat'', and so for centre_lon; then .read this file again' AS write
+  FROM ais_parameters WHERE NOT EXISTS (SELECT 1 FROM ais_ships UNION ALL SELECT 1 FROM ais_missing) GROUP BY NULL;
+
 DROP TABLE temp.ais_missing;
 DROP TABLE temp.ais_numbers;
 DROP VIEW temp.ais_read;

@@ -94,10 +94,19 @@ class StandardInput(Live):
         self.assert_holds(good)
 
     def test_what_the_table_refuses_is_a_bad_line(self):
-        good = [made_up_report(0, 1)]
-        errors = self.feed(csv_of([*good, (5, START, -33.9, 151.2, 5.0, 5.0)]))
-        self.assertTrue(any("ship 5: " in line and "origin" in line for line in errors), errors)
+        self.database().execute("CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy)")
+        good = (1, START, 54.0, 8.0, 10.0, 90.0)
+        errors = self.feed(csv_of([good, (2, START, -54.0, -172.0, 10.0, 90.0)]), "--origin", "54 8")
+        self.assertTrue(any("ship 2: geo_to_plane: lat, lon are opposite the origin" in line for line in errors), errors)
         self.assertEqual(totals(errors)[4], 1)
+        self.assertEqual(self.database().execute("SELECT id FROM ships").fetchall(), [(1,)])
+
+    def test_ships_that_are_too_far_are_named_once_and_counted(self):
+        good = [made_up_report(0, 1)]
+        errors = self.feed(csv_of([*good, *((5 + i, START, -33.9, 151.2, 5.0, 5.0) for i in range(30))]))
+        self.assertEqual(len(errors), 2, errors)
+        self.assertRegex(errors[0], r"ship 5: 1\d+ km from the origin '53\.9 7\.8', the limit is 1500 km; .* --origin 'LAT LON' places a new table$")
+        self.assertIn(", 0 bad, 30 too far from the origin; ", errors[1])
         self.assert_holds(good)
 
     def test_an_older_report_does_not_replace_a_newer_one(self):

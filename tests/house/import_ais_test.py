@@ -204,6 +204,12 @@ class Layouts(unittest.TestCase):
                 self.assertIn(f"ais_reports: no column for the {quantity}; .import a file with", output)
                 self.assertEqual(output.splitlines()[-2:], ["9", "3"])
 
+    def test_a_file_whose_middle_is_empty_says_which_parameters_to_set(self):
+        far = OWN + "3,1641168590,45.0,-60.0,11.0,215.5,\n"
+        output = self.imported(far, "DROP TABLE ais_parameters;", ".read sql/import_ais.sql")
+        self.assertIn("no ship within 150 km of 34.77 -80.46 in the 180 s before 2022-01-03 00:09:50", output)
+        self.assertIn("UPDATE ais_parameters SET value = … WHERE name = 'centre_lat', and so for centre_lon", output)
+
     def test_all_missing_columns_are_listed(self):
         output = self.imported(OWN.replace("lat,lon,", "north,east,"), ".read sql/import_ais.sql", fails=True)
         self.assertIn("latitude: lat or Latitude", output)

@@ -7,6 +7,7 @@
 A killed feed goes on after the last line of its last transaction.
 """
 import os
+import re
 import select
 import sqlite3
 import time
@@ -16,6 +17,7 @@ from .files import committed
 MAX_ROWS = 1000         # per transaction
 CHUNK = 1 << 16         # bytes that are read at once
 NAMED_BAD_LINES = 100   # further ones are counted
+TOO_FAR = re.compile(r"row -?\d+ is (\d+ km from the origin '[^']*')")
 
 
 class Progress:
@@ -24,7 +26,7 @@ class Progress:
     def __init__(self, stream, every=10.0):
         self.stream, self.every = stream, every
         self.started = self.shown = time.monotonic()
-        self.lines = self.stored = self.older = self.bad = self.repeated = 0
+        self.lines = self.stored = self.older = self.bad = self.repeated = self.far = 0
         self.left_out = lambda: 0           # of the decoder
 
     def name_bad(self, number, message):
@@ -33,6 +35,15 @@ class Progress:
             self.say(f"{number}: {message}" if isinstance(number, str) else f"line {number}: {message}")
         if self.bad == NAMED_BAD_LINES:
             self.say("further bad lines are only counted")
+
+    def refuse(self, ship, message):
+        """A report that the table refuses: by its values, or in a file of half the world by its distance from the origin."""
+        far = TOO_FAR.search(message)
+        if not far:
+            return self.name_bad(f"ship {ship}", message)
+        self.far += 1
+        if self.far == 1:
+            self.say(f"ship {ship}: {far[1]}, the limit is 1500 km; such reports are only counted: --origin 'LAT LON' places a new table")
 
     def say(self, text):
         print(f"foresee feed: {text}", file=self.stream, flush=True)
@@ -43,8 +54,9 @@ class Progress:
             return
         self.shown = now
         rate = self.lines / max(now - self.started, 1e-3)
+        more = "".join(f", {count} {what}" for count, what in ((self.far, "too far from the origin"), (self.repeated, "sent again")) if count)
         self.say(f"{self.lines} lines, {self.stored} reports stored, {self.older} older than what is stored, {self.left_out()} without "
-                 f"position or speed, {self.bad} bad{f', {self.repeated} sent again' if self.repeated else ''}; {rate:.0f} lines per second")
+                 f"position or speed, {self.bad} bad{more}; {rate:.0f} lines per second")
 
 
 class Batches:
@@ -62,7 +74,7 @@ class Batches:
                 except sqlite3.Error as error:
                     if not self.db.in_transaction or not is_refusal(error, self.table.name):
                         raise
-                    refused.append((f"ship {report.id}", str(error)))
+                    refused.append((report.id, str(error)))
             self.db.execute("INSERT OR IGNORE INTO foresee_feed(tbl) VALUES (?)", (self.table.name,))
             if last_line is None:
                 self.db.execute("UPDATE foresee_feed SET messages = messages + ? WHERE tbl = ?", (lines, self.table.name))
@@ -73,14 +85,16 @@ class Batches:
         progress.lines += lines
         progress.stored += stored
         progress.older += len(reports) - stored - len(refused)
-        for number, message in [*bad, *refused]:
+        for number, message in bad:
             progress.name_bad(number, message)
+        for ship, message in refused:
+            progress.refuse(ship, message)
         progress.show()
 
 
 def is_refusal(error, table):
     """Did the table refuse the values of a row? Its messages start with its name; those of a full disk do not."""
-    return str(error).lower().startswith((f"{table.lower()}.", f"{table.lower()}:"))
+    return str(error).lower().startswith((f"{table.lower()}.", f"{table.lower()}:", "geo_to_plane:"))
 
 
 def line_groups(descriptor, seconds, limit, stop=lambda: False):
