@@ -9,33 +9,35 @@ constexpr std::int64_t was_void = -2, was_not_void = -3;
 }  // namespace
 
 void MapChanges::set(std::int64_t id, std::int64_t leaf) {
+  join();
   leaves_.prepare(id);
-  log_.push_back({id, leaves_.find(id)});
+  if (is_marked())
+    log_.push_back({id, leaves_.find(id)});
+  else
+    started_empty_ = false;
   leaves_.set(id, leaf);
 }
 
-void MapChanges::log_change_of_void(bool before) {
-  log_.push_back({0, before ? was_void : was_not_void});
+/// Logs everything that is unwritten, and that the stored map was valid or not if that changes.
+void MapChanges::log_all(bool voids) {
+  join();
+  if (!is_marked()) return;
+  const std::vector<IdHashMap::Entry> unwritten = leaves_.known();
+  log_.reserve(log_.size() + unwritten.size() + 1);
+  log_.insert(log_.end(), unwritten.begin(), unwritten.end());
+  if (voids || stored_is_void_) log_.push_back({0, stored_is_void_ ? was_void : was_not_void});
 }
 
 void MapChanges::void_stored() {
-  const std::vector<IdHashMap::Entry> unwritten = leaves_.known();
-  log_.reserve(log_.size() + unwritten.size() + 1);
-  log_.insert(log_.end(), unwritten.begin(), unwritten.end());
+  log_all(true);
+  started_empty_ &= is_marked();
   leaves_.reset();
-  log_change_of_void(stored_is_void_);
   stored_is_void_ = true;
 }
 
-void MapChanges::written(bool may_rewind) {
-  if (!may_rewind) {
-    clear();
-    return;
-  }
-  const std::vector<IdHashMap::Entry> unwritten = leaves_.known();
-  log_.reserve(log_.size() + unwritten.size() + 1);
-  log_.insert(log_.end(), unwritten.begin(), unwritten.end());
-  if (stored_is_void_) log_change_of_void(true);
+void MapChanges::written() {
+  if (!is_marked()) return clear();
+  log_all(false);
   stored_is_void_ = false;
   leaves_.reset();
   held_after_writing_ = held();
@@ -50,6 +52,12 @@ void MapChanges::rewind(std::size_t position) noexcept {
     else
       leaves_.set(before.id, before.value);
   }
+  held_after_writing_ = std::min(held_after_writing_, held());
+}
+
+void MapChanges::forget() noexcept {
+  log_.clear();
+  started_empty_ = !has_unwritten();
   held_after_writing_ = std::min(held_after_writing_, held());
 }
 

@@ -29,9 +29,9 @@ namespace foresee {
 
 class NodeCache final : public Pages {
  public:
-  /// `name` is the table name in messages; it and the share must outlive the cache.
-  NodeCache(const NodeFormat& format, const QualifiedName& name, MemoryShare& share)
-      : format_(format), name_(name), share_(share) {}
+  /// `name` is the table name in messages; it, the share and the journal must outlive the cache.
+  NodeCache(const NodeFormat& format, const QualifiedName& name, MemoryShare& share, Journal& journal)
+      : format_(format), name_(name), share_(share), map_(journal) {}
   /// Reads and writes these rows from now on.
   void connect(ShadowRows& rows) { shadow_rows_ = &rows; }
 
@@ -91,11 +91,11 @@ class NodeCache final : public Pages {
   const char* fault(NodeNumber number, std::span<const std::byte> blob) const;
 
   // --- one change of the tree: atomic
-  /// Starts to keep the old state of nodes, map and root.
+  /// Starts to keep the old state of nodes and root.
   void begin_change();
   /// The change is valid; the old state goes to the marks that may be restored, if any.
   void end_change();
-  /// Restores nodes, map and root as of begin_change().
+  /// Restores nodes and root as of begin_change().
   void cancel_change() noexcept;
   /// True if rows were written during the change: then cancel_change() cannot undo everything.
   bool wrote_in_change() const { return wrote_in_change_; }
@@ -106,9 +106,8 @@ class NodeCache final : public Pages {
   void give_up(UndoLog::Handle mark) noexcept { undo_.give_up(mark); }
   /// The node as of the mark.
   std::shared_ptr<const Node> read_at(UndoLog::Handle mark, NodeNumber number);
-  std::size_t map_position() const { return map_.position(); }
-  /// Restores the state of a savepoint. SQLite has restored the rows already.
-  void restore(UndoLog::Handle mark, std::size_t map_position);
+  /// Restores the nodes and the root of a savepoint. SQLite has restored the rows already.
+  void restore(UndoLog::Handle mark);
 
   // --- transactions
   /// A transaction starts. Nodes in memory stay.
@@ -212,7 +211,6 @@ class NodeCache final : public Pages {
     std::vector<double> values;
   } record_before_;
   TreeHead head_before_change_;
-  std::size_t map_before_change_ = 0;
   std::shared_ptr<Node> spare_;  ///< memory for the next copy of a node
 };
 

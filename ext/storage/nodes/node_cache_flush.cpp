@@ -45,7 +45,7 @@ void NodeCache::write(Interrupt& interrupt) {
     std::sort(changes.begin(), changes.end(),
               [&](const IdHashMap::Entry& a, const IdHashMap::Entry& b) { return step(), a.id < b.id; });
     shadow_rows_->write_map(changes);
-    map_.written(!undo_.none());
+    map_.written();
     last_block_.reset();
   }
   if (head_.root_dirty) shadow_rows_->write_root(head_.root);
@@ -66,7 +66,7 @@ void NodeCache::write_packed_map(Interrupt& interrupt) {
   filter_.emplace(packed_map_->ids().size());
   for (const std::int64_t id : packed_map_->ids()) filter_->add(id);
   packed_map_ = nullptr;
-  map_.written(!undo_.none());
+  map_.written();
   last_block_.reset();
 }
 

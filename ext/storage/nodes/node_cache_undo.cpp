@@ -22,7 +22,6 @@ void NodeCache::begin_change() {
   change_log_.clear();
   record_before_.leaf = 0;
   head_before_change_ = head_;
-  map_before_change_ = map_.position();
   in_change_ = true;
   wrote_in_change_ = false;
   ++newest_keeper_;
@@ -30,7 +29,6 @@ void NodeCache::begin_change() {
 
 void NodeCache::end_change() {
   if (undo_.none()) {
-    map_.forget_log();
     if (!change_log_.empty() && change_log_.front().second.node.use_count() == 1)
       spare_ = std::move(change_log_.front().second.node);
   } else {
@@ -53,7 +51,6 @@ void NodeCache::cancel_change() noexcept {
     restore_node(change->first, change->second);
   change_log_.clear();
   restore_record();
-  map_.rewind(map_before_change_);
   filter_.reset();
   head_ = head_before_change_;
   packed_map_ = nullptr;
@@ -88,7 +85,7 @@ std::shared_ptr<const Node> NodeCache::read_at(UndoLog::Handle mark, NodeNumber 
   return before->node;
 }
 
-void NodeCache::restore(UndoLog::Handle mark, std::size_t map_position) {
+void NodeCache::restore(UndoLog::Handle mark) {
   const bool watched = undo_.snapshot_since(mark);
   if (watched && dropped_changed_) undo_.break_snapshots();
   const auto wanted = undo_.changed_since(mark);
@@ -105,7 +102,6 @@ void NodeCache::restore(UndoLog::Handle mark, std::size_t map_position) {
     restore_node(number, state);
   }
   head_ = mark->head;
-  map_.rewind(map_position);
   last_block_.reset();
   filter_.reset();
 }
@@ -145,7 +141,6 @@ void NodeCache::commit() noexcept {
   wrote_early_ = false;
   changed_.clear();
   dropped_changed_ = false;
-  map_.clear();
   last_block_.reset();
 }
 

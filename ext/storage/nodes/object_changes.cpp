@@ -3,6 +3,7 @@
 namespace foresee {
 
 void ObjectChanges::add(std::int64_t id, std::span<const double> before) {
+  join();
   known_.prepare(id);
   firsts_.push_back({id, records_.size() + before.size()});
   try {
@@ -24,8 +25,11 @@ void ObjectChanges::rewind(std::size_t position) noexcept {
 }
 
 // Also releases the memory that a large transaction took.
-void ObjectChanges::clear() noexcept {
-  if (!firsts_.empty()) *this = ObjectChanges();
+void ObjectChanges::end(Journal::Ended) noexcept {
+  firsts_ = std::vector<First>();
+  records_ = std::vector<double>();
+  known_.clear();
+  kept_ = wanted_, complete_ = true;
 }
 
 }  // namespace foresee

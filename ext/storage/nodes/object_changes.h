@@ -2,7 +2,6 @@
 //
 //   if (!changes.knows(42)) changes.add(42, record);     // before the first change; {}: a new object
 //   changes.for_each([&](std::int64_t id, std::span<const double> before) { … });
-//   const auto position = changes.position();            // later: changes.rewind(position)
 //
 // The first change of an object keeps its record, later changes keep nothing: the store has the current
 // record. A rollback to a savepoint forgets the objects that had not been changed before it. Cost: a look-up
@@ -11,15 +10,30 @@
 
 #include <span>
 
+#include "storage/journal/journal.h"
 #include "storage/rows/id_hash_map.h"
 
 namespace foresee {
 
-class ObjectChanges {
+class ObjectChanges final : public Journal::Participant {
  public:
+  explicit ObjectChanges(Journal& journal) : Participant(journal, Scope::marks) {}
+
+  /// From now on, or from the end of the transaction on.
+  void keep(bool wanted, bool in_transaction) noexcept {
+    wanted_ = wanted;
+    if (wanted || !in_transaction) kept_ = wanted;
+  }
+  /// For the rest of the transaction.
+  void keep_here() noexcept { kept_ = true; }
+  bool are_kept() const noexcept { return kept_; }
+  /// True if the object's state from before the transaction is known.
   bool knows(std::int64_t id) const noexcept { return known_.find(id) != IdHashMap::unknown; }
   /// Requires: not known. `before`: the object's record, empty for a new object. Atomic.
   void add(std::int64_t id, std::span<const double> before);
+  /// Objects that are not in this log may have changed too.
+  void note_others() noexcept { complete_ = false; }
+  bool are_complete() const noexcept { return complete_; }
 
   std::size_t count() const { return firsts_.size(); }
   std::size_t memory() const;
@@ -33,19 +47,21 @@ class ObjectChanges {
     }
   }
 
-  std::size_t position() const { return firsts_.size(); }
-  void rewind(std::size_t position) noexcept;
-  void clear() noexcept;
-
  private:
   struct First {
     std::int64_t id;
     std::size_t end;  ///< end of its record in records_; it starts where the previous one ends
   };
 
+  std::size_t keep() override { return firsts_.size(); }
+  void rewind(std::size_t position) noexcept override;
+  void end(Journal::Ended how) noexcept override;
+
   std::vector<First> firsts_;
   std::vector<double> records_;
   IdHashMap known_;
+  bool kept_ = false, wanted_ = false;
+  bool complete_ = true;
 };
 
 }  // namespace foresee

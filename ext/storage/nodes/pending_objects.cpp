@@ -15,38 +15,39 @@ void reserve_more(std::vector<T>& values, std::size_t more) {
 }  // namespace
 
 std::size_t PendingObjects::memory() const {
-  return ids_.size() * sizeof(std::int64_t) + records_.size() * sizeof(double) + slots_.memory() +
+  return now_.ids.size() * sizeof(std::int64_t) + now_.records.size() * sizeof(double) + now_.slots.memory() +
          log_.size() * sizeof(Change);
 }
 
 const double* PendingObjects::find(std::int64_t id) const noexcept {
-  const std::int64_t slot = slots_.find(id);
-  return slot == IdHashMap::unknown ? nullptr
-                                    : records_.data() + static_cast<std::size_t>(slot) * record_size_;
+  const std::int64_t slot = now_.slots.find(id);
+  return slot == IdHashMap::unknown ? nullptr : record_at(static_cast<std::size_t>(slot)).data();
 }
 
 void PendingObjects::reserve(std::int64_t id, std::size_t changes) {
-  reserve_more(ids_, 1);
-  reserve_more(records_, record_size_);
+  join();
+  reserve_more(now_.ids, 1);
+  reserve_more(now_.records, record_size_);
   reserve_more(log_, changes);
-  slots_.prepare(id);
+  now_.slots.prepare(id);
 }
 
 void PendingObjects::add(std::int64_t id, std::span<const double> record) {
   reserve(id, 1);
-  const std::size_t slot = ids_.size();
-  ids_.push_back(id);
-  records_.insert(records_.end(), record.begin(), record.end());
-  log_.push_back({static_cast<std::uint32_t>(slot), true});
-  slots_.set(id, static_cast<std::int64_t>(slot));
-  ++count_;
+  const std::size_t slot = now_.ids.size();
+  now_.ids.push_back(id);
+  now_.records.insert(now_.records.end(), record.begin(), record.end());
+  if (is_marked()) log_.push_back({Change::Kind::added, static_cast<std::uint32_t>(slot)});
+  now_.slots.set(id, static_cast<std::int64_t>(slot));
+  ++now_.count;
 }
 
 void PendingObjects::erase(std::int64_t id) {
+  join();
   reserve_more(log_, 1);
-  log_.push_back({static_cast<std::uint32_t>(slots_.find(id)), false});
-  slots_.set(id, IdHashMap::unknown);
-  --count_;
+  if (is_marked()) log_.push_back({Change::Kind::erased, static_cast<std::uint32_t>(now_.slots.find(id))});
+  now_.slots.set(id, IdHashMap::unknown);
+  --now_.count;
 }
 
 void PendingObjects::replace(std::int64_t id, std::span<const double> record) {
@@ -55,38 +56,64 @@ void PendingObjects::replace(std::int64_t id, std::span<const double> record) {
   add(id, record);
 }
 
-void PendingObjects::forget_past() noexcept {
+void PendingObjects::take_all() {
+  join();
+  Objects none;
+  if (is_marked()) {
+    reserve_more(log_, 1);
+    reserve_more(taken_, 1);
+    log_.push_back({Change::Kind::all_taken});
+    taken_.push_back(std::move(now_));
+  }
+  now_ = std::move(none);
+}
+
+// Drops the holes too, if they are the larger part.
+void PendingObjects::forget() noexcept {
   log_.clear();
+  taken_.clear();
   constexpr std::size_t few = 64;
-  if (ids_.size() < few || ids_.size() < 2 * count_) return;
+  if (now_.ids.size() < few || now_.ids.size() < 2 * now_.count) return;
   try {
-    PendingObjects fresh(record_size_);
-    for_each([&](std::int64_t id, std::span<const double> record) { fresh.add(id, record); });
-    fresh.log_.clear();
-    *this = std::move(fresh);
+    Objects fresh;
+    for_each([&](std::int64_t id, std::span<const double> record) {
+      fresh.slots.prepare(id);
+      fresh.slots.set(id, static_cast<std::int64_t>(fresh.count++));
+      fresh.ids.push_back(id);
+      fresh.records.insert(fresh.records.end(), record.begin(), record.end());
+    });
+    now_ = std::move(fresh);
   } catch (const std::bad_alloc&) {
     // Without memory for a copy the holes stay, which is also correct.
   }
 }
 
-void PendingObjects::clear() noexcept {
-  ids_.clear();
-  records_.clear();
-  slots_.clear();
+void PendingObjects::end(Journal::Ended) noexcept {
   log_.clear();
-  count_ = 0;
+  taken_.clear();
+  now_.ids.clear();
+  now_.records.clear();
+  now_.slots.clear();
+  now_.count = 0;
 }
 
 void PendingObjects::rewind(std::size_t position) noexcept {
-  for (; log_.size() > position; log_.pop_back()) {
-    const Change& change = log_.back();
-    const std::int64_t id = ids_[change.slot];
-    slots_.set(id, change.added ? IdHashMap::unknown : change.slot);
-    count_ = change.added ? count_ - 1 : count_ + 1;
-    if (!change.added) continue;
-    ids_.pop_back();
-    records_.resize(records_.size() - record_size_);
+  for (; log_.size() > position; log_.pop_back()) undo(log_.back());
+}
+
+void PendingObjects::undo(const Change& change) noexcept {
+  if (change.kind == Change::Kind::all_taken) {
+    now_ = std::move(taken_.back());
+    taken_.pop_back();
+    return;
   }
+  const bool added = change.kind == Change::Kind::added;
+  const std::int64_t id = now_.ids[change.slot];
+  now_.slots.set(id, added ? IdHashMap::unknown : change.slot);
+  now_.count = added ? now_.count - 1 : now_.count + 1;
+  if (!added) return;
+  now_.ids.pop_back();
+  now_.records.resize(now_.records.size() - record_size_);
 }
 
 }  // namespace foresee

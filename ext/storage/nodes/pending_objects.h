@@ -2,7 +2,7 @@
 //
 //   pending.add(42, record);
 //   pending.find(42)                           // its record, or null
-//   const auto position = pending.position();  // later: pending.rewind(position)
+//   pending.take_all();                        // the tree has them now
 //
 // Written objects wait here, so that objects of many statements go into the tree together; until then the
 // tree has the old record of an updated object. Objects are only appended. An erased or replaced object
@@ -11,15 +11,17 @@
 
 #include <span>
 
+#include "storage/journal/journal.h"
 #include "storage/rows/id_hash_map.h"
 
 namespace foresee {
 
-class PendingObjects {
+class PendingObjects final : public Journal::Participant {
  public:
-  explicit PendingObjects(std::size_t record_size) : record_size_(record_size) {}
+  PendingObjects(Journal& journal, std::size_t record_size)
+      : Participant(journal, Scope::marks), record_size_(record_size) {}
 
-  std::size_t count() const { return count_; }
+  std::size_t count() const { return now_.count; }
   std::size_t memory() const;
   /// Valid until the next add() or replace().
   const double* find(std::int64_t id) const noexcept;
@@ -30,41 +32,50 @@ class PendingObjects {
   /// Requires: the id is pending.
   void erase(std::int64_t id);
   void replace(std::int64_t id, std::span<const double> record);
-
-  std::size_t position() const { return log_.size(); }
-  void rewind(std::size_t position) noexcept;
-  /// No rewind() to a position up to now follows: drops the log, and the holes if they are the larger part.
-  void forget_past() noexcept;
-  void clear() noexcept;
+  /// Removes all objects; a rewind brings them back.
+  void take_all();
 
   /// All ids and records, in the order of arrival. Requires: no holes.
-  bool has_holes() const { return count_ != ids_.size(); }
-  std::span<const std::int64_t> all_ids() const { return ids_; }
-  std::span<const double> all_records() const { return records_; }
+  bool has_holes() const { return now_.count != now_.ids.size(); }
+  std::span<const std::int64_t> all_ids() const { return now_.ids; }
+  std::span<const double> all_records() const { return now_.records; }
 
   /// Calls each(id, record) for every object, in the order of arrival.
   template <class Each>
   void for_each(Each each) const {
-    for (std::size_t slot = 0; slot < ids_.size(); ++slot)
-      if (!has_holes() || slots_.find(ids_[slot]) == static_cast<std::int64_t>(slot))
-        each(ids_[slot], std::span<const double>(records_.data() + slot * record_size_, record_size_));
+    for (std::size_t slot = 0; slot < now_.ids.size(); ++slot)
+      if (!has_holes() || now_.slots.find(now_.ids[slot]) == static_cast<std::int64_t>(slot))
+        each(now_.ids[slot], record_at(slot));
   }
 
  private:
-  struct Change {
-    std::uint32_t slot;
-    bool added;  ///< else erased
+  struct Objects {
+    std::vector<std::int64_t> ids = {};
+    std::vector<double> records = {};
+    IdHashMap slots = {};
+    std::size_t count = 0;
   };
+  struct Change {
+    enum class Kind : std::uint8_t { added, erased, all_taken } kind;
+    std::uint32_t slot = 0;
+  };
+
+  std::size_t keep() override { return log_.size(); }
+  void rewind(std::size_t position) noexcept override;
+  void undo(const Change& change) noexcept;
+  void forget() noexcept override;
+  void end(Journal::Ended how) noexcept override;
 
   /// Reserves memory for one object and `changes` log entries, by doubling: what follows cannot throw.
   void reserve(std::int64_t id, std::size_t changes);
+  std::span<const double> record_at(std::size_t slot) const {
+    return {now_.records.data() + slot * record_size_, record_size_};
+  }
 
   std::size_t record_size_;
-  std::vector<std::int64_t> ids_;
-  std::vector<double> records_;
-  IdHashMap slots_;
+  Objects now_;
   std::vector<Change> log_;
-  std::size_t count_ = 0;
+  std::vector<Objects> taken_;  ///< what take_all() has removed, oldest first
 };
 
 }  // namespace foresee

@@ -44,17 +44,20 @@ void IdHashMap::grow() {
 void IdHashMap::set(std::int64_t id, std::int64_t value) noexcept {
   if (size_ == 0) return;
   Entry& entry = slots_[slot_of(id)];
-  if (entry.value != free_slot) entry.value = value;
+  if (entry.value == free_slot) return;
+  known_ += static_cast<std::size_t>(value != unknown) - static_cast<std::size_t>(entry.value != unknown);
+  entry.value = value;
 }
 
 void IdHashMap::reset() noexcept {
   for (Entry& entry : slots_)
     if (entry.value != free_slot) entry.value = unknown;
+  known_ = 0;
 }
 
 void IdHashMap::clear() noexcept {
   slots_ = std::vector<Entry>();  // {} would keep the memory
-  size_ = 0;
+  size_ = known_ = 0;
 }
 
 std::vector<IdHashMap::Entry> IdHashMap::known() const {

@@ -37,6 +37,8 @@ class IdHashMap {
 
   /// The number of prepared ids.
   std::size_t size() const noexcept { return size_; }
+  /// True if no id has a value.
+  bool none_known() const noexcept { return known_ == 0; }
   std::size_t memory() const noexcept { return slots_.capacity() * sizeof(Entry); }
   /// All ids with a value, in no order.
   std::vector<Entry> known() const;
@@ -49,6 +51,7 @@ class IdHashMap {
 
   std::vector<Entry> slots_;  // empty, or a power of two; at least half of them free
   std::size_t size_ = 0;
+  std::size_t known_ = 0;  // prepared ids with a value
   std::uint64_t key_;
 };
 

@@ -10,9 +10,9 @@
 //
 // Every double is returned bit for bit. All state is in SQLite's tables, so transactions, WAL readers, VACUUM
 // and backup are SQLite's own. Changes wait in memory until sync(), or until the tables of the connection
-// together exceed their budget. A savepoint is a mark in memory (undo_log.h) and writes nothing. A rollback
+// together exceed their budget. A savepoint is a mark in the journal (journal.h) and writes nothing. A rollback
 // to it undoes later changes in memory, while SQLite restores the rows. The cache stays valid in the next
-// transaction only under the same stamp. Blobs are checked when they are read.
+// transaction only under the same stamp (version.h). Blobs are checked when they are read.
 //
 // Auxiliary values are written at once. Every change is atomic (store_change.h). Errors: SQLite's result
 // codes as StoreError; SQLITE_CORRUPT_VTAB for a blob that foresee did not write.
@@ -25,6 +25,7 @@
 
 #include "index/tpr_tree/tpr_tree.h"
 #include "storage/format/declaration.h"
+#include "storage/journal/version.h"
 #include "storage/nodes/memory_budget.h"
 #include "storage/nodes/node_cache.h"
 #include "storage/nodes/object_changes.h"
@@ -89,9 +90,9 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Call it after reading every leaf: SQLITE_CORRUPT_VTAB if the map, when written, has another count.
   void expect_objects(std::size_t found);
   /// Estimated number of objects, without reading: the last known count plus changes of this transaction.
-  std::int64_t likely_objects() const noexcept { return count_.likely(); }
+  std::int64_t likely_objects() const noexcept { return totals_->count.likely(); }
   /// The number of objects at the last read_version(); nothing if only version 0.1 has written the table.
-  std::optional<std::int64_t> known_objects() const noexcept { return count_.sum(); }
+  std::optional<std::int64_t> known_objects() const noexcept { return totals_->count.sum(); }
 
   // --- writing: each call is atomic
   /// The id that SQLite gives to a row without one: the largest plus one.
@@ -118,7 +119,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Rolled-back changes are left out. Cost: a read() per object.
   void for_each_change(const std::function<void(std::int64_t id, std::span<const double> before,
                                                 std::span<const double> after)>& each);
-  std::size_t changes_memory() const { return object_changes_.memory(); }
+  std::size_t changes_memory() const { return changes_.memory(); }
 
   // --- watches of this table (sqlite/watch/)
   /// Names of the watches to update at each commit, as this connection sees them now. Cost: one look-up, and
@@ -209,9 +210,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Checks the record, starts the transaction, writes its stamp, frees memory. Throws before any change.
   void start_change(std::span<const double> record);
   /// Stores a random stamp, under which the cache is valid. Costs one row.
-  void write_new_stamp();
-  /// The stamp that read_version() returns: a flush, which changes no object, does not change it.
-  std::int64_t shown(std::int64_t stored_stamp) const;
+  void write_new_stamp(bool same_contents = false);
   void log_before_change(std::int64_t id);
   [[noreturn]] void throw_missing(std::int64_t id) const;
   void remove(std::int64_t id);
@@ -241,16 +240,23 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   void keep_only_forms(const std::unordered_set<std::int64_t>& used);
 
   // transactions (store_transactions.cpp)
+  struct Savepoint {
+    int level;
+    Journal::Mark mark;
+    UndoLog::Handle nodes;
+    bool has_unwritten;  ///< it has unwritten changes
+  };
+
   bool has_unwritten() const;
-  void restore(const StoreSavepoint& savepoint);
-  void undo_transaction() noexcept;
-  void set_table_name(const std::string& table);
+  void restore(const Savepoint& savepoint);
+  /// Forgets what this transaction has changed. It goes on.
+  void restart_transaction();
+  void use_table_name(const std::string& table);
   std::size_t savepoints_before(int level) const noexcept;
   void give_up_savepoints(std::size_t from) noexcept;
-  void end_transaction() noexcept;
+  void end_transaction(Journal::Ended how);
   /// The table is gone. An old prepared statement may keep this store, so it forgets everything at once.
-  void close() noexcept;
-  void note_change() noexcept { ++undo_position_, differs_from_version_ = true; }
+  void close();
 
   sqlite3* db_;
   QualifiedName name_;
@@ -259,42 +265,26 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   std::unique_ptr<ShadowRows> shadow_rows_;
   std::shared_ptr<MemoryBudget> memory_;
   MemoryShare share_;
+  Journal journal_;
+  Version version_{journal_};
   NodeCache cache_;
   std::unique_ptr<TprTree> tree_;
-  std::shared_ptr<PendingObjects> pending_;  ///< shared with the savepoints that would restore it
-  std::unique_ptr<StoredForms> forms_;       ///< null: the layout has no forms
-  ObjectChanges object_changes_;             ///< empty unless keeps_changes_
-  bool keeps_changes_ = false, wants_changes_ = false;
-  bool changes_unknown_ = false;      ///< objects beyond object_changes_ may have changed
-  std::vector<std::string> watches_;  ///< valid if watches_known_
-  bool watches_known_ = false;
-  Frame frame_ = declaration_.frame;  ///< what frame() returns
-  ChosenOrigin origin_;               ///< of a table in degrees without a declared origin
+  PendingObjects pending_;
+  std::unique_ptr<StoredForms> forms_;  ///< null: the layout has no forms
+  Journaled<Totals> totals_{journal_};
+  ObjectChanges changes_{journal_};
+  Journaled<std::optional<std::vector<std::string>>> watches_{journal_};  ///< nothing: not known
+  Frame frame_ = declaration_.frame;                                      ///< what frame() returns
+  Journaled<ChosenOrigin> origin_{journal_};  ///< of a table in degrees without a declared origin
+  Journaled<std::string> table_{journal_, name_.table};
 
-  bool in_transaction_;
   bool is_new_;               ///< this transaction has created the table
   bool gone_ = false;         ///< the table is dropped, or its creation was rolled back
-  bool writing_ = false;      ///< this transaction has written, so no other connection can
-  bool stamped_ = false;      ///< … and has written a stamp of its own
   bool torn_ = false;         ///< a change failed after it wrote rows: only a rollback helps
   int own_statements_ = 0;    ///< own statements in progress: callbacks now are due to them
   bool rolled_back_ = false;  ///< … during which SQLite rolled everything back
-  std::vector<StoreSavepoint> savepoints_;
-  std::uint64_t transaction_ = 1;             ///< advances at the end of each
-  std::vector<double> first_found_;           ///< the record that find() has read without the cache
-  std::optional<std::int64_t> cached_stamp_;  ///< the stamp under which the cache is valid
-  std::optional<std::int64_t> stamp_before_;  ///< … before this transaction
-  std::optional<std::int64_t> own_stamp_;     ///< the last stamp of this transaction, unless rolled back
-  SameContents same_contents_;  ///< after a flush: read_version() still returns the stamp before it
-  std::string table_at_begin_;  ///< name at begin(), restored by a rollback
-  LargestId largest_;
-  ObjectCount count_;         ///< under cached_stamp_
-  ObjectCount count_before_;  ///< … before this transaction
-
-  bool differs_from_version_ = false;  ///< something changed since the last read_version()
-  std::uint64_t version_changes_ = 0;  ///< the `changes` that it returned
-  std::uint64_t synced_position_ = 0;  ///< undo_position_ at the last complete write
-  std::uint64_t undo_position_ = 0;    ///< advances with every change that a savepoint would undo
+  std::vector<Savepoint> savepoints_;
+  std::vector<double> first_found_;  ///< the record that find() has read without the cache
 };
 
 }  // namespace foresee

@@ -32,51 +32,38 @@ class Store::OwnStatements {
   sqlite3_int64 rowid_;
 };
 
-/// One change, including its own statements. Unless it is done(), its end restores all state in memory:
-/// nodes, map, pending objects, the log of changed objects, the largest id, the count, the origin. If rows were written
-/// during the change, the store is torn and refuses everything until SQLite rolls back. Cost: a few
-/// positions; a node is copied when it is changed, not before.
+/// One change, including its own statements. Unless it is done(), its end restores all state in memory. If rows
+/// were written during the change, the store is torn and refuses everything until SQLite rolls back. Cost: a
+/// mark in the journal; a node is copied when it is changed, not before.
 class Store::AtomicChange {
  public:
-  explicit AtomicChange(Store& store)
-      : own_(store),
-        store_(store),
-        pending_(store.pending_),
-        pending_position_(store.pending_->position()),
-        changes_position_(store.object_changes_.position()),
-        largest_(store.largest_),
-        count_(store.count_),
-        origin_(store.origin_) {
+  explicit AtomicChange(Store& store) : own_(store), store_(store), mark_(store.journal_.set_mark()) {
     store_.cache_.begin_change();
   }
   ~AtomicChange() {
-    if (done_) return;
-    store_.torn_ |= store_.cache_.wrote_in_change();
-    store_.cache_.cancel_change();
-    store_.pending_ = std::move(pending_);
-    store_.pending_->rewind(pending_position_);
-    store_.object_changes_.rewind(changes_position_);
-    store_.largest_ = largest_;
-    store_.count_ = count_;
-    store_.origin_ = origin_;
+    if (!done_) {
+      store_.torn_ |= store_.cache_.wrote_in_change();
+      store_.cache_.cancel_change();
+      store_.journal_.rewind(mark_);
+    }
+    store_.journal_.forget(mark_);
   }
 
   /// The change is valid. Only a savepoint or the start of the transaction can be restored from now on.
   void done() {
+    store_.version_.note_change();
+    done_with_same_contents();
+  }
+  /// The same for a change after which every query has the same answer.
+  void done_with_same_contents() {
     store_.cache_.end_change();
     done_ = true;
-    store_.note_change();
-    if (store_.savepoints_.empty()) store_.pending_->forget_past();
   }
 
  private:
   OwnStatements own_;
   Store& store_;
-  std::shared_ptr<PendingObjects> pending_;
-  std::size_t pending_position_, changes_position_;
-  LargestId largest_;
-  ObjectCount count_;
-  ChosenOrigin origin_;
+  Journal::Mark mark_;
   bool done_ = false;
 };
 

@@ -17,17 +17,16 @@ constexpr double min_reload_ratio = 1.0 / 8;
 }  // namespace
 
 bool Store::has_unwritten() const {
-  return cache_.has_unwritten() || pending_->count() > 0 || count_.added != 0 || origin_.unwritten;
+  return cache_.has_unwritten() || pending_.count() > 0 || totals_->count.added != 0 || origin_->unwritten;
 }
 
 void Store::merge_pending() {
-  if (pending_->count() == 0) return;
+  if (pending_.count() == 0) return;
   shadow_rows();
   StatementInterrupt interrupt(db_);
-  auto empty = std::make_shared<PendingObjects>(static_cast<std::size_t>(format_.at.size));
   AtomicChange atomic_change(*this);
   with_sound_tree([&] {
-    const double pending = static_cast<double>(pending_->count()), stored = estimate_objects(cache_);
+    const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_);
     const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
     if (stored > 0 && pending <= stored * min_reload_ratio)
       merge_into_tree(interrupt);
@@ -36,16 +35,12 @@ void Store::merge_pending() {
     else
       reload(interrupt);
   });
-  const std::uint64_t undo_position = undo_position_;
-  const bool differs = differs_from_version_;
-  pending_ = std::move(empty);
-  atomic_change.done();
-  undo_position_ = undo_position + 1;
-  differs_from_version_ = differs;  // the same objects as before
+  pending_.take_all();
+  atomic_change.done_with_same_contents();
 }
 
 void Store::merge_into_tree(Interrupt& interrupt) {
-  if (!pending_->has_holes()) return tree_->merge(pending_->all_ids(), pending_->all_records(), interrupt);
+  if (!pending_.has_holes()) return tree_->merge(pending_.all_ids(), pending_.all_records(), interrupt);
   std::vector<std::int64_t> ids;
   std::vector<double> records;
   append_pending(ids, records);
@@ -57,14 +52,14 @@ void Store::reload(Interrupt& interrupt) {
   std::vector<double> records;
   collect_objects(cache_, ids, records, interrupt);
   expect_objects(ids.size());
-  if (ids.empty() && !pending_->has_holes())
-    return tree_->bulk_load(pending_->all_ids(), pending_->all_records(), interrupt);
+  if (ids.empty() && !pending_.has_holes())
+    return tree_->bulk_load(pending_.all_ids(), pending_.all_records(), interrupt);
   const auto size = static_cast<std::size_t>(format_.at.size);
   std::size_t kept = 0;
   Steps step(interrupt);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     step();
-    if (pending_->find(ids[i])) continue;
+    if (pending_.find(ids[i])) continue;
     if (kept != i) {
       ids[kept] = ids[i];
       std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(i * size), size,
@@ -78,9 +73,9 @@ void Store::reload(Interrupt& interrupt) {
 }
 
 void Store::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const {
-  ids.reserve(ids.size() + pending_->count());
-  records.reserve(records.size() + pending_->count() * static_cast<std::size_t>(format_.at.size));
-  pending_->for_each([&](std::int64_t id, std::span<const double> record) {
+  ids.reserve(ids.size() + pending_.count());
+  records.reserve(records.size() + pending_.count() * static_cast<std::size_t>(format_.at.size));
+  pending_.for_each([&](std::int64_t id, std::span<const double> record) {
     ids.push_back(id);
     records.insert(records.end(), record.begin(), record.end());
   });
@@ -90,37 +85,31 @@ void Store::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& 
 // last: a connection that reads uncommitted rows (shared cache) has seen the first stamp with other rows.
 void Store::flush() {
   if (!has_unwritten()) return;
-  if (was_rolled_back()) {
-    undo_transaction();
-    stamped_ = false;
-    return;
-  }
+  if (was_rolled_back()) return restart_transaction();
   merge_pending();
   shadow_rows();
   const OwnStatements own(*this);
-  ++undo_position_;
   StatementInterrupt interrupt(db_);
   with_sound_tree([&] { cache_.write(interrupt); });
-  if (count_.added != 0) {
-    const std::optional<std::int64_t> sum = count_.sum();
+  if (totals_->count.added != 0) {
+    const std::optional<std::int64_t> sum = totals_->count.sum();
     write_count(sum ? *sum : shadow_rows().map().count_ids());
   }
-  if (origin_.unwritten) {
-    shadow_rows().meta().write("origin", origin_text(*origin_.value));
-    origin_.unwritten = false;
+  if (origin_->unwritten) {
+    shadow_rows().meta().write("origin", origin_text(*origin_->value));
+    origin_.change().unwritten = false;
   }
-  const std::int64_t before = shown(own_stamp_.value_or(0));
-  write_new_stamp();
-  same_contents_ = {own_stamp_, before};
+  write_new_stamp(true);
 }
 
 void Store::write_count(std::int64_t objects) {
   shadow_rows().write_objects(objects);
-  count_.stored = objects, count_.added = 0;
+  ObjectCount& count = totals_.change().count;
+  count.stored = objects, count.added = 0;
 }
 
 void Store::note_memory() noexcept {
-  share_.hold_pending(pending_->memory());
+  share_.hold_pending(pending_.memory());
   cache_.note_memory();
 }
 

@@ -83,7 +83,7 @@ class Store::PartitionedLoad {
 };
 
 void Store::rebuild(Interrupt& interrupt) {
-  changes_unknown_ = true;  // in a damaged table it may recover objects
+  changes_.note_others();  // in a damaged table it may recover objects
   pack(interrupt);
   const OwnStatements own(*this);
   if (!has_auxiliaries()) return;
@@ -184,7 +184,7 @@ void Store::load_partitioned(Interrupt& interrupt) {
     stored = 0;
     const auto use_stored = [&](std::int64_t id, const double* record) {
       ++stored;
-      if (!all_are_new && pending_->find(id))
+      if (!all_are_new && pending_.find(id))
         ++replaced;
       else
         use(id, record);
@@ -192,13 +192,13 @@ void Store::load_partitioned(Interrupt& interrupt) {
     const auto use_leaf = [&](const auto& leaf) { for_each_object(leaf, size, use_stored); };
     read_leaves(interrupt, use_leaf, use_leaf);
     Steps step(interrupt);
-    pending_->for_each(
+    pending_.for_each(
         [&](std::int64_t id, std::span<const double> record) { step(), use(id, record.data()); });
   };
   for_each([&](std::int64_t id, const double* record) { load.see(id, record); });
   all_are_new = replaced == 0;
   expect_objects(stored);
-  load.divide(pending_->all_records());
+  load.divide(pending_.all_records());
   for_each([&](std::int64_t id, const double* record) { load.add(id, record); });
   load.write();
 }

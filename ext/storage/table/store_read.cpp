@@ -32,93 +32,87 @@ void append(const Node& leaf, std::size_t, std::vector<std::int64_t>& ids, std::
 
 // While this connection writes no other one can. At any other time another one may have written.
 void Store::revalidate_cache() {
-  if (writing_) return;
+  if (version_.is_own()) return;
   const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
-  if (cached_stamp_ == stamp) return;
+  if (version_.seen() == stamp) return;
   cache_.forget_all();
   if (forms_) forms_->forget_all();
-  cached_stamp_.reset();
-  count_.stored = shadow_rows().read_objects();
-  watches_known_ = false;
-  origin_ = {};
-  cached_stamp_ = stamp;
+  version_.forget();
+  totals_.change().count.stored = shadow_rows().read_objects();
+  watches_.change().reset();
+  origin_.change() = {};
+  version_.read(*stamp);
 }
 
 const Frame& Store::frame() {
   if (!declaration_.frame.in_degrees() || declaration_.frame.origin) return frame_;
   revalidate_cache();
-  if (!origin_.known) {
+  if (!origin_->known) {
     const std::string stored = shadow_rows().meta().read("origin");
     const std::optional<LatLon> origin = parse_origin(stored);
     if (!origin && !stored.empty())
       damaged("the origin '" + without_nul(stored) + "' in _meta is no latitude and longitude");
     if (!origin && shadow_rows().read_root().value_or(0) != 0) damaged("the origin is missing in _meta");
-    origin_ = {.known = true, .value = origin};
+    origin_.change() = {.known = true, .value = origin};
   }
-  frame_.origin = origin_.value;
+  frame_.origin = origin_->value;
   return frame_;
 }
 
 const Frame& Store::frame_of_objects(StatementReadState* statement_state) {
   if (!declaration_.frame.in_degrees() || declaration_.frame.origin) return frame_;
-  if (!statement_state || statement_state->transaction != transaction_ || !origin_.known) frame();
-  if (statement_state) statement_state->transaction = transaction_;
-  if (!origin_.value) damaged("the origin is missing in _meta");
-  frame_.origin = origin_.value;
+  if (!version_.is_checked(statement_state) || !origin_->known) frame();
+  version_.note_checked(statement_state);
+  if (!origin_->value) damaged("the origin is missing in _meta");
+  frame_.origin = origin_->value;
   return frame_;
 }
 
 ContentVersion Store::read_version() {
-  static std::atomic<std::uint64_t> last_change{0};
-  if (differs_from_version_) version_changes_ = ++last_change;
-  differs_from_version_ = false;
   revalidate_cache();
-  const auto stamp = writing_ ? shadow_rows().read_stamp() : cached_stamp_;
+  const auto stamp = version_.is_own() ? shadow_rows().read_stamp() : version_.seen();
   if (!stamp) damaged("the stamp is missing");
-  return {static_cast<std::uint64_t>(shown(*stamp)), version_changes_};
-}
-
-std::int64_t Store::shown(std::int64_t stored_stamp) const {
-  return same_contents_.stored == stored_stamp ? same_contents_.shown : stored_stamp;
+  return version_.shown(*stamp);
 }
 
 std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
-  return writing_ ? nodes().find_leaf(id) : shadow_rows().map().find_leaf(id);
+  return version_.is_own() ? nodes().find_leaf(id) : shadow_rows().map().find_leaf(id);
 }
 
 bool Store::contains(std::int64_t id) {
-  if (pending_->find(id)) return true;
+  if (pending_.find(id)) return true;
   // New ascending ids, the common case, are larger than any known id.
-  if (largest_.known && (!largest_.id || *largest_.id < id)) return false;
+  const LargestId& largest = totals_->largest;
+  if (largest.known && (!largest.id || *largest.id < id)) return false;
   return find_leaf(id).has_value();
 }
 
 std::optional<std::vector<double>> Store::read(std::int64_t id) {
   const auto size = static_cast<std::size_t>(format_.at.size);
-  const double* found = pending_->find(id);
-  if (!found && writing_) found = nodes().find_record(id);
+  const double* found = pending_.find(id);
+  if (!found && version_.is_own()) found = nodes().find_record(id);
   if (found) return std::vector<double>(found, found + size);
   std::vector<double> record;
-  if (writing_ || !read_stored(id, record)) return std::nullopt;
+  if (version_.is_own() || !read_stored(id, record)) return std::nullopt;
   return record;
 }
 
 std::span<const double> Store::find(std::int64_t id, StatementReadState& statement_state) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   const auto found = [size](const double* record) { return std::span(record, record ? size : 0); };
-  if (const double* record = pending_->find(id)) return found(record);
-  if (writing_) return found(nodes().find_record(id));
-  if (statement_state.transaction == transaction_) {
+  if (const double* record = pending_.find(id)) return found(record);
+  if (version_.is_own()) return found(nodes().find_record(id));
+  if (version_.is_checked(&statement_state)) {
     if (const double* record = nodes().find_record_in_memory(id)) return found(record);
     if (!cache_.find_leaf(id)) return found(nullptr);
   }
   // The first row after opening should not wait until one more statement is compiled.
-  if (!cached_stamp_ && first_found_.empty())
+  if (!version_.seen() && first_found_.empty())
     return read_stored(id, first_found_) ? found(first_found_.data()) : found(nullptr);
   // Also before a node is read: with uncommitted reads (shared cache) it may belong to another stamp.
   revalidate_cache();
-  statement_state.transaction = transaction_;
+  version_.note_checked(&statement_state);
   return found(cache_.find_record(id));
 }
 
@@ -195,7 +189,7 @@ void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
 }
 
 void Store::expect_objects(std::size_t found) {
-  count_.note_all(found);
+  totals_.change().count.note_all(found);
   if (cache_.has_unwritten()) return;
   const auto mapped = static_cast<std::size_t>(shadow_rows().map().count_ids());
   if (found != mapped)
@@ -244,8 +238,8 @@ std::shared_ptr<const Form> Store::form(std::int64_t number) {
 }
 
 std::shared_ptr<const Form> Store::form(std::int64_t number, StatementReadState& statement_state) {
-  if (statement_state.transaction != transaction_) revalidate_cache();
-  statement_state.transaction = transaction_;
+  if (!version_.is_checked(&statement_state)) revalidate_cache();
+  version_.note_checked(&statement_state);
   return forms_->form(number);
 }
 
@@ -256,7 +250,7 @@ std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
     return check_integrity(shadow_rows(), cache_, format_, name_, has_auxiliaries(),
                            forms_ ? &forms_->rows() : nullptr, interrupt);
   });
-  origin_ = {};
+  origin_.change() = {};
   try {
     frame();
   } catch (const StoreError& error) {

@@ -25,7 +25,7 @@ std::shared_ptr<Store> Store::create(sqlite3* db, const std::string& schema, con
   auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, declaration), declaration);
   auto store =
       std::make_shared<Store>(db, name, declaration, format, std::move(rows), true, memory_budget_of(db));
-  store->count_.stored = 0;
+  store->totals_.change().count.stored = 0;
   remember_open_store(db, name, store);
   return store;
 }
@@ -42,7 +42,7 @@ std::shared_ptr<Store> Store::open(sqlite3* db, const std::string& schema, const
     return live;
   auto store =
       std::make_shared<Store>(db, name, declaration, format, std::move(rows), false, memory_budget_of(db));
-  store->count_.stored = store->shadow_rows().read_objects();
+  store->totals_.change().count.stored = store->shadow_rows().read_objects();
   remember_open_store(db, name, store);
   return store;
 }
@@ -57,16 +57,15 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       shadow_rows_(std::move(rows)),
       memory_(std::move(memory)),
       share_(*memory_, *this),
-      cache_(format_, name_, share_),
+      cache_(format_, name_, share_, journal_),
       tree_(make_tpr_tree(cache_, declaration_.horizon)),
-      pending_(std::make_shared<PendingObjects>(static_cast<std::size_t>(format_.at.size))),
-      in_transaction_(is_new),
-      is_new_(is_new),
-      table_at_begin_(name_.table) {
+      pending_(journal_, static_cast<std::size_t>(format_.at.size)),
+      is_new_(is_new) {
   cache_.connect(*shadow_rows_);
   if (is_stored_apart(declaration_.layout.shape))
-    forms_ =
-        std::make_unique<StoredForms>(shadow_tables(db_, name_, declaration_), declaration_.layout.shape);
+    forms_ = std::make_unique<StoredForms>(journal_, shadow_tables(db_, name_, declaration_),
+                                           declaration_.layout.shape);
+  if (is_new_) journal_.begin();
 }
 
 ShadowRows& Store::shadow_rows() {
@@ -99,64 +98,56 @@ void Store::revalidate_at_begin() try { revalidate_cache(); } catch (const Store
   const int code = error.code & 0xff;
   if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
   cache_.forget_all();
-  cached_stamp_.reset();
+  version_.forget();
 }
 
 void Store::begin() {
-  if (in_transaction_ || gone_) return;
+  if (journal_.is_open() || gone_) return;
   revalidate_at_begin();
-  table_at_begin_ = name_.table;
   cache_.begin();
-  in_transaction_ = true;
+  journal_.begin();
+  version_.begin();
 }
 
-// Several watches may call this in one COMMIT. With a savepoint open the cache reports changes that are
-// already written: then nothing is left to do.
+// Several watches may call this in one COMMIT.
 void Store::sync() {
   if (gone_) return;
   shadow_rows();
-  if (synced_position_ == undo_position_ && !(has_unwritten() && was_rolled_back())) return;
   flush();
-  synced_position_ = undo_position_;
 }
 
-void Store::end_transaction() noexcept {
+void Store::end_transaction(Journal::Ended how) {
   give_up_savepoints(0);
-  in_transaction_ = is_new_ = writing_ = stamped_ = torn_ = false;
-  ++transaction_;
-  largest_ = {};
-  own_stamp_.reset();
-  pending_->clear();
-  object_changes_.clear();
-  keeps_changes_ = wants_changes_;
-  changes_unknown_ = false;
+  how == Journal::Ended::committed ? cache_.commit() : cache_.roll_back();
+  journal_.end(how);
+  version_.end(how);
+  totals_.change().largest = {};
+  torn_ = false;
   note_memory();
 }
 
 // A table that was created after a savepoint gets no callback when SQLite rolls back to it. Then the stamp
 // that this transaction wrote is gone, or all its tables are.
 bool Store::was_rolled_back() {
-  if (!own_stamp_) return false;
+  if (!version_.is_own()) return false;
   try {
-    return shadow_rows().read_stamp() != own_stamp_;
+    return shadow_rows().read_stamp() != version_.seen();
   } catch (const StoreError& error) {
     if ((error.code & 0xff) != SQLITE_ERROR) throw;
     return true;
   }
 }
 
-void Store::close() noexcept {
-  undo_transaction();
+void Store::close() {
+  end_transaction(Journal::Ended::rolled_back);
   cache_.forget_all();
-  end_transaction();
   gone_ = true;
 }
 
 void Store::commit() {
   if (gone_) return;
-  if (writing_ && !stamped_) cached_stamp_.reset();  // a rollback to a savepoint removed the new stamp
-  cache_.commit();
-  end_transaction();
+  end_transaction(Journal::Ended::committed);
+  is_new_ = false;
 }
 
 void Store::rollback() {
@@ -166,45 +157,36 @@ void Store::rollback() {
   }
   if (gone_) return;
   if (is_new_) return close();
-  set_table_name(table_at_begin_);
-  undo_transaction();
-  watches_known_ = false;
-  if (writing_) cached_stamp_ = stamp_before_;
-  end_transaction();
-  differs_from_version_ = false;
-  version_changes_ = 0;  // with the restored stamp: the contents of that commit
+  end_transaction(Journal::Ended::rolled_back);
+  use_table_name(table_.get());
 }
 
-void Store::undo_transaction() noexcept {
-  cache_.roll_back();
-  if (forms_) forms_->forget_texts();
-  if (writing_) count_ = count_before_;
-  origin_ = {};
-  if (!savepoints_.empty()) pending_ = savepoints_.front().pending;
-  pending_->clear();
-  object_changes_.clear();
-  give_up_savepoints(0);
+void Store::restart_transaction() {
+  end_transaction(Journal::Ended::rolled_back);
+  journal_.begin();
+  version_.note_change();
+  use_table_name(table_.get());
 }
 
 // --- savepoints
 
 void Store::savepoint(int level) {
-  if (own_statements_ > 0 || gone_) return;
+  if (own_statements_ > 0 || gone_ || !journal_.is_open()) return;
   shadow_rows();
   // Two virtual tables that share this store both get the callback.
   if (!savepoints_.empty() && savepoints_.back().level >= level) return;
   // Reserve first, by doubling: once the mark is set nothing may throw.
   if (savepoints_.size() == savepoints_.capacity())
     savepoints_.reserve(std::max<std::size_t>(8, 2 * savepoints_.size()));
-  std::string table = name_.table;
-  savepoints_.push_back({level, cache_.set_mark(false), cache_.map_position(), pending_, pending_->position(),
-                         object_changes_.position(), largest_, count_, origin_, undo_position_, own_stamp_,
-                         std::move(table), has_unwritten() || object_changes_.count() > 0});
+  const bool unwritten = has_unwritten() || changes_.count() > 0;
+  const Journal::Mark mark = journal_.set_mark();
+  savepoints_.push_back({level, mark, cache_.set_mark(false), unwritten});
 }
 
 void Store::give_up_savepoints(std::size_t from) noexcept {
+  if (from < savepoints_.size()) journal_.forget(savepoints_[from].mark);
   while (savepoints_.size() > from) {
-    cache_.give_up(savepoints_.back().mark);
+    cache_.give_up(savepoints_.back().nodes);
     savepoints_.pop_back();
   }
 }
@@ -212,15 +194,13 @@ void Store::give_up_savepoints(std::size_t from) noexcept {
 /// The number of savepoints older than this level.
 std::size_t Store::savepoints_before(int level) const noexcept {
   const auto first = std::lower_bound(savepoints_.begin(), savepoints_.end(), level,
-                                      [](const StoreSavepoint& one, int other) { return one.level < other; });
+                                      [](const Savepoint& one, int other) { return one.level < other; });
   return static_cast<std::size_t>(first - savepoints_.begin());
 }
 
 void Store::release(int level) {
   if (own_statements_ > 0 || gone_) return;
-  const std::size_t kept = savepoints_before(level);
-  give_up_savepoints(kept);
-  if (kept == 0) pending_->forget_past();
+  give_up_savepoints(savepoints_before(level));
 }
 
 void Store::rollback_to(int level) {
@@ -234,33 +214,18 @@ void Store::rollback_to(int level) {
   }
   // No mark is that old. Either the mark could not be set, and its statement failed before it changed
   // anything; or the table joined the transaction after that savepoint.
-  if (own_stamp_ && !was_rolled_back()) return;
-  if (is_new_ && own_stamp_) return close();
-  set_table_name(table_at_begin_);
-  undo_transaction();
-  own_stamp_.reset();
-  watches_known_ = false;
-  note_change();
-  stamped_ = torn_ = false;
-  largest_ = {};
+  if (version_.is_own() && !was_rolled_back()) return;
+  if (is_new_ && version_.is_own()) return close();
+  restart_transaction();
 }
 
-void Store::restore(const StoreSavepoint& savepoint) {
-  if (savepoint.undo_position == undo_position_ && !torn_) return;
+void Store::restore(const Savepoint& savepoint) {
+  if (!journal_.rewind(savepoint.mark) && !torn_) return;
   torn_ = true;  // until it is done
-  watches_known_ = false;
-  set_table_name(savepoint.table);
-  own_stamp_ = savepoint.own_stamp;
-  cache_.restore(savepoint.mark, savepoint.map_position);
-  if (forms_) forms_->forget_texts();
-  pending_ = savepoint.pending;
-  pending_->rewind(savepoint.pending_position);
-  object_changes_.rewind(savepoint.changes_position);
-  largest_ = savepoint.largest;
-  count_ = savepoint.count;
-  origin_ = savepoint.origin;
-  stamped_ = torn_ = false;
-  note_change();
+  cache_.restore(savepoint.nodes);
+  use_table_name(table_.get());
+  torn_ = false;
+  version_.note_change();
 }
 
 // --- the table itself
@@ -269,11 +234,12 @@ void Store::rename(const std::string& new_table) {
   flush();
   const OwnStatements own(*this);
   shadow_tables(db_, name_, declaration_).rename(new_table);
-  set_table_name(new_table);
-  note_change();
+  table_.change() = new_table;
+  use_table_name(new_table);
+  version_.note_change();
 }
 
-void Store::set_table_name(const std::string& table) {
+void Store::use_table_name(const std::string& table) {
   if (name_.table == table) return;
   name_.table = table;
   const ShadowTables tables = shadow_tables(db_, name_, declaration_);

@@ -6,25 +6,20 @@
 namespace foresee {
 
 void Store::load_watches() {
-  if (watches_known_) return;
-  watches_ = shadow_rows().read_watches();
-  watches_known_ = true;
+  if (!watches_.get()) watches_.change() = shadow_rows().read_watches();
 }
 
 const std::vector<std::string>& Store::watches() {
   revalidate_cache();
   load_watches();
-  return watches_;
+  return watches_->value();
 }
 
 // SQLite may not have called begin() for this transaction, and then calls neither commit() nor rollback(). So
 // memory is left unchanged, and the cache is revalidated when the new stamp is read.
 void Store::write_stamp_of_watches() {
-  watches_known_ = false;
-  if (writing_) {
-    ++undo_position_;
-    return write_new_stamp();
-  }
+  watches_.change().reset();
+  if (version_.is_own()) return write_new_stamp();
   std::int64_t stamp;
   sqlite3_randomness(sizeof stamp, &stamp);
   shadow_rows().write_stamp(stamp);
@@ -48,8 +43,8 @@ std::optional<std::int64_t> Store::settled_stamp() {
 }
 
 std::optional<std::int64_t> Store::stamp_before_changes() {
-  if (changes_unknown_) return std::nullopt;
-  return writing_ ? stamp_before_ : shadow_rows().read_stamp();
+  if (!changes_.are_complete()) return std::nullopt;
+  return version_.is_own() ? version_.before() : shadow_rows().read_stamp();
 }
 
 }  // namespace foresee

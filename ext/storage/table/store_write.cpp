@@ -13,43 +13,40 @@ void Store::start_change(std::span<const double> record) {
     if (const char* fault = record_fault(format_, record.data())) throw Error(name_.table + ": " + fault);
   // A rollback inside the statement, by a function that it calls, takes the table out of the transaction: no
   // COMMIT would reach what is written from here on.
-  if (!in_transaction_)
+  if (!journal_.is_open())
     throw StoreError(SQLITE_ABORT_ROLLBACK, name_.table + ": a rollback ended this statement; run it again");
   shadow_rows();
-  if (!writing_) {
+  if (!version_.is_own()) {
     revalidate_cache();
-    stamp_before_ = cached_stamp_;
-    count_before_ = count_;
     load_watches();
-    keeps_changes_ |= !watches_.empty();
+    if (!watches_->value().empty()) changes_.keep_here();
   }
   note_memory();
   if (memory_->too_much_waits()) memory_->write_out();
-  if (stamped_) return;
+  if (version_.is_own()) return;
   const OwnStatements own(*this);
   write_new_stamp();
-  differs_from_version_ = true;  // even if this change fails: the stamp is not committed yet
-  ++undo_position_;
+  version_.note_change();  // even if this change fails: the stamp is not committed yet
 }
 
-void Store::write_new_stamp() {
+void Store::write_new_stamp(bool same_contents) {
   std::int64_t stamp;
   sqlite3_randomness(sizeof stamp, &stamp);
   shadow_rows().write_stamp(stamp);
-  cached_stamp_ = own_stamp_ = stamp;
-  writing_ = stamped_ = true;
+  version_.wrote(stamp, same_contents);
 }
 
 const LargestId& Store::read_largest() {
   // Unknown: no object was added in this transaction.
-  if (!largest_.known) largest_ = {true, !cache_.has_unwritten(), shadow_rows().map().read_largest_id()};
-  return largest_;
+  if (!totals_->largest.known)
+    totals_.change().largest = {true, !cache_.has_unwritten(), shadow_rows().map().read_largest_id()};
+  return totals_->largest;
 }
 
 std::int64_t Store::find_next_id() {
-  if (!largest_.known || !largest_.exact) {
+  if (!totals_->largest.known || !totals_->largest.exact) {
     flush();
-    largest_ = {};
+    totals_.change().largest = {};
   }
   const std::optional<std::int64_t> last = read_largest().id;
   if (!last) return 1;
@@ -66,26 +63,24 @@ std::int64_t Store::find_next_id() {
 StoredForms::Known Store::find_or_add_form(std::string_view text, const StoredForms::Reader& read) {
   start_change({});
   const OwnStatements own(*this);
-  ++undo_position_;  // a row may be written, which only a rollback removes
   return forms_->find_or_add(text, read);
 }
 
 // --- changes of a transaction
 
 void Store::keep_changes(bool wanted) {
-  wants_changes_ = wanted;
-  if (wanted || !in_transaction_) keeps_changes_ = wanted;
+  changes_.keep(wanted, journal_.is_open());
 }
 
 void Store::log_before_change(std::int64_t id) {
-  if (!keeps_changes_ || object_changes_.knows(id)) return;
+  if (!changes_.are_kept() || changes_.knows(id)) return;
   const std::optional<std::vector<double>> before = read(id);
-  object_changes_.add(id, before ? std::span<const double>(*before) : std::span<const double>());
+  changes_.add(id, before ? std::span<const double>(*before) : std::span<const double>());
 }
 
 void Store::for_each_change(
     const std::function<void(std::int64_t, std::span<const double>, std::span<const double>)>& each) {
-  object_changes_.for_each([&](std::int64_t id, std::span<const double> before) {
+  changes_.for_each([&](std::int64_t id, std::span<const double> before) {
     const std::vector<double> after = read(id).value_or(std::vector<double>());
     // Bit for bit: 0 and -0 differ. (An empty record has no bytes to compare.)
     const bool equal = before.size() == after.size() &&
@@ -98,9 +93,10 @@ void Store::for_each_change(
 
 void Store::add(std::int64_t id, std::span<const double> record) {
   const std::optional<std::int64_t> last = read_largest().id;
-  pending_->add(id, record);
-  ++count_.added;
-  if (!last || *last <= id) largest_ = {true, true, id};
+  pending_.add(id, record);
+  Totals& totals = totals_.change();
+  ++totals.count.added;
+  if (!last || *last <= id) totals.largest = {true, true, id};
 }
 
 void Store::throw_missing(std::int64_t id) const {
@@ -108,19 +104,20 @@ void Store::throw_missing(std::int64_t id) const {
 }
 
 void Store::remove(std::int64_t id) {
-  const bool is_pending = pending_->find(id) != nullptr;
-  if (is_pending) pending_->erase(id);
+  const bool is_pending = pending_.find(id) != nullptr;
+  if (is_pending) pending_.erase(id);
   if (!tree_->erase(id) && !is_pending) throw_missing(id);
-  --count_.added;
-  if (largest_.id == id) largest_.exact = false;
+  Totals& totals = totals_.change();
+  --totals.count.added;
+  if (totals.largest.id == id) totals.largest.exact = false;
 }
 
 void Store::insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries,
                    const std::optional<LatLon>& origin) {
   start_change(record);
   AtomicChange atomic_change(*this);
-  if (origin) origin_ = {.known = true, .unwritten = true, .value = origin};
-  if (keeps_changes_ && !object_changes_.knows(id)) object_changes_.add(id, {});
+  if (origin) origin_.change() = {.known = true, .unwritten = true, .value = origin};
+  if (changes_.are_kept() && !changes_.knows(id)) changes_.add(id, {});
   add(id, record);
   if (has_auxiliaries()) shadow_rows().insert_auxiliaries(id, auxiliaries);
   atomic_change.done();
@@ -137,11 +134,11 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
       if (contains(new_id)) remove(new_id);
       remove(id);
       add(new_id, record);
-    } else if (pending_->find(id)) {
-      pending_->replace(id, record);
+    } else if (pending_.find(id)) {
+      pending_.replace(id, record);
     } else {
       if (!nodes().find_record(id)) throw_missing(id);
-      pending_->add(id, record);
+      pending_.add(id, record);
     }
   });
   if (has_auxiliaries()) shadow_rows().update_auxiliaries(id, new_id, auxiliaries);

@@ -46,6 +46,7 @@ StoredForms::Known StoredForms::find_or_add(std::string_view text, const Reader&
   const std::vector<std::byte> blob = encode_form(*form);
   Known known{rows_.find(blob).value_or(0), nullptr};
   if (known.number == 0) {
+    join();
     known.number = std::max(last_number_, rows_.read_largest_number()) + 1;
     rows_.add(known.number, blob);
     last_number_ = known.number;

@@ -1,6 +1,6 @@
 // Outlines or meshes of one table: each is stored once, shared by content, and cached in memory.
 //
-//   StoredForms outlines(tables, Shape::outline);
+//   StoredForms outlines(journal, tables, Shape::outline);
 //   const auto [number, hull] = outlines.find_or_add("POLYGON((-8 -90, 8 -90, 0 90, -8 -90))");
 //   outlines.form(number)->text()                      // the same corners, also in another connection
 //
@@ -17,11 +17,12 @@
 #include <unordered_set>
 
 #include "shape/shared_form.h"
+#include "storage/journal/journal.h"
 #include "storage/rows/shape_rows.h"
 
 namespace foresee {
 
-class StoredForms {
+class StoredForms final : public Journal::Participant {
  public:
   struct Known {
     std::int64_t number;
@@ -29,7 +30,8 @@ class StoredForms {
   };
 
   /// `shape`: the shape of the layout.
-  StoredForms(const ShadowTables& tables, Shape shape) : shape_(shape), rows_(tables, shape) {}
+  StoredForms(Journal& journal, const ShadowTables& tables, Shape shape)
+      : Participant(journal, Scope::transaction), shape_(shape), rows_(tables, shape) {}
 
   /// Uses these tables from now on, after a rename.
   void connect(const ShadowTables& tables) { rows_ = ShapeRows(tables, shape_); }
@@ -51,12 +53,16 @@ class StoredForms {
   /// Deletes all other forms.
   void keep_only(const std::unordered_set<std::int64_t>& numbers);
 
-  /// After a rollback: forms of this transaction may not be stored any more.
-  void forget_texts() noexcept { texts_.clear(), text_bytes_ = 0; }
   /// After a commit of another connection.
   void forget_all() noexcept { forget_texts(), known_.reset(), corners_ = 0; }
 
  private:
+  // A rollback may remove the forms that were stored since: their texts have no number then.
+  std::size_t keep() override { return 0; }
+  void rewind(std::size_t) noexcept override { forget_texts(); }
+  void end(Journal::Ended) noexcept override {}
+  void forget_texts() noexcept { texts_.clear(), text_bytes_ = 0; }
+
   std::shared_ptr<const Form> find_known(std::int64_t number) const;
   void remember(std::int64_t number, const std::shared_ptr<const Form>& form);
 

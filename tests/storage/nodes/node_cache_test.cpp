@@ -14,9 +14,10 @@ class NodeCacheTest : public ::testing::Test, MemoryHolder {
         rows(shadow_tables(db, name, ships()), ships()),
         budget({.memory = 2 * format.node_size, .waiting = 4 * format.node_size}),
         share(budget, *this),
-        cache(format, name, share) {
+        cache(format, name, share, journal) {
     cache.connect(rows);
     cache.begin();
+    journal.begin();
   }
 
   void write_out() override {}
@@ -34,6 +35,7 @@ class NodeCacheTest : public ::testing::Test, MemoryHolder {
   ShadowRows rows;
   MemoryBudget budget;
   MemoryShare share;
+  Journal journal;
   NodeCache cache;
   NeverInterrupt never;
 };
@@ -50,12 +52,13 @@ TEST_F(NodeCacheTest, ACancelledChangeThatHadWrittenKeepsTheStateOfASavepoint) {
   ASSERT_TRUE(cache.wrote_in_change());
   cache.cancel_change();
   db.run("ROLLBACK TO s");
-  cache.restore(mark, 0);
+  cache.restore(mark);
   EXPECT_EQ(cache.read(number)->keys, std::vector<std::int64_t>{1});
   cache.give_up(mark);
   cache.write(never);
   db.run("COMMIT");
   cache.commit();
+  journal.end(Journal::Ended::committed);
   cache.forget_all();
   EXPECT_EQ(cache.read(number)->keys, std::vector<std::int64_t>{1});
   EXPECT_EQ(db.number("SELECT count(*) FROM ships_node"), 1);
@@ -83,7 +86,7 @@ TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
   cache.begin_change();
   cache.modify_record(number, 0)[1] = 77;
   cache.end_change();
-  cache.restore(mark, 0);
+  cache.restore(mark);
   EXPECT_EQ(cache.read(number)->values, ship(1));
   cache.give_up(mark);
   db.run("ROLLBACK");

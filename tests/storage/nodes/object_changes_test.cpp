@@ -17,15 +17,17 @@ using Objects = std::map<std::int64_t, Record>;
 using Difference = std::map<std::int64_t, std::pair<Record, Record>>;
 
 TEST(ObjectChanges, KeepTheRecordFromBeforeTheFirstChange) {
-  ObjectChanges changes;
+  Journal journal;
+  ObjectChanges changes(journal);
+  journal.begin();
   const Record before{1, 2};
   changes.add(7, before);
   changes.add(8, {});
   EXPECT_TRUE(changes.knows(7) && changes.knows(8));
   EXPECT_FALSE(changes.knows(9));
-  const auto position = changes.position();
+  const Journal::Mark mark = journal.set_mark();
   changes.add(9, before);
-  changes.rewind(position);
+  journal.rewind(mark);
   EXPECT_FALSE(changes.knows(9));
   changes.add(-9, before);
   std::vector<std::pair<std::int64_t, Record>> seen;
@@ -33,7 +35,7 @@ TEST(ObjectChanges, KeepTheRecordFromBeforeTheFirstChange) {
     seen.emplace_back(id, Record(record.begin(), record.end()));
   });
   EXPECT_EQ(seen, (decltype(seen){{7, before}, {8, {}}, {-9, before}}));
-  changes.clear();
+  journal.end(Journal::Ended::committed);
   EXPECT_EQ(changes.count(), 0u);
   EXPECT_EQ(changes.memory(), 0u);
 }

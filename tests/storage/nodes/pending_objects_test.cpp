@@ -14,22 +14,28 @@ std::vector<std::int64_t> ids_in(const PendingObjects& pending) {
 }
 
 TEST(PendingObjects, ObjectsThatComeAndGoTakeNoMemory) {
-  PendingObjects pending(record.size());
+  Journal journal;
+  PendingObjects pending(journal, record.size());
+  journal.begin();
   pending.add(-1, record);
   for (std::int64_t id = 0; id < 20000; ++id) {
+    const Journal::Mark change = journal.set_mark();
     pending.add(id, record);
     if (id != 7000) pending.erase(id);
-    pending.forget_past();
+    journal.forget(change);
   }
   EXPECT_LT(pending.memory(), 20000u);
   EXPECT_EQ(ids_in(pending), (std::vector<std::int64_t>{-1, 7000}));
   EXPECT_EQ(pending.count(), 2u);
-  const std::size_t position = pending.position();
+  const Journal::Mark mark = journal.set_mark();
   pending.erase(7000);
   pending.add(8, record);
-  pending.rewind(position);
+  pending.take_all();
+  pending.add(9, record);
+  EXPECT_EQ(ids_in(pending), std::vector<std::int64_t>{9});
+  journal.rewind(mark);
   EXPECT_EQ(ids_in(pending), (std::vector<std::int64_t>{-1, 7000}));
-  pending.clear();
+  journal.end(Journal::Ended::rolled_back);
   EXPECT_EQ(ids_in(pending), std::vector<std::int64_t>{});
   EXPECT_EQ(pending.find(-1), nullptr);
 }
