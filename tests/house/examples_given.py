@@ -19,6 +19,7 @@ DRAWINGS = {
     "mesh_blob.h": ("byte 0",),
     "node_format.h": ("byte 0", "leaf (level"),
     "outline_blob.h": ("byte 0",),
+    "packed_legs.h": ("bytes 0 to 7",),
     "shadow_schema.h": ("<name>",),
     "watch_rows.h": ("<name>",),
     "store.h": ("write  ",),
@@ -47,6 +48,12 @@ COMMON = {
 # {header: {name: its type}}
 GIVEN = {
     "parallel.h": {"helpers": "int"},
+    "plan_legs.h": {"plan": "const Plan&"},
+    "packed_legs.h": {"plan": "const Plan&"},
+    "plan_edit.h": {"plan": "const Plan&"},
+    "chunks.h": {"legs": "std::span<const Leg>"},
+    "plan_functions.h": {"value": "sqlite3_value*", "context": "sqlite3_context*"},
+    "plan_value.h": {"value": "sqlite3_value*", "context": "sqlite3_context*"},
     "interrupt_steps.h": {"ids": "std::vector<int>&"},
     "box_lanes.h": {"lanes": "BoxLanes<2, 1>&", "rows": "RowLanes<2>&", "l": "std::size_t"},
     "set_lanes.h": {"l": "std::size_t"},

@@ -1,0 +1,29 @@
+// Binary form of a plan: little-endian doubles behind eight bytes. Programs write it, and SQL's aggregates return it.
+//
+//   const std::vector<std::byte> blob = encode_plan(plan);
+//   decode_plan(blob) == plan                                  // every number bit for bit
+//
+//   bytes 0 to 7     'p' 'l' 1 axes kind 0 0 0
+//   then             kind 0: per knot t, x…            one part; the last t may be infinite
+//                    kind 1: per leg t, until, x…, v…
+//                    kind 2: per leg t, until, x…, v…, a…
+//
+// A plan of knots with several parts has no blob of kind 0: encode_plan() writes its legs, as kind 1. The until of
+// the last leg may be infinite. decode_plan() throws Error with the byte for a number that is not finite, and by
+// check_plan() for legs that overlap; it accepts any number of legs. Cost: some ns per number.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "motion/plan/plan.h"
+
+namespace foresee {
+
+/// Throws Error if no double holds the velocity of a leg. Requires: check_plan() accepts the plan.
+std::vector<std::byte> encode_plan(const Plan& plan);
+
+Plan decode_plan(std::span<const std::byte> blob);
+
+}  // namespace foresee

@@ -1,0 +1,140 @@
+#include "motion/plan/plan_text.h"
+
+#include <charconv>
+
+#include "base/float_environment.h"
+#include "motion/plan/plan_legs.h"
+
+namespace foresee {
+namespace {
+
+class PlanReader : WktLexer {
+ public:
+  PlanReader(std::string_view text, WktUnit unit) : WktLexer(text), unit_(unit) {}
+
+  Plan plan() {
+    skip_srid(unit_);
+    if (next_is("LINESTRING") || next_is("LINESTRINGM") || next_is("LINESTRINGZM")) {
+      take_kind("LINESTRING");
+      part();
+    } else if (next_is("MULTILINESTRING") || next_is("MULTILINESTRINGM") || next_is("MULTILINESTRINGZM")) {
+      take_kind("MULTILINESTRING");
+      parts();
+    } else {
+      expected("LINESTRING M");
+    }
+    must_end();
+    check_plan(plan_);
+    return std::move(plan_);
+  }
+
+ private:
+  /// Reads the word and its M or ZM, together or apart.
+  void take_kind(const std::string& word) {
+    const bool in_plane = take_word(word + "M"), in_space = !in_plane && take_word(word + "ZM");
+    if (!in_plane && !in_space) {
+      take_word(word);
+      refuse_empty();
+      if (next_is("Z")) fail("write " + word + " ZM: the fourth number is the time");
+      if (!next_is("M") && !next_is("ZM")) fail("write " + word + " M: the third number is the time");
+    }
+    plan_.axes = in_space || (!in_plane && next_is("ZM")) ? 3 : 2;
+    if (!in_plane && !in_space) take_word(plan_.axes == 3 ? "ZM" : "M");
+  }
+
+  void refuse_empty() {
+    if (next_is("EMPTY")) fail("EMPTY is no plan: write NULL and x, y");
+  }
+
+  void parts() {
+    refuse_empty();
+    must_take('(');
+    do {
+      if (!plan_.knots.empty()) plan_.part_starts.push_back(plan_.knots.size());
+      part();
+    } while (take(','));
+    must_take(')');
+  }
+
+  void part() {
+    refuse_empty();
+    must_take('(');
+    do knot();
+    while (take(','));
+    if (!take(')')) expected(", or )");
+  }
+
+  bool next_is_infinity() { return next_is("INF") || next_is("INFINITY"); }
+
+  /// "10 0 5": as many numbers as axes, and the time.
+  void knot() {
+    rest();
+    const WktLexer start = *this;
+    const int wanted = plan_.axes + 1;
+    Knot knot;
+    for (int i = 0; i < wanted; ++i) {
+      const std::string_view left = rest();
+      if (i > 0 && (left.starts_with(',') || left.starts_with(')'))) refuse_count(start, i);
+      if (i == plan_.axes)
+        knot.t = time();
+      else
+        knot.x[static_cast<std::size_t>(i)] = number();
+    }
+    int count = wanted;
+    for (; next_is_number() || next_is_infinity(); ++count) time();
+    if (count != wanted) refuse_count(start, count);
+    plan_.knots.push_back(knot);
+  }
+
+  [[noreturn]] void refuse_count(const WktLexer& start, int found) const {
+    start.fail("expected " + std::to_string(plan_.axes + 1) +
+               (plan_.axes == 3 ? " numbers (x y z t)" : " numbers (x y t)") + ", found " +
+               std::to_string(found));
+  }
+
+  double time() {
+    if (take_word("INF") || take_word("INFINITY")) return no_end;
+    return number();
+  }
+
+  WktUnit unit_;
+  Plan plan_;
+};
+
+void write_number(double number, std::string& text) {
+  char digits[32];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+}
+
+/// "(0 0 0, 10 0 5)"
+void write_part(const Plan& plan, std::size_t part, std::string& text) {
+  for (std::size_t i = plan.part_starts[part]; i < plan.part_end(part); ++i) {
+    text += i == plan.part_starts[part] ? "(" : ", ";
+    for (int j = 0; j < plan.axes; ++j) {
+      write_number(plan.knots[i].x[static_cast<std::size_t>(j)], text);
+      text += ' ';
+    }
+    write_number(plan.knots[i].t, text);
+  }
+  text += ')';
+}
+
+}  // namespace
+
+Plan read_plan(std::string_view text, WktUnit unit) {
+  const FloatEnvironment environment;
+  return PlanReader(text, unit).plan();
+}
+
+std::string write_plan(const Plan& plan) {
+  const FloatEnvironment environment;
+  std::string text = plan.parts() == 1 ? "LINESTRING " : "MULTILINESTRING ";
+  text += plan.axes == 3 ? "ZM" : "M";
+  for (std::size_t part = 0; part < plan.parts(); ++part) {
+    if (plan.parts() > 1) text += part == 0 ? "(" : ", ";
+    write_part(plan, part, text);
+  }
+  return plan.parts() == 1 ? text : text + ')';
+}
+
+}  // namespace foresee
