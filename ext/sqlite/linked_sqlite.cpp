@@ -7,6 +7,7 @@ namespace {
 
 constexpr sqlite3_api_routines linked = [] {
   sqlite3_api_routines api{};
+  api.aggregate_context = sqlite3_aggregate_context;
   api.bind_blob64 = sqlite3_bind_blob64;
   api.bind_double = sqlite3_bind_double;
   api.bind_int64 = sqlite3_bind_int64;
@@ -20,6 +21,7 @@ constexpr sqlite3_api_routines linked = [] {
   api.column_text = sqlite3_column_text;
   api.column_type = sqlite3_column_type;
   api.column_value = sqlite3_column_value;
+  api.context_db_handle = sqlite3_context_db_handle;
   api.create_function = sqlite3_create_function;
   api.create_module_v2 = sqlite3_create_module_v2;
   api.db_name = sqlite3_db_name;
@@ -40,8 +42,10 @@ constexpr sqlite3_api_routines linked = [] {
   api.randomness = sqlite3_randomness;
   api.reset = sqlite3_reset;
   api.result_blob = sqlite3_result_blob;
+  api.result_blob64 = sqlite3_result_blob64;
   api.result_double = sqlite3_result_double;
   api.result_error = sqlite3_result_error;
+  api.result_error_code = sqlite3_result_error_code;
   api.result_error_nomem = sqlite3_result_error_nomem;
   api.result_int64 = sqlite3_result_int64;
   api.result_null = sqlite3_result_null;
@@ -54,6 +58,7 @@ constexpr sqlite3_api_routines linked = [] {
   api.stricmp = sqlite3_stricmp;
   api.strnicmp = sqlite3_strnicmp;
   api.table_column_metadata = sqlite3_table_column_metadata;
+  api.value_blob = sqlite3_value_blob;
   api.value_bytes = sqlite3_value_bytes;
   api.value_double = sqlite3_value_double;
   api.value_dup = sqlite3_value_dup;

@@ -1,4 +1,4 @@
-// Scalar SQL functions: foresee_version(), foresee_debug() and geo_distance().
+// Scalar SQL functions: foresee_version(), foresee_debug() and geo_distance(); those of plans have files of their own.
 #include <cmath>
 #include <exception>
 
@@ -6,6 +6,7 @@
 #include "geography/geodesic.h"
 #include "sqlite/callback.h"
 #include "sqlite/functions/geo/geo_inputs.h"
+#include "sqlite/functions/plan/plan_functions.h"
 #include "sqlite/modules.h"
 #include "sqlite/version.h"
 #include "storage/rows/value_text.h"
@@ -59,7 +60,8 @@ int register_scalars(sqlite3* db) {
   if (rc != SQLITE_OK) return rc;
   rc = sqlite3_create_function(db, "foresee_debug", 0, flags, nullptr, foresee_debug, nullptr, nullptr);
   if (rc != SQLITE_OK) return rc;
-  return sqlite3_create_function(db, "geo_distance", 4, flags, nullptr, geo_distance, nullptr, nullptr);
+  rc = sqlite3_create_function(db, "geo_distance", 4, flags, nullptr, geo_distance, nullptr, nullptr);
+  return rc == SQLITE_OK ? register_plan_functions(db) : rc;
 }
 
 }  // namespace foresee

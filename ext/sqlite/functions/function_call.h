@@ -118,6 +118,9 @@ class FunctionCall {
   std::optional<std::string> text(int input,
                                   const char* kind = "a name in quotes, or NULL to leave it out") const;
 
+  /// The value as it was given; null if it was left out.
+  sqlite3_value* value(int input) const { return inputs_[static_cast<std::size_t>(input)]; }
+
   const char* name_of(int input) const;
 
   /// Makes `input`, if it was left out, read back as `value`. Requires: the same value in every call of one

@@ -10,6 +10,7 @@ const TableFunction& geo_to_plane();    // geo_plane.cpp
 const TableFunction& plane_to_geo();
 const TableFunction& geo_to_globe();  // geo_globe.cpp
 const TableFunction& globe_to_geo();
+const TableFunction& plan_rows();            // plan/plan_rows.cpp
 const TableFunction& predictive_avoid();     // predictive_avoid.cpp
 const TableFunction& predictive_join();      // predictive_join.cpp
 const TableFunction& predictive_explain();   // predictive_explain.cpp

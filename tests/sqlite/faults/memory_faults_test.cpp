@@ -122,6 +122,13 @@ TEST_F(TableMemoryFaults, Degrees) {
       "SELECT * FROM foresee_tables; DROP TABLE g; COMMIT");
 }
 
+TEST_F(TableMemoryFaults, Plans) {
+  run("SELECT plan_points(column1, column2) FROM (VALUES (1, 2), (3, 4));"
+      "SELECT plan_accelerated(column1, NULL, column2, 0, 1) FROM (VALUES (1, 2), (3, 4));"
+      "SELECT * FROM plan_rows('LINESTRING M(0 0 0, 1 1 1)');"
+      "SELECT plan_cut(plan_shift(plan_turn(0, 0, 0, 1, 1, 90, 1, 3, 0.1), 1), 1, 2)");
+}
+
 /// Texts in UTF-16 need memory when they are read; small ones too, without SQLite's lookaside memory.
 TEST_F(TableMemoryFaults, TextsInUtf16) {
   sqlite3_shutdown();

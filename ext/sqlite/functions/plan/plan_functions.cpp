@@ -1,0 +1,90 @@
+// The scalar functions plan_shift, plan_cut and plan_turn, and the registration of all functions of plans.
+#include "sqlite/functions/plan/plan_functions.h"
+
+#include <cmath>
+#include <string>
+
+#include "base/integer_of.h"
+#include "base/number_text.h"
+#include "motion/plan/arc.h"
+#include "motion/plan/plan_edit.h"
+#include "motion/plan/plan_legs.h"
+#include "sqlite/callback.h"
+#include "sqlite/functions/plan/plan_value.h"
+#include "storage/rows/value_text.h"
+
+namespace foresee {
+
+std::optional<double> plan_number(sqlite3_value* value, const char* name) {
+  if (is_null_or_empty(value)) return std::nullopt;
+  const int type = sqlite3_value_numeric_type(value);
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT)
+    throw Error(std::string(name) + " must be a number, not " + shown(value));
+  const double number = sqlite3_value_double(value);
+  if (type == SQLITE_INTEGER && integer_of(number) != sqlite3_value_int64(value))
+    throw Error(std::string(name) + " must be a number that a double holds exactly, not " + shown(value));
+  return number;
+}
+
+namespace {
+
+double required(sqlite3_value* value, const char* name) {
+  const std::optional<double> number = plan_number(value, name);
+  if (!number) throw Error(std::string(name) + " is NULL: write a number");
+  if (!std::isfinite(*number)) throw Error(std::string(name) + " is infinite: write a finite number");
+  return *number;
+}
+
+void plan_shift(sqlite3_context* context, int, sqlite3_value** values) {
+  report_by_name(context, "plan_shift", [&] {
+    const std::optional<Plan> plan = plan_of(values[0]);
+    const std::optional<double> seconds = plan_number(values[1], "seconds");
+    if (!plan || !seconds) return;
+    check_size(*plan);
+    if (!std::isfinite(*seconds)) throw Error("seconds is infinite: write a finite number");
+    result_plan(context, shifted_plan(*plan, *seconds), sqlite3_value_type(values[0]) == SQLITE_TEXT);
+  });
+}
+
+void plan_cut(sqlite3_context* context, int, sqlite3_value** values) {
+  report_by_name(context, "plan_cut", [&] {
+    const std::optional<Plan> plan = plan_of(values[0]);
+    const double from = plan_number(values[1], "from").value_or(-no_end);
+    const double to = plan_number(values[2], "to").value_or(no_end);
+    if (!plan) return;
+    if (from > to)
+      throw Error("from is " + shown(from) + ", after to, which is " + shown(to) + ": exchange them");
+    if (const std::optional<Plan> part = cut_plan(*plan, from, to))
+      result_plan(context, *part, sqlite3_value_type(values[0]) == SQLITE_TEXT);
+  });
+}
+
+void plan_turn(sqlite3_context* context, int, sqlite3_value** values) {
+  report_by_name(context, "plan_turn", [&] {
+    TurnManoeuvre turn;
+    turn.t = required(values[0], "t");
+    turn.x = {required(values[1], "x"), required(values[2], "y")};
+    turn.v = {required(values[3], "vx"), required(values[4], "vy")};
+    turn.rate = required(values[5], "rate"), turn.duration = required(values[6], "duration");
+    turn.until = plan_number(values[7], "until").value_or(no_end);
+    const double error = required(values[8], "error");
+    if (!(error > 0)) throw Error("error is " + shown(error) + ": write a distance greater than 0");
+    result_plan(context, turn_plan(turn, error), false);
+  });
+}
+
+}  // namespace
+
+int register_plan_functions(sqlite3* db) {
+  constexpr int flags = SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_INNOCUOUS;
+  const auto scalar = [db](const char* name, int count, auto function) {
+    return sqlite3_create_function(db, name, count, flags, nullptr, function, nullptr, nullptr);
+  };
+  int rc = scalar("plan_shift", 2, plan_shift);
+  if (rc == SQLITE_OK) rc = scalar("plan_cut", 3, plan_cut);
+  if (rc == SQLITE_OK) rc = scalar("plan_turn", 9, plan_turn);
+  if (rc == SQLITE_OK) rc = register_plan_aggregates(db);
+  return rc;
+}
+
+}  // namespace foresee
