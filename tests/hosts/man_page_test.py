@@ -6,7 +6,7 @@ from installed import Installed
 
 COLUMNS = """SELECT m.name, group_concat(x.name, ', ') FILTER (WHERE x.hidden = 1), group_concat(x.name, ', ') FILTER (WHERE x.hidden = 0)
   FROM pragma_module_list m, pragma_table_xinfo(m.name) x WHERE m.name GLOB 'predictive_*' OR m.name GLOB 'geo_*'
-  OR m.name GLOB '*_to_geo' GROUP BY 1"""
+  OR m.name GLOB '*_to_geo' OR m.name GLOB 'plan_*' GROUP BY 1"""
 
 
 class ManPage(Installed):

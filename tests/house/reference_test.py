@@ -10,13 +10,15 @@ sys.path.insert(0, str(ROOT / "ext/hosts/docs"))
 sys.dont_write_bytecode = True
 import make_reference  # noqa: E402
 
-FUNCTION = re.compile(r"^(?:predictive|geo|foresee)_|_to_geo$")
+FUNCTION = re.compile(r"^(?:predictive|geo|foresee|plan)_|_to_geo$")
 SECTIONS = ["Inputs", "Outputs", "Pitfalls", "Cost", "Errors"]
 COLUMNS = """SELECT m.name || '(' || coalesce(group_concat(x.name, ', ') FILTER (WHERE x.hidden = 1), '') || ') → '
   || group_concat(x.name, ', ') FILTER (WHERE x.hidden = 0) FROM pragma_module_list m, pragma_table_xinfo(m.name) x
-  WHERE m.name GLOB 'predictive_*' OR m.name GLOB '*geo*' OR m.name GLOB 'foresee_*' GROUP BY m.name;"""
-SCALARS = "SELECT DISTINCT name FROM pragma_function_list WHERE name GLOB 'geo_*' OR name GLOB 'foresee_*';"
-MODULES = "SELECT name FROM pragma_module_list WHERE name GLOB 'predictive_*' OR name GLOB '*geo*' OR name GLOB 'foresee_*';"
+  WHERE m.name GLOB 'predictive_*' OR m.name GLOB '*geo*' OR m.name GLOB 'foresee_*'
+  OR m.name GLOB 'plan_*' GROUP BY m.name;"""
+SCALARS = "SELECT DISTINCT name FROM pragma_function_list WHERE name GLOB 'geo_*' OR name GLOB 'foresee_*' OR name GLOB 'plan_*';"
+MODULES = """SELECT name FROM pragma_module_list WHERE name GLOB 'predictive_*' OR name GLOB '*geo*' OR name GLOB 'foresee_*'
+  OR name GLOB 'plan_*';"""
 
 
 def said(script):

@@ -17,12 +17,13 @@ GROUPS = {
     "Tables": ("moving_objects", "degrees", "shape", "zone", "growth", "kinds", "foresee_tables"),
     "Queries": ("predictive_join", "predictive_window", "predictive_nearest", "predictive_position", "predictive_track",
                 "predictive_avoid", "predictive_explain", "predictive_sweep"),
+    "Plans": ("plan", "plan_points", "plan_uniform", "plan_accelerated", "plan_rows", "plan_shift", "plan_cut", "plan_turn"),
     "Watches": ("predictive_watch", "predictive_changes", "predictive_watches"),
     "Geography": ("geo_to_plane", "plane_to_geo", "geo_to_globe", "globe_to_geo", "geo_distance"),
     "The extension": ("loading", "foresee_version", "foresee_debug", "limits", "query_planner", "integrity"),
     "Overview": ("cheat_sheet", "errors"),
 }
-FUNCTIONS = ("Queries", "Watches", "Geography")
+FUNCTIONS = ("Queries", "Plans", "Watches", "Geography")
 ROW = re.compile(r"^\| `(.+)` \| (.+) \|$")
 OWN = ("index", "errors")
 ERRORS = "Every documented error message of foresee, in alphabetical order, with a statement that raises it."
