@@ -33,8 +33,18 @@ std::string in_quotes(const std::string& text) {
   return quoted + "'";
 }
 
+std::string named_origin(const Frame& frame) {
+  if (frame.on_globe()) return "globe";
+  return frame.origin ? in_quotes(origin_text(*frame.origin)) : "none";
+}
+
 std::string declared_origin(const Frame& frame) {
-  return frame.origin ? "origin = " + in_quotes(origin_text(*frame.origin)) : "an origin";
+  return frame.chooses_origin() ? "an origin" : "origin = " + named_origin(frame);
+}
+
+/// A height on the globe: its error grows with the distance from the centre of the Earth.
+double rounded_height(double height) {
+  return short_decimal(height, 1e6, 4e-15 * (semi_major + std::abs(height)));
 }
 
 }  // namespace
@@ -49,20 +59,47 @@ std::optional<SpeedUnit> speed_unit_of(std::string_view name) {
   return std::nullopt;
 }
 
-OnPlane Frame::to_plane(const Fix& fix) const {
-  if (!fix.course) return foresee::to_plane(fix, *origin);
-  return foresee::to_plane({fix.place, Course{to_mps(fix.course->speed, unit), fix.course->degrees}},
-                           *origin);
+Metres Frame::to_metres(const Flight& report) const {
+  Flight metric = report;
+  auto& course = metric.fix.course;
+  if (course) course->speed = to_mps(course->speed, unit);
+  if (on_globe()) {
+    if (!course && metric.climb != 0) course = Course{0, 0};
+    return to_globe(metric);
+  }
+  const OnPlane point = to_plane(metric.fix, *origin);
+  Metres stored{{point.x, point.y, report.height}, {}};
+  if (point.v) stored.motion = {{(*point.v)[0], (*point.v)[1], report.climb}, {}};
+  return stored;
 }
 
-Fix Frame::from_plane(const OnPlane& point) const {
-  Fix fix = foresee::from_plane(point, *origin);
-  if (fix.course) fix.course->speed = from_mps(fix.course->speed, unit);
-  return fix;
+Flight Frame::from_metres(const Metres& point) const {
+  Flight report;
+  if (on_globe()) {
+    report = from_globe(point);
+    // Of an object at rest on the ground the climb alone is left, with its rounding error.
+    if (point.motion && point.motion->a == std::array<double, 3>{})
+      report.fix.course = Course{0, std::nan("")};
+  } else {
+    OnPlane flat{point.x[0], point.x[1], {}};
+    if (point.motion) flat.v = {point.motion->v[0], point.motion->v[1]};
+    report = {from_plane(flat, *origin), point.x[2], point.motion ? point.motion->v[2] : 0};
+  }
+  if (auto& course = report.fix.course) course->speed = from_mps(course->speed, unit);
+  return report;
+}
+
+Flight Frame::shown(const Metres& point) const {
+  Flight report = from_metres(point);
+  report.fix = rounded(report.fix);
+  if (!on_globe()) return report;
+  report.height = rounded_height(report.height);
+  report.climb = short_decimal(report.climb, 1e9, 2e-12);
+  return report;
 }
 
 std::string Frame::name() const {
-  if (in_degrees()) return "degrees";
+  if (in_degrees()) return on_globe() ? "globe" : "degrees";
   return text.empty() ? "plane" : text;
 }
 
@@ -106,9 +143,11 @@ std::string frame_conflict(const std::string& table, const Frame& frame, const s
            " with lat, lon and " + declared_origin(first ? a : b);
   }
   if (a.in_degrees()) {
-    if (!a.origin || !b.origin || same_origin(a, b)) return "";
-    return table + " has origin '" + origin_text(*a.origin) + "', " + other + " has '" +
-           origin_text(*b.origin) + "': their metres differ; create " + other + " with " + declared_origin(a);
+    const bool one_kind = a.kind == b.kind;
+    if (one_kind && (a.on_globe() || !a.origin || !b.origin || same_origin(a, b))) return "";
+    return table + " has origin " + named_origin(a) + ", " + other + " has " + named_origin(b) +
+           ": their metres differ; create " + (a.chooses_origin() ? table : other) + " with " +
+           declared_origin(a.chooses_origin() ? b : a);
   }
   if (a.text == b.text) return "";
   const auto described = [](const Frame& one) {

@@ -1,20 +1,22 @@
-// Coordinate frame of a table: plain metres, or latitude and longitude on the plane about an origin.
+// Coordinate frame of a table: plain metres, or latitude and longitude on the plane about an origin or on the globe.
 //
 //   const Frame frame{.kind = FrameKind::degrees, .origin = LatLon{53.9, 7.9}, .unit = SpeedUnit::knots};
-//   const OnPlane stored = frame.to_plane({{53.99, 7.85}, {{14, 91}}});   // 14 knots; the bits of geo_to_plane
-//   const Fix shown = frame.from_plane(stored);                         // shown.course->speed in knots
-//   const Fix read = rounded(shown);                                    // as the table's columns show it
+//   const Metres stored = frame.to_metres({{{53.99, 7.85}, {{14, 91}}}});   // 14 knots; the bits of geo_to_plane
+//   const Flight report = frame.from_metres(stored);                    // report.fix.course->speed in knots
+//   const Flight read = frame.shown(stored);                            // as the table's columns show it
 //   frame_conflict("ships", frame, "zones", {}) != ""                   // "ships has lat, lon, zones has …"
 //
 // Speeds are in the unit of the frame. A Store says its frame (Store::frame); origin is empty in a table in degrees
-// that takes the first stored position as its origin and has none yet. Cost: that of geography/plane.h.
+// that takes the first stored position as its origin and has none yet. Cost: that of geography/plane.h and globe.h.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "geography/globe.h"
 #include "geography/plane.h"
 
 namespace foresee {
@@ -22,6 +24,7 @@ namespace foresee {
 enum class FrameKind : std::uint8_t {
   plane,    ///< metres, as the user projected them
   degrees,  ///< latitude and longitude, stored on the plane about the origin
+  globe,    ///< latitude and longitude, stored as geocentric metres
 };
 
 enum class SpeedUnit : std::uint8_t { mps, knots, kmh };
@@ -36,21 +39,34 @@ constexpr double from_mps(double speed, SpeedUnit unit) {
   return unit == SpeedUnit::knots ? speed * 3600 / 1852 : unit == SpeedUnit::kmh ? speed * 3.6 : speed;
 }
 
+/// A report as a table stores it: on the plane x, y and the height, without acceleration; on the globe as to_globe().
+using Metres = OnGlobe;
+
 struct Frame {
   FrameKind kind = FrameKind::plane;
   std::string text = {};              ///< of a plane: what CREATE says of it, as in frame = 'harbour'
   std::optional<LatLon> origin = {};  ///< of degrees: see above
   SpeedUnit unit = SpeedUnit::mps;
 
-  bool in_degrees() const { return kind == FrameKind::degrees; }
+  /// Whether the table has lat, lon.
+  bool in_degrees() const { return kind != FrameKind::plane; }
+  bool on_globe() const { return kind == FrameKind::globe; }
+  /// The axes that lat, lon and, on the globe, the height are stored on.
+  std::size_t axes_of_place() const { return on_globe() ? 3 : 2; }
+  /// Whether the first position stored chooses the origin.
+  bool chooses_origin() const { return kind == FrameKind::degrees && !origin; }
+  /// Whether a stored position is known to be a place on the Earth.
+  bool knows_places() const { return in_degrees() && !chooses_origin(); }
 
-  /// The stored numbers of a report whose speed is in `unit`. Requires: an origin. Throws as foresee::to_plane.
-  OnPlane to_plane(const Fix& fix) const;
-  /// Place, speed in `unit`, and course in [0, 360); NaN for the course of an object at rest. Requires: an origin.
-  /// Throws as foresee::from_plane.
-  Fix from_plane(const OnPlane& point) const;
+  /// The stored numbers of a report whose speed is in `unit`. Requires: knows_places(). Throws as to_plane, to_globe.
+  Metres to_metres(const Flight& report) const;
+  /// Place, height, climb, speed in `unit`, and course in [0, 360); NaN for the course of an object at rest. Requires:
+  /// knows_places(). Throws as from_plane, from_globe.
+  Flight from_metres(const Metres& point) const;
+  /// The same as the columns of a table show it: rounded().
+  Flight shown(const Metres& point) const;
 
-  /// 'plane', 'degrees', or the table's own text: column `frame` of foresee_tables.
+  /// 'plane', 'degrees', 'globe', or the table's own text: column `frame` of foresee_tables.
   std::string name() const;
 
   friend bool operator==(const Frame& a, const Frame& b) {
@@ -64,6 +80,7 @@ struct Frame {
 
 /// A place or speed within 2e-12 of a number with 9 decimals becomes that number, a course within 2e-11 of one with 6:
 /// reports with few decimals are read back as they were written. A longitude is in (-180, 180], a course in [0, 360).
+/// On the globe a height within 3e-8 m (far above it, 4e-15 of itself) of a number with 6 decimals becomes that number.
 Fix rounded(const Fix& fix);
 
 /// "53.9 7.9".

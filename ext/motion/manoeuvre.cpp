@@ -27,9 +27,11 @@ double added_along(double a, double k, double b, double m) {
   return rounded_quotient(Dyadic(a) * Dyadic(m) + Dyadic(k) * Dyadic(b), Dyadic(m));
 }
 
-void change_speed(OwnMotion& motion, double m, double k) {
-  const Dyadic speed = Dyadic(m) + Dyadic(k);
-  for (double& v : motion.v) v = rounded_quotient(Dyadic(v) * speed, Dyadic(m));
+void change_speed(OwnMotion& motion, const Change& change, double k) {
+  const Dyadic m(change.speed), speed = m + Dyadic(k);
+  for (double& v : motion.v) v = rounded_quotient(Dyadic(v) * speed, m);
+  if (!change.scales_bend) return;
+  for (double& a : motion.a) a = rounded_quotient(Dyadic(a) * speed * speed, m * m);
 }
 
 void take_acceleration_of_force(OwnMotion& motion) {
@@ -88,7 +90,7 @@ OwnMotion changed(const OwnMotion& base, const Change& change, double k) {
       motion.heading = turned_heading(motion.heading, k);
       break;
     case Manoeuvre::speed:
-      change_speed(motion, change.speed, k);
+      change_speed(motion, change, k);
       break;
     case Manoeuvre::climb:
       motion.v[2] += k;

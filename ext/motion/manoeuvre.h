@@ -6,7 +6,8 @@
 //
 //   turn         turns velocity and acceleration by k degrees clockwise (x east, y north), and the heading
 //                of a shape that has one
-//   speed        adds k to the speed along the course: v (m + k) / m, m = |v| rounded once
+//   speed        adds k to the speed along the course: v (m + k) / m, m = |v| rounded once. On a path that
+//                bends because the Earth is round, the acceleration becomes a ((m + k) / m)^2
 //   climb        adds k to vz
 //   accelerate   adds k to the acceleration along the course: a + k v / m
 //   delay        shifts start and end by k: later, or earlier where k < 0
@@ -50,6 +51,8 @@ struct Change {
   Manoeuvre manoeuvre;
   double speed;      ///< speed_of() the base motion
   double later = 0;  ///< of motions_between(): start of the motion to delay, minus the base's
+  bool scales_bend =
+      false;  ///< of Manoeuvre::speed: the path remains, so its acceleration is by speed squared
 };
 
 /// The base motion after a change by k; numbers that overflow are infinite. Requires: k finite; speed > 0 for

@@ -61,6 +61,18 @@ VectorSet<D> added(const Vec<D>& vector, const Vec<D>& course, double middle, do
   return set;
 }
 
+/// `vector` times ((m + k) / m)^2 for all k of [p, q].
+template <int D>
+VectorSet<D> scaled_by_square(const Vec<D>& vector, double m, double p, double q) {
+  const double first = (m + p) / m, last = (m + q) / m;
+  const double high = std::max(first * first, last * last);
+  const double low = first <= 0 && last >= 0 ? 0 : std::min(first * first, last * last);
+  VectorSet<D> set =
+      added<D>(Vec<D>::Zero(), vector, low + 0.5 * (high - low), 0.5 * (high - low) + 0x1p-48 * high);
+  set.pad += (vector == 0).select(Vec<D>::Zero(), Vec<D>::Constant(lost));
+  return set;
+}
+
 /// The rounding of the stored sum t + k, and of `later` and its sums.
 double rounding_of_delay(const OwnMotion& base, double furthest, double later) {
   return 0x1p-52 * (std::abs(base.t) + furthest + 2 * later);
@@ -122,6 +134,7 @@ MotionSet<D> motions_between(const OwnMotion& base, const Change& change, double
       break;
     case Manoeuvre::speed:
       set.velocity = added<D>(v, v / change.speed, middle, half);
+      if (change.scales_bend && (a != 0).any()) set.acceleration = scaled_by_square<D>(a, change.speed, p, q);
       break;
     case Manoeuvre::climb: {
       Vec<D> up = Vec<D>::Zero();

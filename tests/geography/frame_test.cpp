@@ -34,12 +34,12 @@ TEST(Frames, ConvertUnitsOfSpeed) {
 
 TEST(Frames, StoreTheBitsOfTheProjection) {
   const LatLon origin{53.9, 7.9}, place{53.99, 7.85};
-  const OnPlane stored = degrees_about(origin, SpeedUnit::knots).to_plane({place, Course{14, 91}});
+  const Metres stored = degrees_about(origin, SpeedUnit::knots).to_metres({{place, Course{14, 91}}, 120, -2});
   const OnPlane expected = to_plane({place, Course{14.0 * 1852 / 3600, 91}}, origin);
-  EXPECT_EQ(stored.x, expected.x);
-  EXPECT_EQ(stored.y, expected.y);
-  EXPECT_EQ(*stored.v, *expected.v);
-  EXPECT_FALSE(degrees_about(origin).to_plane({place, {}}).v);
+  EXPECT_EQ(stored.x, (std::array{expected.x, expected.y, 120.0}));
+  EXPECT_EQ(stored.motion->v, (std::array{(*expected.v)[0], (*expected.v)[1], -2.0}));
+  EXPECT_EQ(stored.motion->a, (std::array<double, 3>{}));
+  EXPECT_FALSE(degrees_about(origin).to_metres({{place, {}}}).motion);
 }
 
 /// Up to the greatest distance from origins anywhere, at places up to 89 degrees from the equator: within 1e-9 degrees
@@ -55,7 +55,7 @@ TEST(Frames, LeadBackToTheReport) {
     if (std::abs(place.lat) > 89) continue;
     const Course course{random.in(0, 60), random.in(0, 360)};
     const Frame frame = degrees_about(origin, unit);
-    const Fix back = rounded(frame.from_plane(frame.to_plane({place, course})));
+    const Fix back = frame.shown(frame.to_metres({{place, course}})).fix;
     place_error = std::max(
         {place_error, std::abs(back.place.lat - place.lat), turn_between(back.place.lon, place.lon)});
     course_error = std::max(course_error, turn_between(back.course->degrees, course.degrees));
@@ -78,8 +78,7 @@ TEST(Frames, ReadReportsBackAsTheyWereWritten) {
     const Course course{std::round(random.in(1, 300)) / 10, std::round(random.in(0, 3599)) / 10};
     if (std::abs(place.lon) > 180) continue;
     const Frame frame = degrees_about(origin, SpeedUnit::knots);
-    const Fix back =
-        rounded(frame.from_plane(frame.to_plane({place, i % 4 == 0 ? Course{12.5, 0} : course})));
+    const Fix back = frame.shown(frame.to_metres({{place, i % 4 == 0 ? Course{12.5, 0} : course}})).fix;
     EXPECT_EQ(back.place.lat, place.lat) << i;
     EXPECT_EQ(back.place.lon, place.lon) << i;
     EXPECT_EQ(back.course->speed, i % 4 == 0 ? 12.5 : course.speed) << i;
@@ -87,17 +86,64 @@ TEST(Frames, ReadReportsBackAsTheyWereWritten) {
   }
   for (const double lon : {180.0, -180.0}) {
     const Frame frame = degrees_about({10, 179.9});
-    EXPECT_EQ(rounded(frame.from_plane(frame.to_plane({{10, lon}, {}}))).place.lon, 180);
+    EXPECT_EQ(frame.shown(frame.to_metres({{{10, lon}, {}}})).fix.place.lon, 180);
   }
 }
 
 TEST(Frames, ShowWhatMovesAsMoving) {
   const Frame frame = degrees_about({50, 8});
-  const Fix slow = rounded(frame.from_plane(frame.to_plane({{50, 8}, Course{1e-13, 45}})));
+  const Fix slow = frame.shown(frame.to_metres({{{50, 8}, Course{1e-13, 45}}})).fix;
   EXPECT_GT(slow.course->speed, 0);
-  const Fix still = rounded(frame.from_plane({1, 2, {{0, 0}}}));
+  const Fix still = frame.shown({{1, 2}, OnGlobe::Motion{}}).fix;
   EXPECT_EQ(still.course->speed, 0);
   EXPECT_TRUE(std::isnan(still.course->degrees));
+}
+
+/// Anywhere on the Earth, at heights up to 10,000 km: within 1e-9 degrees, 1e-9 m/s and 1e-7 m. Close
+/// to a pole a degree of longitude is short.
+TEST(Frames, LeadBackFromTheGlobe) {
+  Random random(6);
+  double place_error = 0, course_error = 0, speed_error = 0, height_error = 0, climb_error = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Frame frame{.kind = FrameKind::globe, .unit = static_cast<SpeedUnit>(i % 3)};
+    const double lat = i % 5 == 0 ? 90 - std::pow(10, random.in(-2, 1)) : random.in(-90, 90);
+    const Flight flight{{{lat, random.in(-180, 180)}, Course{random.in(0, 300), random.in(0, 360)}},
+                        i % 4 == 0 ? std::pow(10, random.in(0, 7)) : random.in(-100, 20000),
+                        random.in(-20, 20)};
+    const Flight back = frame.shown(frame.to_metres(flight));
+    const double shrink = std::cos(lat * 3.14159265358979323846 / 180);
+    place_error = std::max({place_error, std::abs(back.fix.place.lat - lat),
+                            shrink * turn_between(back.fix.place.lon, flight.fix.place.lon)});
+    const double turned = turn_between(back.fix.course->degrees, flight.fix.course->degrees);
+    course_error = std::max(course_error, shrink * turned);
+    speed_error = std::max(speed_error, std::abs(back.fix.course->speed - flight.fix.course->speed));
+    height_error = std::max(height_error, std::abs(back.height - flight.height));
+    climb_error = std::max(climb_error, std::abs(back.climb - flight.climb));
+  }
+  EXPECT_LT(place_error, 1e-11);
+  EXPECT_LT(course_error, 1e-9);
+  EXPECT_LT(speed_error, 1e-9);
+  EXPECT_LT(height_error, 1e-7);
+  EXPECT_LT(climb_error, 1e-9);
+}
+
+/// The bits of to_globe; an object at rest climbs alone.
+TEST(Frames, StoreTheGlobe) {
+  const Frame frame{.kind = FrameKind::globe, .unit = SpeedUnit::knots};
+  const Metres stored = frame.to_metres({{{50, 8.6}, Course{480, 270}}, 11000, 3});
+  const OnGlobe expected = to_globe({{{50, 8.6}, Course{480.0 * 1852 / 3600, 270}}, 11000, 3});
+  EXPECT_EQ(stored.x, expected.x);
+  EXPECT_EQ(stored.motion->v, expected.motion->v);
+  EXPECT_EQ(stored.motion->a, expected.motion->a);
+  const Metres rising = frame.to_metres({{{50, 8.6}, {}}, 11000, 3});
+  EXPECT_EQ(rising.motion->v, to_globe({{{50, 8.6}, Course{0, 0}}, 11000, 3}).motion->v);
+  const Flight shown = frame.shown(rising);
+  EXPECT_EQ(shown.fix.course->speed, 0);
+  EXPECT_TRUE(std::isnan(shown.fix.course->degrees));
+  EXPECT_EQ(shown.height, 11000);
+  EXPECT_EQ(shown.climb, 3);
+  EXPECT_FALSE(frame.to_metres({{{50, 8.6}, {}}}).motion);
+  EXPECT_EQ(frame.shown(frame.to_metres({{{-90, 55}, Course{3, 10}}})).fix.place.lat, -90);
 }
 
 TEST(Frames, ReadOriginsFromText) {
@@ -143,6 +189,17 @@ TEST(Frames, ConflictUnlessTheirMetresAreTheSame) {
   EXPECT_EQ(conflict(a, b),
             "ships has origin '53.9 7.9', zones has '54 8': their metres differ; create zones with origin = "
             "'53.9 7.9'");
+  const Frame globe{.kind = FrameKind::globe},
+      globe_in_knots{.kind = FrameKind::globe, .unit = SpeedUnit::knots};
+  EXPECT_EQ(conflict(globe, globe_in_knots), "");
+  EXPECT_EQ(conflict(globe, plain),
+            "ships has lat, lon, zones has x, y: their metres differ; create zones with lat, lon and origin "
+            "= globe");
+  EXPECT_EQ(conflict(globe, a),
+            "ships has origin globe, zones has '53.9 7.9': their metres differ; create zones with origin = "
+            "globe");
+  EXPECT_EQ(conflict(unknown, globe),
+            "ships has origin none, zones has globe: their metres differ; create ships with origin = globe");
   EXPECT_EQ(conflict(harbour, yard),
             "ships has frame 'harbour', zones has 'o''yard': their metres differ; create zones with frame = "
             "'harbour'");
@@ -158,6 +215,8 @@ TEST(Frames, HaveNames) {
   EXPECT_EQ(Frame{}.name(), "plane");
   EXPECT_EQ((Frame{.text = "harbour"}).name(), "harbour");
   EXPECT_EQ(degrees_about({1, 2}).name(), "degrees");
+  EXPECT_EQ((Frame{.kind = FrameKind::globe}).name(), "globe");
+  EXPECT_FALSE((Frame{.kind = FrameKind::globe}) == (Frame{.kind = FrameKind::degrees}));
   EXPECT_TRUE(degrees_about({1, 2}) == degrees_about({1, 2}));
   EXPECT_FALSE(degrees_about({1, 2}) == degrees_about({1, 3}));
   EXPECT_FALSE(degrees_about({1, 2}) == Frame{});

@@ -41,6 +41,11 @@ TEST(Manoeuvre, ChangesWhatItSays) {
   EXPECT_EQ(changed(ship, {Manoeuvre::climb, 5}, 2).v[2], 2);
   EXPECT_EQ(changed(ship, {Manoeuvre::accelerate, 5}, 0.5).a, (std::array<double, 3>{0.3, 0.4, 0}));
   EXPECT_EQ(changed(ship, {Manoeuvre::delay, 5}, 7).t, 17);
+  ship.a = {0, 0, -2};
+  const Change along_the_earth{.manoeuvre = Manoeuvre::speed, .speed = 5, .scales_bend = true};
+  EXPECT_EQ(changed(ship, along_the_earth, 5).a, (std::array<double, 3>{0, 0, -8}));
+  EXPECT_EQ(changed(ship, along_the_earth, -5).a, (std::array<double, 3>{0, 0, 0}));
+  EXPECT_EQ(changed(ship, along_the_earth, -10).a, ship.a) << "backwards on the same path";
   ship.mass = 2, ship.force = {2, 0, 0}, ship.a = {1, 0, 0};
   const OwnMotion pushed = changed(ship, {Manoeuvre::accelerate, 5}, 0.5);
   EXPECT_EQ(pushed.force, (std::array<double, 3>{2.6, 0.8, 0}));
@@ -62,7 +67,7 @@ TEST(MotionSet, HoldsEachOfItsMotions) {
     const OwnMotion base = drone(random);
     const Manoeuvre manoeuvre = all[i % 5];
     const double later = manoeuvre == Manoeuvre::delay ? random.in(0, 5) : 0;
-    const Change change{manoeuvre, speed_of(base), later};
+    const Change change{manoeuvre, speed_of(base), later, i % 2 == 0};
     OwnMotion from = base;
     from.t -= later;
     const double width = std::exp2(random.in(-40, 2)) * (manoeuvre == Manoeuvre::turn ? 90 : 1);
@@ -73,18 +78,19 @@ TEST(MotionSet, HoldsEachOfItsMotions) {
     Vec<3> n;
     for (double& part : n) part = random.in(-1, 1);
     const double tau = random.in(0, 20);
-    double there = 0, speed = 0;
+    double there = 0, speed = 0, bend = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const auto j = static_cast<std::size_t>(axis);
       const double s = tau - (one.t - from.t);
       there += n[axis] * (one.x[j] - base.x[j] + one.v[j] * s + 0.5 * one.a[j] * s * s);
-      speed += n[axis] * one.v[j];
+      speed += n[axis] * one.v[j], bend += n[axis] * one.a[j];
     }
     const double bound =
         set.place.support(n) + set.velocity.support(n) * tau + 0.5 * set.acceleration.support(n) * tau * tau;
     EXPECT_LE(there, bound + 1e-13 * (1 + std::abs(bound))) << name_of(manoeuvre);
     if (manoeuvre != Manoeuvre::delay) {
       EXPECT_LE(speed, set.velocity.support(n));
+      EXPECT_LE(bend, set.acceleration.support(n));
     }
     EXPECT_GE(set.velocity.support(n), -set.velocity.support(-n));
   }

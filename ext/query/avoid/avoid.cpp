@@ -27,7 +27,8 @@ class ManoeuvreRows {
         stored_(stored),
         base_(base),
         queried_(queried),
-        change_{queried.manoeuvre, speed_of(base), stored.t - earliest(stored, queried)},
+        change_{queried.manoeuvre, speed_of(base), stored.t - earliest(stored, queried),
+                question.bend_follows_speed},
         reference_motion_(reference_motion(base, stored, queried)),
         turns_(turns_with_course(question, queried.manoeuvre)),
         interrupt_(interrupt),
@@ -250,8 +251,7 @@ class ManoeuvreRows {
       const std::vector<Intruder> touching = touching_at(k);
       return touching.empty() ? std::nullopt : exact_.first_touching(record_at(k), touching);
     };
-    if (!end_is_clear)
-      if (auto found = at(end)) return found;
+    if (auto found = end_is_clear ? std::nullopt : at(end)) return found;
     const double room = std::abs(other - end), direction = other > end ? 1 : -1;
     bool passed_0 = end == 0 || (end > 0) == (other > 0);
     for (double step = (queried_.hi - queried_.lo) * 0x1p-42; step < room; step *= 2) {

@@ -32,8 +32,9 @@ struct AvoidQuestion {
   std::optional<Manoeuvre> how = {};       ///< default: turn and speed; on one axis speed
   std::optional<double> lo = {}, hi = {};  ///< default: those of the manoeuvre
   Touching touching = Touching::part;
-  bool wants_motion = true;  ///< record
-  bool wants_ends = true;    ///< below, above
+  bool bend_follows_speed = false;  ///< Change::scales_bend
+  bool wants_motion = true;         ///< record
+  bool wants_ends = true;           ///< below, above
 };
 
 /// The object that is touched at an end of a row.

@@ -9,6 +9,7 @@
 #include "query/avoid/avoid.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
+#include "sqlite/table/degrees_columns.h"
 #include "storage/rows/value_text.h"
 
 namespace foresee {
@@ -36,7 +37,9 @@ enum AvoidOutput {
   out_lat,
   out_lon,
   out_speed,
-  out_course
+  out_course,
+  out_height,
+  out_climb
 };
 enum AvoidInput {
   in_h,
@@ -65,7 +68,7 @@ class AvoidRows final : public FunctionRows {
         stored_(std::move(stored)) {}
 
   bool next() override {
-    is_fix_known_ = false;
+    is_report_known_ = false;
     return next_++ < rows_.size();
   }
 
@@ -94,6 +97,8 @@ class AvoidRows final : public FunctionRows {
       case out_lon:
       case out_speed:
       case out_course:
+      case out_height:
+      case out_climb:
         return result_report(context, row, output);
       default:
         return result_stored(context, row, output);
@@ -120,37 +125,41 @@ class AvoidRows final : public FunctionRows {
     if (std::isfinite(value)) sqlite3_result_double(context, value);
   }
 
-  /// Place, speed and course of the changed record, as a table in degrees takes them; NULL for plain tables.
+  /// Place, motion and height of the changed record, as a table in degrees takes them; NULL for plain tables.
   void result_report(sqlite3_context* context, const AvoidRow& row, int output) const {
-    if (!frame_.in_degrees() || row.record.empty()) return;
-    if (!is_fix_known_) fix_ = report_of(row.record), is_fix_known_ = true;
-    if (!fix_) return;
-    if (output == out_lat) return sqlite3_result_double(context, fix_->place.lat);
-    if (output == out_lon) return sqlite3_result_double(context, fix_->place.lon);
-    if (!fix_->course) return;
-    if (output == out_speed) return sqlite3_result_double(context, fix_->course->speed);
-    if (!std::isnan(fix_->course->degrees)) sqlite3_result_double(context, fix_->course->degrees);
+    const bool on_height = output == out_height || output == out_climb;
+    if (!frame_.knows_places() || row.record.empty() || (on_height && layout_.axes < 3)) return;
+    if (!is_report_known_) report_ = report_of(row.record), is_report_known_ = true;
+    if (!report_ || (output == out_climb && at_.v == Offsets::absent)) return;
+    constexpr std::array columns{GeoColumn::lat,    GeoColumn::lon,    GeoColumn::speed,
+                                 GeoColumn::course, GeoColumn::height, GeoColumn::climb};
+    const auto number = shown_number(columns[static_cast<std::size_t>(output - out_lat)], *report_);
+    if (number) sqlite3_result_double(context, *number);
   }
 
   /// All digits, so that what is written back is clear. Where the change keeps the place or the motion, what the
   /// table's columns show: an UPDATE then keeps the stored bits.
-  std::optional<Fix> report_of(const std::vector<double>& record) const {
+  std::optional<Flight> report_of(const std::vector<double>& record) const {
     const FloatEnvironment environment;
-    const auto numbers = [&](int place) { return &record[static_cast<std::size_t>(place)]; };
+    const auto axes = static_cast<std::ptrdiff_t>(frame_.axes_of_place());
     const auto is_kept = [&](int place) {
-      return std::equal(numbers(place), numbers(place) + 2, &stored_[static_cast<std::size_t>(place)]);
+      const auto first = record.begin() + place;
+      return std::equal(first, first + axes, stored_.begin() + place);
     };
-    OnPlane point{numbers(at_.x)[0], numbers(at_.x)[1], {}};
-    const bool moves = at_.v != Offsets::absent;
-    if (moves) point.v = {numbers(at_.v)[0], numbers(at_.v)[1]};
+    Metres point = metres_of(frame_, at_, record.data());
+    if (layout_.axes == 3 && !frame_.on_globe()) {
+      const auto up = [&](int place) { return record[static_cast<std::size_t>(place) + 2]; };
+      point.x[2] = up(at_.x);
+      if (point.motion) point.motion->v[2] = up(at_.v);
+    }
     try {
-      Fix fix = frame_.from_plane(point);
-      const Fix shown = rounded(fix);
+      Flight report = frame_.from_metres(point);
+      const Flight shown = frame_.shown(point);
       if (is_kept(at_.x)) {
-        fix.place = shown.place;
-        if (moves && is_kept(at_.v)) fix.course = shown.course;
+        report.fix.place = shown.fix.place, report.height = shown.height;
+        if (point.motion && is_kept(at_.v)) report.fix.course = shown.fix.course, report.climb = shown.climb;
       }
-      return fix;
+      return report;
     } catch (const Error&) {
       return std::nullopt;  // beyond the Earth
     }
@@ -177,8 +186,8 @@ class AvoidRows final : public FunctionRows {
   Frame frame_;
   std::vector<double> stored_;  ///< the record of the object before any change
   std::size_t next_ = 0;
-  mutable std::optional<Fix> fix_;  ///< of the current row, if it is known
-  mutable bool is_fix_known_ = false;
+  mutable std::optional<Flight> report_;  ///< of the current row, if it is known
+  mutable bool is_report_known_ = false;
 };
 
 bool reads_any(const FunctionCall& call, int first, int last) {
@@ -189,6 +198,15 @@ bool reads_any(const FunctionCall& call, int first, int last) {
 
 SearchTarget searched(const Connection::OpenTable& table) {
   return {table.table, nullptr, table.store->take_snapshot()};
+}
+
+/// The paths of the globe bend towards the Earth: another speed or another start keeps such a path.
+void take_globe(const std::string& table, AvoidQuestion& question) {
+  if (!question.how) question.how = Manoeuvre::speed;
+  question.bend_follows_speed = true;
+  if (*question.how == Manoeuvre::speed || *question.how == Manoeuvre::delay) return;
+  throw Error("'" + std::string(name_of(*question.how)) + "' is for tables on a plane, " + table +
+              " is on the globe; write 'speed' or 'delay'");
 }
 
 void read_numbers(const FunctionCall& call, AvoidQuestion& question) {
@@ -208,6 +226,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const auto given_now = call.number(in_now);
   const TableName tbl{call.text(in_tbl), call.text(in_schema)};
   const auto table = open_table(connection, tbl);
+  require_upright(table, question.within_z);
+  if (table.store->frame().on_globe()) take_globe(table.table, question);
   std::array<std::string, 2> tables{table.table, ""};
   question.others = searched(table);
   double newest = read_newest_t(*question.others.tree);
@@ -227,7 +247,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const Offsets at = record_offsets(own->layout);
   const double form = question.record.empty() ? 0 : value_or(question.record.data(), at.outline, 0);
   if (const auto number = integer_of(form); number.value_or(0) != 0) question.form = forms->form(*number);
-  question.wants_motion = reads_any(call, out_t, out_heading) || reads_any(call, out_lat, out_course);
+  question.wants_motion = reads_any(call, out_t, out_heading) || reads_any(call, out_lat, out_climb);
   question.wants_ends = reads_any(call, out_below, out_t_above);
   std::vector<AvoidRow> rows = avoid(question, connection.interrupt());
   if (const auto clear = call.only(out_clear))
@@ -246,7 +266,8 @@ const TableFunction& predictive_avoid() {
                   "vx REAL",        "vy REAL",        "vz REAL",      "ax REAL",       "ay REAL",
                   "az REAL",        "fx REAL",        "fy REAL",      "fz REAL",       "heading REAL",
                   "below INTEGER",  "below_tbl TEXT", "t_below REAL", "above INTEGER", "above_tbl TEXT",
-                  "t_above REAL",   "lat REAL",       "lon REAL",     "speed REAL",    "course REAL"},
+                  "t_above REAL",   "lat REAL",       "lon REAL",     "speed REAL",    "course REAL",
+                  "height REAL",    "climb REAL"},
       .inputs = {"h", "tbl", "id", "within", "how", "lo", "hi", "now", "also", "within_z", "touching",
                  "schema"},
       .key = "manoeuvre, k_from, clear",

@@ -61,6 +61,13 @@ double degrees_input(const FunctionCall& call, int input, const std::string& tab
   throw Error(name + " is " + shown(*given) + ", beyond " + shown(limit) + "; write degrees");
 }
 
+/// z is metres above the ellipsoid, 0 if it is not given.
+void take_place_on_globe(const LatLon& place, NearestQuestion& question) {
+  const FloatEnvironment environment;
+  const OnGlobe point = to_globe({{place, {}}, question.point[2].value_or(0)});
+  for (std::size_t axis = 0; axis < 3; ++axis) question.point[axis] = point.x[axis];
+}
+
 /// Sets the point from lat and lon, for a table in degrees.
 void take_place(const FunctionCall& call, const SearchedTable& table, NearestQuestion& question) {
   const std::string& name = table.objects.name;
@@ -75,6 +82,7 @@ void take_place(const FunctionCall& call, const SearchedTable& table, NearestQue
       throw Error(name + " has lat, lon; write WHERE lat = ... AND lon = ... in place of " +
                   call.name_of(in_x + static_cast<int>(axis)));
   const LatLon place{degrees_input(call, in_lat, name, 90), degrees_input(call, in_lon, name, 180)};
+  if (table.frame.on_globe()) return take_place_on_globe(place, question);
   const LatLon origin = table.frame.origin.value_or(place);  // without an origin the table is empty
   const FloatEnvironment environment;
   const OnPlane point = to_plane({place, {}}, origin);

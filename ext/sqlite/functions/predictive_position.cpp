@@ -7,13 +7,16 @@
 namespace foresee {
 namespace {
 
-enum Output { out_id, out_x, out_vx = out_x + 3, out_lat = out_vx + 3, out_lon };
+enum Output { out_id, out_x, out_vx = out_x + 3, out_lat = out_vx + 3, out_lon, out_height };
 enum Input { in_at, in_tbl, in_schema };
 
 class PositionRows final : public FunctionRows {
  public:
   PositionRows(std::shared_ptr<const Scene> scene, double time, const Frame& frame, Interrupt& interrupt)
-      : axes_(scene->layout.axes), positions_(std::move(scene), time), place_(frame), interrupt_(interrupt) {}
+      : axes_(scene->layout.axes),
+        positions_(std::move(scene), time),
+        place_(frame, axes_),
+        interrupt_(interrupt) {}
 
   bool next() override {
     interrupt_.check();
@@ -24,9 +27,7 @@ class PositionRows final : public FunctionRows {
 
   void output(sqlite3_context* context, int output) const override {
     if (output == out_id) return sqlite3_result_int64(context, row_->id);
-    if (output >= out_lat)
-      return place_.output(context, output == out_lat ? GeoColumn::lat : GeoColumn::lon, row_->x[0],
-                           row_->x[1]);
+    if (output >= out_lat) return place_.output(context, geo_column_of(output - out_lat), row_->x);
     const int axis = (output - out_x) % 3;
     if (axis >= axes_) return;
     const auto& values = output < out_vx ? row_->x : row_->v;
@@ -58,16 +59,17 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_position() {
-  static const TableFunction function = {.name = "predictive_position",
-                                         .outputs = {"id INTEGER", "x REAL", "y REAL", "z REAL", "vx REAL",
-                                                     "vy REAL", "vz REAL", "lat REAL", "lon REAL"},
-                                         .inputs = {"at", "tbl", "schema"},
-                                         .key = "id",
-                                         .hinted = 1u << out_id,
-                                         .estimate = estimate_positions,
-                                         .start = start,
-                                         .probed = 1u << out_id,
-                                         .estimate_probe = estimate_object};
+  static const TableFunction function = {
+      .name = "predictive_position",
+      .outputs = {"id INTEGER", "x REAL", "y REAL", "z REAL", "vx REAL", "vy REAL", "vz REAL", "lat REAL",
+                  "lon REAL", "height REAL"},
+      .inputs = {"at", "tbl", "schema"},
+      .key = "id",
+      .hinted = 1u << out_id,
+      .estimate = estimate_positions,
+      .start = start,
+      .probed = 1u << out_id,
+      .estimate_probe = estimate_object};
   return function;
 }
 

@@ -7,14 +7,14 @@
 namespace foresee {
 namespace {
 
-enum TrackOutput { out_id, out_t, out_x, out_lat = out_x + 3, out_lon };
+enum TrackOutput { out_id, out_t, out_x, out_lat = out_x + 3, out_lon, out_height };
 enum TrackInput { in_t0, in_t1, in_step, in_tbl, in_schema };
 
 class TrackRows final : public FunctionRows {
  public:
   TrackRows(const std::shared_ptr<const Scene>& scene, const TrackTimes& instants, const Frame& frame,
             Interrupt& interrupt)
-      : axes_(scene->layout.axes), tracks_(scene, instants, interrupt), place_(frame) {}
+      : axes_(scene->layout.axes), tracks_(scene, instants, interrupt), place_(frame, axes_) {}
 
   bool next() override {
     row_ = tracks_.next();
@@ -26,8 +26,7 @@ class TrackRows final : public FunctionRows {
     if (output == out_id) return sqlite3_result_int64(context, row_->at.id);
     if (output == out_t) return sqlite3_result_double(context, row_->t);
     const auto& x = row_->at.x;
-    if (output >= out_lat)
-      return place_.output(context, output == out_lat ? GeoColumn::lat : GeoColumn::lon, x[0], x[1]);
+    if (output >= out_lat) return place_.output(context, geo_column_of(output - out_lat), x);
     const int axis = output - out_x;
     if (axis < axes_) sqlite3_result_double(context, x[static_cast<std::size_t>(axis)]);
   }
@@ -57,17 +56,17 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_track() {
-  static const TableFunction function = {
-      .name = "predictive_track",
-      .outputs = {"id INTEGER", "t REAL", "x REAL", "y REAL", "z REAL", "lat REAL", "lon REAL"},
-      .inputs = {"t0", "t1", "step", "tbl", "schema"},
-      .key = "id, t",
-      .hinted = 1u << out_id,
-      .estimate = estimate_tracks,
-      .start = start,
-      .probed = 1u << out_id,
-      .estimate_probe = estimate_track,
-      .orders = {{out_t, out_id}}};
+  static const TableFunction function = {.name = "predictive_track",
+                                         .outputs = {"id INTEGER", "t REAL", "x REAL", "y REAL", "z REAL",
+                                                     "lat REAL", "lon REAL", "height REAL"},
+                                         .inputs = {"t0", "t1", "step", "tbl", "schema"},
+                                         .key = "id, t",
+                                         .hinted = 1u << out_id,
+                                         .estimate = estimate_tracks,
+                                         .start = start,
+                                         .probed = 1u << out_id,
+                                         .estimate_probe = estimate_track,
+                                         .orders = {{out_t, out_id}}};
   return function;
 }
 

@@ -95,6 +95,9 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   }
   question.mask = call.bits(in_mask);
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
+  if (table.frame.on_globe() && call.text(in_zone))
+    throw Error("zone is for tables on a plane, " + table.objects.name +
+                " is on the globe; leave it out, or write origin = 'LAT LON' in " + table.objects.name);
   question.zone = zone_of(call, table.frame);
   question.objects = std::move(table.objects);
   question.now = table.now;

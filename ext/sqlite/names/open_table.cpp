@@ -94,6 +94,12 @@ void require_one_frame(const Connection::OpenTable& a, const Connection::OpenTab
   if (!conflict.empty()) throw Error(conflict);
 }
 
+void require_upright(const Connection::OpenTable& table, const std::optional<double>& within_z) {
+  if (within_z && table.store->declaration().frame.on_globe())
+    throw Error("within_z is for tables whose z points up, and " + table.table +
+                " is on the globe; leave it out: within covers every direction");
+}
+
 std::string quoted(const std::string& name) {
   return std::string("'") + without_nul(name) + "'";
 }

@@ -22,6 +22,9 @@ Connection::OpenTable open_table(Connection& connection, const TableName& name);
 /// Throws Error if metres of one table are not those of the other (frame_conflict()).
 void require_one_frame(const Connection::OpenTable& a, const Connection::OpenTable& b);
 
+/// Throws Error for a `within_z` if the table is on the globe, where no axis points up.
+void require_upright(const Connection::OpenTable& table, const std::optional<double>& within_z);
+
 /// 'name', as messages show it.
 std::string quoted(const std::string& name);
 

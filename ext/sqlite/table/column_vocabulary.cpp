@@ -81,10 +81,13 @@ std::string_view word_for(Quantity quantity, int axis, bool in_degrees) {
   return name;
 }
 
-GeoColumn geo_column(std::string_view name) {
-  constexpr std::array<std::string_view, 5> names{"", "lat", "lon", "speed", "course"};
-  for (std::size_t i = 1; i < names.size(); ++i)
-    if (same_name(names[i], name)) return static_cast<GeoColumn>(i);
+GeoColumn geo_column(std::string_view name, const Frame& frame) {
+  constexpr std::array<std::string_view, geo_columns> names{"", "lat", "lon", "z", "speed", "course", "vz"};
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const auto column = static_cast<GeoColumn>(i);
+    const bool of_globe = column == GeoColumn::height || column == GeoColumn::climb;
+    if (same_name(names[i], name) && (!of_globe || frame.on_globe())) return column;
+  }
   return GeoColumn::none;
 }
 

@@ -49,8 +49,8 @@ const Word* find_word(std::string_view name);
 /// The word for a quantity along an axis: "vy", or "course" in a table in degrees.
 std::string_view word_for(Quantity quantity, int axis, bool in_degrees = false);
 
-/// lat, lon, speed or course; `none` for all other words.
-GeoColumn geo_column(std::string_view name);
+/// lat, lon, speed or course, on the globe also z and vz; `none` for all other words.
+GeoColumn geo_column(std::string_view name, const Frame& frame = {});
 
 /// "id" and all words as one comma-separated list for messages: "id, t, x, …".
 std::string known_words();

@@ -1,6 +1,8 @@
-// Values: latitude, longitude, speed and course of a row as numbers on the plane (docs/reference/degrees.md).
+// Values: latitude, longitude, speed and course of a row as stored metres, on the plane or on the globe
+// (docs/reference/degrees.md).
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "base/float_environment.h"
 #include "base/number_text.h"
@@ -13,8 +15,11 @@ namespace foresee {
 namespace {
 
 constexpr double half_a_knot = to_mps(0.5, SpeedUnit::knots);
-/// In metres per second. A speed near the limit of doubles could be stored, and not be read.
-constexpr double max_speed = 1e300;
+/// In metres and metres per second. A number near the limit of doubles could be stored, and not be read. The curvature
+/// of a path on the globe is a square.
+constexpr double max_number = 1e300, max_speed_on_globe = 1e150;
+/// The globe has no place nearer to its centre than 100 km.
+constexpr double min_height = -6.2e6;
 
 /// Whether the value is the number that the column shows, or NULL where it shows none.
 bool is_shown(sqlite3_value* value, const std::optional<double>& number) {
@@ -23,13 +28,35 @@ bool is_shown(sqlite3_value* value, const std::optional<double>& number) {
   return (type == SQLITE_FLOAT || type == SQLITE_INTEGER) && sqlite3_value_double(value) == *number;
 }
 
+std::size_t index_of(GeoColumn column) {
+  return static_cast<std::size_t>(column);
+}
+
 }  // namespace
 
-/// A value of lat, lon, speed or course; nothing for an unknown speed or course.
+/// The value of a column; nothing for an unknown speed or course.
 std::optional<double> Values::degrees_number(const Column& column, std::int64_t id,
                                              sqlite3_value* value) const {
-  const bool is_motion = column.geo == GeoColumn::speed || column.geo == GeoColumn::course;
-  return is_motion ? speed_or_course(column, id, value) : latitude_or_longitude(column, id, value);
+  switch (column.geo) {
+    case GeoColumn::speed:
+    case GeoColumn::course:
+      return speed_or_course(column, id, value);
+    case GeoColumn::height:
+    case GeoColumn::climb:
+      return height_or_climb(column, id, value);
+    default:
+      return latitude_or_longitude(column, id, value);
+  }
+}
+
+double Values::height_or_climb(const Column& column, std::int64_t id, sqlite3_value* value) const {
+  const double number = stored(column, id, value);
+  if (std::abs(number) > max_number)
+    refuse(column.name, id, shown(value), "more than 1e300; write metres, or metres per second");
+  if (column.geo == GeoColumn::height && number < min_height)
+    refuse(column.name, id, shown(value),
+           "the centre of the Earth is 6.4e6 m down; write metres above the ellipsoid");
+  return number;
 }
 
 double Values::latitude_or_longitude(const Column& column, std::int64_t id, sqlite3_value* value) const {
@@ -49,12 +76,13 @@ std::optional<double> Values::speed_or_course(const Column& column, std::int64_t
   if (is_null_or_empty(value)) return std::nullopt;
   const double number = stored(column, id, value);
   if (column.geo == GeoColumn::speed) {
-    if (unit_ == SpeedUnit::knots && number == 102.3) return std::nullopt;
+    if (frame_.unit == SpeedUnit::knots && number == 102.3) return std::nullopt;
     if (number < 0)
       refuse(column.name, id, shown(value), "a speed is never negative; write 0 or more, and the course");
-    if (to_mps(number, unit_) <= max_speed) return number;
+    if (to_mps(number, frame_.unit) <= (frame_.on_globe() ? max_speed_on_globe : max_number)) return number;
     refuse(column.name, id, shown(value),
-           "more than 1e300 metres per second; write the speed in " + std::string(name_of(unit_)) +
+           std::string("more than ") + (frame_.on_globe() ? "1e150" : "1e300") +
+               " metres per second; write the speed in " + std::string(name_of(frame_.unit)) +
                ", or NULL if it is unknown");
   }
   if (number == 360) return std::nullopt;
@@ -68,7 +96,7 @@ std::optional<Course> Values::course_of_row(std::int64_t id, const std::optional
                                             const std::optional<double>& course, sqlite3_value* given) const {
   if (!speed) return std::nullopt;
   if (course) return Course{*speed, *course};
-  if (to_mps(*speed, unit_) <= half_a_knot) return std::nullopt;  // it lies still
+  if (to_mps(*speed, frame_.unit) <= half_a_knot) return std::nullopt;  // it lies still
   const std::string needs =
       "a speed of " + foresee::shown(*speed) + " needs a course; write it, or NULL for the speed if ";
   if (is_null_or_empty(given)) refuse("course", id, "NULL", needs + "it is unknown");
@@ -76,73 +104,101 @@ std::optional<Course> Values::course_of_row(std::int64_t id, const std::optional
 }
 
 /// An UPDATE that leaves place or motion as they are, or writes what the columns show, keeps the stored bits. Where it
-/// changes only some of the four, the others are what the columns show.
+/// changes only some of the columns, the others are what they show.
 void Values::fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
                           std::optional<std::int64_t> updated) {
   const FloatEnvironment environment;
   new_origin_.reset();
   std::vector<double> before;
   if (updated) before = store.read(*updated).value_or(before);
-  const auto is_unchanged = [&](std::size_t i) {
-    return !before.empty() && sqlite3_value_nochange(motion[degrees_[i]]);
+  const auto is_unchanged = [&](std::size_t column) {
+    return !before.empty() && sqlite3_value_nochange(motion[column]);
   };
-  const std::size_t count = degrees_.size();
-  std::size_t unchanged = 0;
-  while (unchanged < count && is_unchanged(unchanged)) ++unchanged;
-  if (unchanged == count) return copy_degrees(before, true, true);
-
-  std::array<std::optional<double>, 4> number;
-  std::array<bool, 4> same{};
-  if (!before.empty()) {
-    const Fix shows = shown_fix(store, *updated, before.data());
-    for (std::size_t i = 0; i < count; ++i) {
-      number[i] = shown_number(columns_[degrees_[i]].geo, shows);
-      same[i] = is_unchanged(i) || is_shown(motion[degrees_[i]], number[i]);
-    }
+  if (std::all_of(degrees_.begin(), degrees_.end(), is_unchanged)) {
+    copy_place(before);
+    return copy_motion(before);
   }
-  for (std::size_t i = 0; i < count; ++i)
-    if (!same[i]) number[i] = degrees_number(columns_[degrees_[i]], id, motion[degrees_[i]]);
-  const bool same_place = same[0] && same[1], same_motion = same[2] && same[3];
-  if (same_place && (same_motion || count == 2)) return copy_degrees(before, true, true);
 
+  Numbers numbers;
+  std::array<bool, geo_columns> same;
+  same.fill(true);  // also what is not declared
+  sqlite3_value* course = nullptr;
+  std::optional<Flight> shows;
+  if (!before.empty()) shows = shown_report(store, *updated, before.data());
+  for (const std::size_t i : degrees_) {
+    const GeoColumn geo = columns_[i].geo;
+    auto& number = numbers[index_of(geo)];
+    if (geo == GeoColumn::course) course = motion[i];
+    if (shows) number = shown_number(geo, *shows);
+    same[index_of(geo)] = shows && (is_unchanged(i) || is_shown(motion[i], number));
+    if (!same[index_of(geo)]) number = degrees_number(columns_[i], id, motion[i]);
+  }
+  const auto are_same = [&](std::initializer_list<GeoColumn> columns) {
+    return std::all_of(columns.begin(), columns.end(),
+                       [&](GeoColumn column) { return same[index_of(column)]; });
+  };
+  const bool same_place = are_same({GeoColumn::lat, GeoColumn::lon, GeoColumn::height});
+  const bool same_motion = are_same({GeoColumn::speed, GeoColumn::course, GeoColumn::climb});
+  if (same_place && same_motion) {
+    copy_place(before);
+    return copy_motion(before);
+  }
+
+  const Flight report = report_of(id, numbers, course);
   const Frame& frame = store.frame();
-  const LatLon place{*number[0], *number[1]}, origin = frame.origin ? *frame.origin : origin_near(place);
-  Fix fix{place, {}};
-  if (count > 2) fix.course = course_of_row(id, number[2], number[3], motion[degrees_[3]]);
-  const OnPlane point = on_plane(id, fix, origin, same_place);
-  double* const x = &record_[static_cast<std::size_t>(at_.x)];
-  x[0] = point.x, x[1] = point.y;
-  if (count > 2) {
-    double* const v = &record_[static_cast<std::size_t>(at_.v)];
-    v[0] = point.v ? (*point.v)[0] : 0, v[1] = point.v ? (*point.v)[1] : 0;
-  }
-  if (same_place) copy_degrees(before, true, false);
-  if (!frame.origin) new_origin_ = origin;
+  const LatLon origin = frame.origin ? *frame.origin : origin_near(report.fix.place);
+  store_degrees(metres_of_row(id, report, origin, same_place));
+  if (same_place) copy_place(before);
+  if (frame.chooses_origin()) new_origin_ = origin;
+}
+
+Flight Values::report_of(std::int64_t id, const Numbers& numbers, sqlite3_value* course) const {
+  const auto number = [&](GeoColumn column) { return numbers[index_of(column)]; };
+  Flight report{{{*number(GeoColumn::lat), *number(GeoColumn::lon)}, {}},
+                number(GeoColumn::height).value_or(0),
+                number(GeoColumn::climb).value_or(0)};
+  if (course)
+    report.fix.course = course_of_row(id, number(GeoColumn::speed), number(GeoColumn::course), course);
+  return report;
 }
 
 /// A place that an UPDATE leaves alone was near enough when it was stored.
-OnPlane Values::on_plane(std::int64_t id, const Fix& fix, const LatLon& origin, bool same_place) const {
-  const std::string row = table_ + ": row " + std::to_string(id);
-  try {
-    const OnPlane point = Frame{FrameKind::degrees, {}, origin, unit_}.to_plane(fix);
-    const double distance = std::hypot(point.x, point.y);
-    if (same_place || distance <= max_distance_from_origin) return point;
-    throw Error("is " + foresee::shown(std::ceil(distance / 1000)) + " km from the origin '" +
-                origin_text(origin) +
-                "', the limit is 1500; create a table with a nearer origin, or use geo_to_globe");
-  } catch (const Error& error) {
-    throw Refusal(SQLITE_CONSTRAINT, row + ' ' + error.what());
-  }
+Metres Values::metres_of_row(std::int64_t id, const Flight& report, const LatLon& origin,
+                             bool same_place) const try {
+  Frame frame{.kind = frame_.kind, .unit = frame_.unit};
+  if (!frame.on_globe()) frame.origin = origin;
+  const Metres point = frame.to_metres(report);
+  if (!frame.on_globe() && !same_place) require_near(point, origin);
+  return point;
+} catch (const Error& error) {
+  throw Refusal(SQLITE_CONSTRAINT, table_ + ": row " + std::to_string(id) + ' ' + error.what());
 }
 
-/// Keeps the stored bits of the place or of the motion.
-void Values::copy_degrees(const std::vector<double>& before, bool place, bool motion) {
-  const auto copy = [&](int offset) {
-    if (offset != Offsets::absent)
-      std::copy_n(&before[static_cast<std::size_t>(offset)], 2, &record_[static_cast<std::size_t>(offset)]);
+void Values::require_near(const Metres& point, const LatLon& origin) const {
+  const double distance = std::hypot(point.x[0], point.x[1]);
+  if (distance <= max_distance_from_origin) return;
+  throw Error("is " + foresee::shown(std::ceil(distance / 1000)) + " km from the origin '" +
+              origin_text(origin) +
+              "', the limit is 1500; create a table with a nearer origin, or with origin = globe");
+}
+
+void Values::store_degrees(const Metres& point) {
+  const std::size_t axes = frame_.axes_of_place();
+  const auto store = [&](int offset, const std::array<double, 3>& from) {
+    if (offset != Offsets::absent) std::copy_n(from.begin(), axes, record_.begin() + offset);
   };
-  if (place) copy(at_.x);
-  if (motion) copy(at_.v);
+  const OnGlobe::Motion motion = point.motion.value_or(OnGlobe::Motion{});
+  store(at_.x, point.x), store(at_.v, motion.v), store(at_.a, motion.a);
+}
+
+/// Keeps the stored bits.
+void Values::copy_place(const std::vector<double>& before) {
+  std::copy_n(before.begin() + at_.x, frame_.axes_of_place(), record_.begin() + at_.x);
+}
+void Values::copy_motion(const std::vector<double>& before) {
+  for (const int offset : {at_.v, at_.a})
+    if (offset != Offsets::absent)
+      std::copy_n(before.begin() + offset, frame_.axes_of_place(), record_.begin() + offset);
 }
 
 }  // namespace foresee

@@ -13,14 +13,10 @@ namespace {
 }
 
 LatLon declared_origin(const Argument& argument) {
-  if (same_name(argument.detail, "globe"))
-    refuse(
-        argument.text,
-        "this version has no frame globe; write origin = 'LAT LON', or geo_to_globe and a table of x, y, z");
   if (const auto origin = parse_origin(argument.detail)) return *origin;
   refuse(argument.text,
-         "an origin is a latitude within 90 and a longitude within 180 degrees; write for example origin = "
-         "'53.9 7.9'");
+         "an origin is a latitude within 90 and a longitude within 180 degrees, or globe; write for example "
+         "origin = '53.9 7.9'");
 }
 
 SpeedUnit declared_unit(const Argument& argument) {
@@ -64,7 +60,7 @@ std::string_view geographic_for(const Word& word) {
   return "";
 }
 
-void require_geographic(const Words& words) {
+void require_geographic(const Words& words, bool on_globe) {
   if (!find(words, "lat") && !find(words, "lon"))
     refuse(
         (find(words, "speed") ? find(words, "speed") : find(words, "course"))->argument,
@@ -74,12 +70,25 @@ void require_geographic(const Words& words) {
   for (const auto& [word, argument] : words) {
     if (const std::string_view other = geographic_for(word); !other.empty())
       refuse(argument, "a table with lat, lon has " + std::string(other) + " in its place, and " +
-                           std::string(word.name) + " as a hidden column to read; leave it out");
+                           (on_globe ? "g" : "") + std::string(word.name) +
+                           " as a hidden column to read; leave it out");
     if (word.quantity == Quantity::acceleration || word.quantity == Quantity::force ||
         word.quantity == Quantity::mass)
       refuse(argument,
-             "its axes would be the plane's, not east and north; leave it out, or use x, y and geo_to_plane");
+             on_globe ? "the acceleration on the globe is its curvature; leave it out, or use x, y, z and "
+                        "geo_to_globe"
+                      : "its axes would be the plane's, not east and north; leave it out, or use x, y and "
+                        "geo_to_plane");
   }
+}
+
+/// On the globe no axis is up: its objects are points and balls.
+void require_globe(const Words& words) {
+  for (const auto& [word, argument] : words)
+    if (word.quantity == Quantity::half_extent || word.quantity == Quantity::form ||
+        word.quantity == Quantity::heading || (word.quantity == Quantity::growth && word.axis == 2))
+      refuse(argument, "no axis of the globe points up, so it has points and balls (r) only; leave " +
+                           std::string(word.name) + " out, or write origin = 'LAT LON'");
 }
 
 /// The columns that go with `zone`: t, z and hz, r, growth and growth_z, until.
@@ -111,7 +120,12 @@ bool FrameOptions::take(const Argument& argument) {
   if (same_name(argument.name, "frame")) option = &text_;
   if (option == nullptr) return false;
   if (*option) refuse(argument.text, argument.name + " is given twice; leave one out");
-  if (option == &origin_) given_.origin = declared_origin(argument);
+  if (option == &origin_) {
+    if (same_name(argument.detail, "globe"))
+      given_.kind = FrameKind::globe;
+    else
+      given_.origin = declared_origin(argument);
+  }
   if (option == &unit_) given_.unit = declared_unit(argument);
   if (option == &text_) given_.text = declared_text(argument);
   *option = argument;
@@ -134,6 +148,8 @@ Frame FrameOptions::frame_of_zones(const DeclaredWord& zone, const Words& words)
     refuse(
         zone.argument,
         "a table of zones needs the origin of the tables beside it; write for example origin = '53.9 7.9'");
+  if (given_.on_globe())
+    refuse(origin_->text, "zones lie on a plane; write an origin within 1500 km, as in origin = '53.9 7.9'");
   Frame frame = given_;
   frame.kind = FrameKind::degrees;
   return frame;
@@ -149,9 +165,12 @@ Frame FrameOptions::frame(const Words& words) const {
     require_plane();
     return frame;
   }
-  require_geographic(words);
+  require_geographic(words, frame.on_globe());
   if (text_) refuse(text_->text, "the frame of a table with lat, lon is its origin; leave frame out");
-  frame.kind = FrameKind::degrees;
+  if (frame.on_globe())
+    require_globe(words);
+  else
+    frame.kind = FrameKind::degrees;
   return frame;
 }
 

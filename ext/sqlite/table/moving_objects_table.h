@@ -5,7 +5,6 @@
 // visit new ones.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -63,7 +62,13 @@ struct MovingObjectsTable : sqlite3_vtab {
   /// In a table in degrees x, y, vx, vy follow the command column (hidden_columns()): their places in a record.
   std::size_t hidden_place(std::size_t hidden) const {
     const Offsets at = record_offsets(declaration().layout);
-    return static_cast<std::size_t>(hidden < 2 ? at.x : at.v) + hidden % 2;
+    const std::size_t axes = declaration().frame.axes_of_place(), part = hidden / axes;
+    return static_cast<std::size_t>(part == 0 ? at.x : part == 1 ? at.v : at.a) + hidden % axes;
+  }
+
+  /// A scan starts: forgets what an UPDATE has kept until now, and gives the memory back.
+  void start_statement() {
+    if (!stored_before.empty()) stored_before = {};
   }
 
   void rename(const std::string& new_name);
@@ -74,9 +79,9 @@ struct MovingObjectsTable : sqlite3_vtab {
   Values values;
   std::int64_t number;  ///< the key of Connection::find
 
-  /// x, y, vx, vy before this statement changed them, of a table in degrees. UPDATE FROM passes every column as it was
-  /// at its start, also to the second update of a row that several rows of FROM match. Emptied when a scan starts.
-  std::unordered_map<std::int64_t, std::array<double, 4>> plane_before;
+  /// The hidden columns before this statement changed them, of a table in degrees. UPDATE FROM passes every column as
+  /// it was at its start, also to the second update of a row that several rows of FROM match.
+  std::unordered_map<std::int64_t, std::vector<double>> stored_before;
 
  private:
   Declaration declared_;

@@ -111,12 +111,12 @@ Values::Values(const Declaration& declaration, const std::string& table, Interru
       layout_(declaration.layout),
       at_(record_offsets(layout_)),
       forms_(declaration, interrupt),
-      unit_(declaration.frame.unit) {
+      frame_(declaration.frame) {
   for (const MotionColumn& column : declaration.columns)
     columns_.push_back({column.name, find_word(column.name)->quantity, column.place, column.geo});
-  for (const GeoColumn which : {GeoColumn::lat, GeoColumn::lon, GeoColumn::speed, GeoColumn::course})
+  for (std::size_t which = 1; which < geo_columns; ++which)
     for (std::size_t i = 0; i < columns_.size(); ++i)
-      if (columns_[i].geo == which) degrees_.push_back(i);
+      if (columns_[i].geo == static_cast<GeoColumn>(which)) degrees_.push_back(i);
   record_.assign(static_cast<std::size_t>(at_.size), 0.0);
 }
 

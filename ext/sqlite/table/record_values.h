@@ -9,6 +9,7 @@
 // and value, and says what to write instead.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -85,16 +86,24 @@ class Values {
     GeoColumn geo;
   };
 
+  /// The report of a row as far as it is written or known, by GeoColumn.
+  using Numbers = std::array<std::optional<double>, geo_columns>;
+
   // tables in degrees (degrees_values.cpp)
   void fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
                     std::optional<std::int64_t> updated);
   std::optional<double> degrees_number(const Column& column, std::int64_t id, sqlite3_value* value) const;
   double latitude_or_longitude(const Column& column, std::int64_t id, sqlite3_value* value) const;
+  double height_or_climb(const Column& column, std::int64_t id, sqlite3_value* value) const;
   std::optional<double> speed_or_course(const Column& column, std::int64_t id, sqlite3_value* value) const;
   std::optional<Course> course_of_row(std::int64_t id, const std::optional<double>& speed,
                                       const std::optional<double>& course, sqlite3_value* given) const;
-  OnPlane on_plane(std::int64_t id, const Fix& fix, const LatLon& origin, bool same_place) const;
-  void copy_degrees(const std::vector<double>& before, bool place, bool motion);
+  Flight report_of(std::int64_t id, const Numbers& numbers, sqlite3_value* course) const;
+  Metres metres_of_row(std::int64_t id, const Flight& report, const LatLon& origin, bool same_place) const;
+  void require_near(const Metres& point, const LatLon& origin) const;
+  void store_degrees(const Metres& point);
+  void copy_place(const std::vector<double>& before);
+  void copy_motion(const std::vector<double>& before);
 
   void fill_form(std::int64_t id, sqlite3_value* shape, Store& store, std::optional<std::int64_t> updated);
   double stored(const Column& column, std::int64_t id, sqlite3_value* value) const;
@@ -110,9 +119,8 @@ class Values {
   std::vector<Column> columns_;
   FormValues forms_;
   std::vector<double> record_;
-  std::vector<std::size_t>
-      degrees_;  ///< indices of lat, lon, speed, course in columns_; empty: a plain table
-  SpeedUnit unit_;
+  std::vector<std::size_t> degrees_;  ///< the columns with a GeoColumn, in its order; empty: a plain table
+  Frame frame_;                       ///< as declared
   std::optional<LatLon> new_origin_;
 };
 

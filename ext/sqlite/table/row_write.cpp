@@ -1,8 +1,9 @@
 #include "sqlite/table/row_write.h"
 
-#include <array>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "sqlite/callback.h"
 #include "sqlite/table/table_commands.h"
@@ -27,7 +28,7 @@ struct NewRow {
   sqlite3_value** motion;
   std::span<sqlite3_value*> auxiliaries;
   sqlite3_value* command;
-  std::span<sqlite3_value*> hidden;  ///< x, y, vx, vy of a table in degrees
+  std::span<sqlite3_value*> hidden;  ///< x, y, vx, vy of a table in degrees; on the globe gx, …
 };
 
 bool is_null(sqlite3_value* value) {
@@ -42,17 +43,17 @@ bool replaces(MovingObjectsTable& table, std::int64_t id) {
   throw Refusal(SQLITE_CONSTRAINT, "UNIQUE constraint failed: " + table.name + ".id");
 }
 
-/// Whether an UPDATE leaves a column of the plane alone: it is the stored number, or was when the statement started.
+/// Whether an UPDATE leaves a hidden column alone: it is the stored number, or was when the statement started.
 bool is_left_alone(MovingObjectsTable& table, std::int64_t id, std::size_t hidden, sqlite3_value* value) {
   if (sqlite3_value_type(value) != SQLITE_FLOAT) return false;
   const double number = sqlite3_value_double(value);
   const auto record = table.store().read(id);
   if (record && (*record)[table.hidden_place(hidden)] == number) return true;
-  const auto before = table.plane_before.find(id);
-  return before != table.plane_before.end() && before->second[hidden] == number;
+  const auto before = table.stored_before.find(id);
+  return before != table.stored_before.end() && before->second[hidden] == number;
 }
 
-/// The columns of the plane follow from lat, lon, speed, course: refuses another value.
+/// The hidden columns follow from lat, lon, speed, course: refuses another value.
 void require_unwritten(MovingObjectsTable& table, const NewRow& row, std::optional<std::int64_t> updated) {
   for (std::size_t i = 0; i < row.hidden.size(); ++i) {
     sqlite3_value* value = row.hidden[i];
@@ -63,14 +64,14 @@ void require_unwritten(MovingObjectsTable& table, const NewRow& row, std::option
   }
 }
 
-/// Before an UPDATE: keeps the plane of a row for MovingObjectsTable::plane_before.
-void keep_plane(MovingObjectsTable& table, const NewRow& row, std::int64_t id) {
+/// Before an UPDATE: keeps the hidden columns of a row for MovingObjectsTable::stored_before.
+void keep_hidden(MovingObjectsTable& table, const NewRow& row, std::int64_t id) {
   if (row.hidden.empty() || sqlite3_value_nochange(row.hidden[0])) return;
   const auto record = table.store().read(id);
   if (!record) return;
-  std::array<double, 4> plane{};
-  for (std::size_t i = 0; i < row.hidden.size(); ++i) plane[i] = (*record)[table.hidden_place(i)];
-  table.plane_before.try_emplace(id, plane);
+  std::vector<double> hidden(row.hidden.size());
+  for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] = (*record)[table.hidden_place(i)];
+  table.stored_before.try_emplace(id, std::move(hidden));
 }
 
 /// The first position of a table may choose an origin that is not that of a table it is watched with.
@@ -116,7 +117,7 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
   require_unwritten(table, row, old_id);
   const std::span<const double> record = table.values.record(*id, row.motion, table.store(), old_id);
   if (*id != old_id) replaces(table, *id);  // throws, or the update replaces it
-  keep_plane(table, row, old_id);
+  keep_hidden(table, row, old_id);
   table.store().update(old_id, *id, record, row.auxiliaries);
 }
 

@@ -22,13 +22,13 @@ void TableCursor::clear() {
   position_ = 0;
   leaf_ = 0;
   found_ = 0;
-  fix_of_ = nullptr;
+  report_of_ = nullptr;
   by_leaf_ = handle_ = aborted_ = false;
 }
 
 void TableCursor::filter(TablePlan plan, sqlite3_value** arguments) {
   clear();
-  if (!table_.plane_before.empty()) table_.plane_before = {};  // gives the memory back
+  table_.start_statement();
   switch (plan) {
     case TablePlan::scan:
       by_leaf_ = true;
@@ -81,7 +81,7 @@ void TableCursor::next_leaf() {
 void TableCursor::next() {
   if (aborted_) throw StoreError(SQLITE_ABORT, table_.name + ": a rollback ended the scan");
   ++position_;
-  fix_of_ = nullptr;
+  report_of_ = nullptr;
   if (by_leaf_) {
     if (position_ == ids_.size()) next_leaf();
   } else {
@@ -118,7 +118,7 @@ void TableCursor::keep_ids() {
   ids_ = std::move(rest);
   records_ = std::move(records);
   position_ = 0;
-  fix_of_ = nullptr;
+  report_of_ = nullptr;
   by_leaf_ = false;
 }
 
@@ -132,9 +132,9 @@ void TableCursor::result_form(sqlite3_context* context, double number) const {
 /// An UPDATE that does not change the column gets no value.
 void TableCursor::result_degrees(sqlite3_context* context, GeoColumn column) const {
   if (sqlite3_vtab_nochange(context)) return;
-  if (fix_of_ != record())
-    fix_ = shown_fix(table_.store(), rowid(), record(), &statement_state_), fix_of_ = record();
-  if (const auto number = shown_number(column, fix_)) sqlite3_result_double(context, *number);
+  if (report_of_ != record())
+    report_ = shown_report(table_.store(), rowid(), record(), &statement_state_), report_of_ = record();
+  if (const auto number = shown_number(column, report_)) sqlite3_result_double(context, *number);
 }
 
 void TableCursor::column(sqlite3_context* context, int column) const {

@@ -53,8 +53,8 @@ class TableCursor : public sqlite3_vtab_cursor {
   std::size_t found_ = 0;  ///< objects in all leaves so far
   bool by_leaf_ = false;   ///< more leaves may follow
   mutable StatementReadState statement_state_;
-  mutable Fix fix_ = {};                    ///< of the current row, in a table in degrees
-  mutable const double* fix_of_ = nullptr;  ///< … if this is its record
+  mutable Flight report_ = {};                 ///< of the current row, in a table in degrees
+  mutable const double* report_of_ = nullptr;  ///< … if this is its record
   RisingIds rising_;
   bool handle_ = false;  ///< the only row has the table's number
   bool aborted_ = false;

@@ -79,11 +79,13 @@ class Declarer {
   Declaration finish() {
     declaration_.frame = frame_.frame(words_);
     declaration_.layout = layout_of(words_);
+    if (declaration_.frame.on_globe()) take_axes_of_globe();
     const Offsets at = record_offsets(declaration_.layout);
     for (const DeclaredWord& declared : words_)
       declaration_.columns.push_back({std::string(declared.word.name), offset_of(at, declared.word),
                                       declared.word.quantity == Quantity::form,
-                                      is_kind(declared.word.quantity), geo_column(declared.word.name)});
+                                      is_kind(declared.word.quantity),
+                                      geo_column(declared.word.name, declaration_.frame)});
     if (declaration_.frame.in_degrees()) require_no_hidden_names();
     return std::move(declaration_);
   }
@@ -120,6 +122,12 @@ class Declarer {
     if (has_horizon_) refuse(argument, "horizon is given twice; leave one out");
     has_horizon_ = true;
     declaration_.horizon = positive_number(argument);
+  }
+
+  /// Three axes, whether or not z is declared, with the Earth's curvature as acceleration.
+  void take_axes_of_globe() {
+    declaration_.layout.axes = 3;
+    if (declaration_.layout.law == Law::uniform) declaration_.layout.law = Law::accelerated;
   }
 
   void require_before_kinds(const Argument& argument, const Word& word) const {
@@ -167,12 +175,15 @@ Declaration parse_declaration(std::string_view table, const std::vector<std::str
 }
 
 std::span<const std::string_view> hidden_columns(const Declaration& declaration) {
-  static constexpr std::array<std::string_view, 4> names{"x", "y", "vx", "vy"};
+  static constexpr std::array<std::string_view, 4> on_plane{"x", "y", "vx", "vy"};
+  static constexpr std::array<std::string_view, 9> on_globe{"gx",  "gy",  "gz",  "gvx", "gvy",
+                                                            "gvz", "gax", "gay", "gaz"};
   if (!declaration.frame.in_degrees() || declaration.has_zones()) return {};
   const auto& columns = declaration.columns;
   const bool moves = std::any_of(columns.begin(), columns.end(),
                                  [](const MotionColumn& column) { return column.geo == GeoColumn::speed; });
-  return std::span(names).first(moves ? 4 : 2);
+  if (declaration.frame.on_globe()) return std::span(on_globe).first(moves ? 9 : 3);
+  return std::span(on_plane).first(moves ? 4 : 2);
 }
 
 void require_table_name(const Declaration& declaration, std::string_view table) {

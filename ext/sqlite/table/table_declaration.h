@@ -22,7 +22,8 @@ Declaration parse_declaration(std::string_view table, const std::vector<std::str
 /// Throws Error if `table` is also a column's name, because the command column has the name of the table.
 void require_table_name(const Declaration& declaration, std::string_view table);
 
-/// The columns of the plane in a table in degrees, which can be read only: x, y and, if its objects move, vx, vy.
+/// The stored columns of a table in degrees, which can be read only: x, y and, if its objects move, vx, vy; on the
+/// globe gx, gy, gz and gvx … gaz.
 std::span<const std::string_view> hidden_columns(const Declaration& declaration);
 
 /// The CREATE TABLE statement for sqlite3_declare_vtab: id, the declared columns in their order, the hidden

@@ -38,6 +38,7 @@ void require_valid_query(Connection& connection, const QualifiedName& name,
   require_tables(connection.db(), name, declaration);
   const OpenTables tables = watched_tables(connection, name.schema, declaration);
   if (tables.b) require_one_frame(tables.a, *tables.b);
+  require_upright(tables.a, declaration.within_z);
   const JoinQuestion question =
       question_of(sources_of(connection, tables), declaration, {0, declaration.horizon});
   require_valid(question);

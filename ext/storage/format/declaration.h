@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -13,8 +14,10 @@
 
 namespace foresee {
 
-/// In a table that takes degrees: what is computed from the plane when the column is read.
-enum class GeoColumn : std::uint8_t { none, lat, lon, speed, course };
+/// In a table that takes degrees: what is computed from the stored metres when the column is read. `height` and `climb`
+/// are z and vz on the globe; on the plane these two are stored.
+enum class GeoColumn : std::uint8_t { none, lat, lon, height, speed, course, climb };
+constexpr std::size_t geo_columns = 7;
 
 /// A declared motion column (the id is not one of them) and its place in the stored record.
 struct MotionColumn {
@@ -23,7 +26,7 @@ struct MotionColumn {
   int place;  ///< index of its double in the record
   bool is_form = false;             ///< the double is the number of an outline or mesh
   bool is_kind = false;             ///< the double is a category or a mask, which reads back as an integer
-  GeoColumn geo = GeoColumn::none;  ///< `place` is then that of x, y, vx or vy
+  GeoColumn geo = GeoColumn::none;  ///< `place` is then that of an axis
 };
 
 /// `+name TYPE`: a value that is stored with each object and not interpreted.

@@ -18,15 +18,16 @@ std::string_view pop_first(std::string_view& names) {
 }  // namespace
 
 std::span<const Feature> known_features() {
-  static constexpr std::array<Feature, 8> known{
+  static constexpr std::array<Feature, 9> known{
       {{map_blocks, [](const Declaration&) { return true; }},
        {stored_shapes, [](const Declaration& declared) { return is_stored_apart(declared.layout.shape); }},
        {stored_meshes, [](const Declaration& declared) { return declared.layout.shape == Shape::mesh; }},
        {stored_growth, [](const Declaration& declared) { return grows(declared.layout); }},
-       {stored_degrees, [](const Declaration& declared) { return declared.frame.in_degrees(); }},
+       {stored_degrees,
+        [](const Declaration& declared) { return declared.frame.kind == FrameKind::degrees; }},
+       {stored_globe, [](const Declaration& declared) { return declared.frame.on_globe(); }},
        {named_frame, [](const Declaration& declared) { return !declared.frame.text.empty(); }},
        {stored_zones, [](const Declaration& declared) { return declared.has_zones(); }},
-
        {stored_kinds, [](const Declaration& declared) { return has_kinds(declared.layout); }}}};
   return known;
 }

@@ -34,8 +34,12 @@ constexpr std::string_view stored_meshes = "meshes";
 /// Shapes grow, so bounds move even in tables at rest. Tables with `growth` or `growth_z` have this feature.
 constexpr std::string_view stored_growth = "growth";
 
-/// Columns lat, lon are stored on the plane about an origin in `_meta`. Tables in degrees have this feature.
+/// Columns lat, lon are stored on the plane about an origin in `_meta`. Tables in degrees have this feature, except
+/// those on the globe.
 constexpr std::string_view stored_degrees = "degrees";
+
+/// Columns lat, lon are stored as geocentric metres. Tables with `origin = globe` have this feature.
+constexpr std::string_view stored_globe = "globe";
 
 /// Rows of <name>_shape are zones, with corners in degrees (format/outline_blob.h). Tables with a column `zone`
 /// have this feature.

@@ -1,5 +1,6 @@
 #include "storage/rows/shadow_schema.h"
 
+#include <algorithm>
 #include <array>
 
 #include "shape/shapes.h"
@@ -32,13 +33,29 @@ void require_known_features(MetaRows& meta, const QualifiedName& name) {
            "written with '" + without_nul(unknown) + "', which this foresee does not know: use a newer one");
 }
 
+/// The value of `origin` in _meta that CREATE writes, or "".
+std::string declared_origin(const Frame& frame) {
+  if (frame.on_globe()) return "globe";
+  return frame.origin ? origin_text(*frame.origin) : "";
+}
+
 /// Coordinates are metres from the origin, so another one in the declaration would move every object.
 void require_declared_origin(MetaRows& meta, const QualifiedName& name, const Frame& declared) {
-  if (!declared.origin) return;
-  const std::string stored = meta.read("origin"), expected = origin_text(*declared.origin);
+  const std::string expected = declared_origin(declared);
+  if (expected.empty()) return;
+  const std::string stored = meta.read("origin");
   if (stored != expected)
     refuse(SQLITE_CORRUPT_VTAB, name,
            "stored with the origin '" + without_nul(stored) + "' but declared with '" + expected + "'");
+}
+
+/// The globe has three axes, whether or not z is declared.
+int declared_axes(const Declaration& declaration) {
+  const auto& columns = declaration.columns;
+  const bool has_height = std::any_of(columns.begin(), columns.end(), [](const MotionColumn& column) {
+    return column.geo == GeoColumn::height;
+  });
+  return declaration.frame.on_globe() && !has_height ? 2 : declaration.layout.axes;
 }
 
 }  // namespace
@@ -61,9 +78,10 @@ ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declara
 
 std::string describe_columns(const Declaration& declaration) {
   const Layout& layout = declaration.layout;
+  const int axes = declared_axes(declaration);
   std::string text = "id";
   auto on_all_axes = [&](const char* prefix, int first = 0) {
-    for (int axis = first; axis < layout.axes; ++axis) text += std::string(", ") + prefix + "xyz"[axis];
+    for (int axis = first; axis < axes; ++axis) text += std::string(", ") + prefix + "xyz"[axis];
   };
   const bool in_degrees = declaration.frame.in_degrees();
   const int first = in_degrees ? 2 : 0;
@@ -72,7 +90,7 @@ std::string describe_columns(const Declaration& declaration) {
   on_all_axes("", first);
   if (in_degrees && layout.law != Law::rest) text += ", speed, course";
   if (layout.law != Law::rest) on_all_axes("v", first);
-  if (layout.law == Law::accelerated) on_all_axes("a");
+  if (layout.law == Law::accelerated && !declaration.frame.on_globe()) on_all_axes("a");
   if (layout.law == Law::forced) {
     on_all_axes("f");
     text += ", m";
@@ -106,7 +124,8 @@ NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const De
   meta.write("stamp", stamp);
   meta.write("objects", std::int64_t{0});
   meta.write("features", features_of(declaration));
-  if (declaration.frame.origin) meta.write("origin", origin_text(*declaration.frame.origin));
+  if (const std::string origin = declared_origin(declaration.frame); !origin.empty())
+    meta.write("origin", origin);
   return format;
 }
 

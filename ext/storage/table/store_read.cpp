@@ -46,7 +46,7 @@ void Store::revalidate_cache() {
 }
 
 const Frame& Store::frame() {
-  if (!declaration_.frame.in_degrees() || declaration_.frame.origin) return frame_;
+  if (!declaration_.frame.chooses_origin()) return frame_;
   revalidate_cache();
   if (!origin_->known) {
     const std::string stored = shadow_rows().meta().read("origin");
@@ -61,7 +61,7 @@ const Frame& Store::frame() {
 }
 
 const Frame& Store::frame_of_objects(StatementReadState* statement_state) {
-  if (!declaration_.frame.in_degrees() || declaration_.frame.origin) return frame_;
+  if (!declaration_.frame.chooses_origin()) return frame_;
   if (!version_.is_checked(statement_state) || !origin_->known) frame();
   version_.note_checked(statement_state);
   if (!origin_->value) damaged("the origin is missing in _meta");

@@ -46,6 +46,7 @@ void draw_changes(AvoidQuestion& question, Random& random) {
   if (layout.law == Law::accelerated) queried.push_back({Manoeuvre::accelerate, -1, 1});
   const QueriedChanges& one = queried[random.below(queried.size())];
   question.how = one.manoeuvre, question.lo = one.lo, question.hi = one.hi;
+  question.bend_follows_speed = random.below(2) == 0;
 }
 
 std::string described(const RandomScene& scene, const AvoidQuestion& question) {

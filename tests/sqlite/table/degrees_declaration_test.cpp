@@ -77,6 +77,66 @@ TEST(DeclareDegrees, PlainTablesMayNameTheirFrame) {
   EXPECT_EQ(features_of(parse_declaration("ships", {"id", "x"})), "blocks");
 }
 
+/// Three axes with or without z, the curvature as acceleration, discs as balls.
+TEST(DeclareGlobe, HasTheLayoutOfTheGlobe) {
+  const Declaration ships = parse_declaration(
+      "ships", {"id", "t", "lat", "lon", "speed", "course", "r", "origin = GLOBE", "speed_unit = knots"});
+  EXPECT_EQ(ships.layout, (Layout{.axes = 3, .law = Law::accelerated, .shape = Shape::ball, .has_t = true}));
+  EXPECT_TRUE(ships.frame.on_globe());
+  EXPECT_FALSE(ships.frame.origin);
+  EXPECT_EQ(describe_columns(ships), "id, t, lat, lon, speed, course, r");
+  EXPECT_EQ(features_of(ships), "blocks,globe");
+  EXPECT_EQ(declared_schema(ships, "ships"),
+            "CREATE TABLE x(id INTEGER PRIMARY KEY, \"t\" REAL, \"lat\" REAL, \"lon\" REAL, \"speed\" REAL, "
+            "\"course\" REAL, \"r\" REAL, \"ships\" HIDDEN, gx REAL HIDDEN, gy REAL HIDDEN, gz REAL HIDDEN, "
+            "gvx REAL HIDDEN, gvy REAL HIDDEN, gvz REAL HIDDEN, gax REAL HIDDEN, gay REAL HIDDEN, gaz REAL "
+            "HIDDEN)");
+  const Declaration flights = parse_declaration(
+      "flights", {"id", "lat", "lon", "z", "speed", "course", "vz", "until", "category", "origin = globe"});
+  EXPECT_EQ(flights.layout.axes, 3);
+  EXPECT_EQ(flights.layout.law, Law::accelerated);
+  EXPECT_EQ(flights.columns[2].geo, GeoColumn::height);
+  EXPECT_EQ(flights.columns[5].geo, GeoColumn::climb);
+  EXPECT_EQ(describe_columns(flights), "id, lat, lon, z, speed, course, vz, until, category");
+  const Declaration buoys = parse_declaration("buoys", {"id", "lat", "lon", "growth", "origin = globe"});
+  EXPECT_EQ(buoys.layout.law, Law::rest);
+  EXPECT_EQ(buoys.layout.shape, Shape::ball);
+  EXPECT_EQ(hidden_columns(buoys).size(), 3u);
+}
+
+TEST(DeclareGlobe, Refuses) {
+  const auto no_up = [](const std::string& word) {
+    return '"' + word + "\": no axis of the globe points up, so it has points and balls (r) only; leave " +
+           word + " out, or write origin = 'LAT LON'";
+  };
+  const std::string_view globe = "origin = globe";
+  expect_refusals({
+      {{"id", "lat", "lon", "z", "r", "hz", globe}, no_up("hz")},
+      {{"id", "lat", "lon", "hx", "hy", globe}, no_up("hx")},
+      {{"id", "lat", "lon", "shape", globe}, no_up("shape")},
+      {{"id", "lat", "lon", "heading", globe}, no_up("heading")},
+      {{"id", "lat", "lon", "z", "growth", "growth_z", globe}, no_up("growth_z")},
+      {{"id", "zone", globe},
+       "\"origin = globe\": zones lie on a plane; write an origin within 1500 km, as in origin = '53.9 7.9'"},
+      {{"id", "x", "y", globe},
+       "\"origin = globe\": origin is for tables in degrees; write lat, lon in place of x, y, or leave it "
+       "out"},
+      {{"id", "lat", "lon", globe, "origin = '1 2'"},
+       "\"origin = '1 2'\": origin is given twice; leave one out"},
+      {{"id", "lat", "lon", "frame = a", globe},
+       "\"frame = a\": the frame of a table with lat, lon is its origin; leave frame out"},
+      {{"id", "lat", "lon", "x", globe},
+       "\"x\": a table with lat, lon has lat in its place, and gx as a hidden column to read; leave it out"},
+      {{"id", "lat", "lon", "speed", "course", "ax", globe},
+       "\"ax\": the acceleration on the globe is its curvature; leave it out, or use x, y, z and "
+       "geo_to_globe"},
+      {{"id", "lat", "lon", "z", "speed", "course", globe},
+       "\"speed\": velocity is declared for all axes or none; add vz"},
+      {{"id", "lat", "lon", "speed", "course", "+GAZ", globe},
+       "\"+GAZ\": a table with lat, lon has a hidden column GAZ already; choose another name"},
+  });
+}
+
 TEST(DeclareDegreesErrors, Columns) {
   const std::string no_acceleration =
       ": its axes would be the plane's, not east and north; leave it out, or use x, y and geo_to_plane";
@@ -122,7 +182,7 @@ TEST(DeclareDegreesErrors, Columns) {
 
 TEST(DeclareDegreesErrors, Options) {
   const std::string origin =
-      ": an origin is a latitude within 90 and a longitude within 180 degrees; write for example "
+      ": an origin is a latitude within 90 and a longitude within 180 degrees, or globe; write for example "
       "origin = '53.9 7.9'";
   for (const std::string_view option :
        {"origin = 5", "origin = '91 8'", "origin = '54 -181'", "origin = '54, 8'", "origin = ''",
@@ -148,10 +208,6 @@ TEST(DeclareDegreesErrors, Options) {
       {{"id", "x", "speed_unit = mps"},
        "\"speed_unit = mps\": speed_unit is for tables in degrees; write lat, lon in place of x, y, or leave "
        "it out"},
-      {{"id", "lat", "lon", "origin = globe"},
-       "\"origin = globe\": this version has no frame globe; write origin = 'LAT LON', or geo_to_globe and a "
-       "table of x, "
-       "y, z"},
   });
 }
 

@@ -31,7 +31,7 @@ TEST_F(DegreesOrigin, IsTheFirstPositionRoundedToATenthOfADegree) {
   EXPECT_EQ(
       db.error_of(boston),
       "ships: row 2 is 5844 km from the origin '53.5 10', the limit is 1500; create a table with a nearer "
-      "origin, or use geo_to_globe");
+      "origin, or with origin = globe");
   db.exec("DELETE FROM ships");
   EXPECT_EQ(origin(), "53.5 10|53.5 10") << "it is chosen once";
   EXPECT_EQ(Database(file.path()).rows("SELECT frame, origin, speed_unit, objects FROM foresee_tables"),

@@ -164,7 +164,7 @@ TEST_F(Degrees, RefuseWhatNoReportSays) {
   EXPECT_EQ(
       error_of_row("40", "8", "1", "1"),
       "ships: row 7 is 1546 km from the origin '53.9 7.9', the limit is 1500; create a table with a nearer "
-      "origin, or use geo_to_globe");
+      "origin, or with origin = globe");
   EXPECT_EQ(error_of_row("-53.9", "-172.1", "1", "1").substr(0, 28), "ships: row 7 lat, lon are op");
   EXPECT_EQ(error_of_row("54", "8", "1.7e308", "90"),
             "ships.speed" + row +
