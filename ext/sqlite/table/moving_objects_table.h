@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "sqlite/connection.h"
@@ -69,6 +70,7 @@ struct MovingObjectsTable : sqlite3_vtab {
   /// A scan starts: forgets what an UPDATE has kept until now, and gives the memory back.
   void start_statement() {
     if (!stored_before.empty()) stored_before = {};
+    if (!moved_to.empty()) moved_to = {};
   }
 
   void rename(const std::string& new_name);
@@ -82,6 +84,9 @@ struct MovingObjectsTable : sqlite3_vtab {
   /// The hidden columns before this statement changed them, of a table in degrees. UPDATE FROM passes every column as
   /// it was at its start, also to the second update of a row that several rows of FROM match.
   std::unordered_map<std::int64_t, std::vector<double>> stored_before;
+
+  /// The ids that this UPDATE has given to other objects than at its start.
+  std::unordered_set<std::int64_t> moved_to;
 
  private:
   Declaration declared_;

@@ -104,6 +104,15 @@ std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   return *id;
 }
 
+/// SQLite computes the values of an UPDATE from the objects at its start, and passes none for columns that it leaves
+/// alone: these are read now. If another object has the id meanwhile (OR REPLACE), they would be that one's.
+void require_own_row(const MovingObjectsTable& table, std::int64_t id) {
+  if (table.moved_to.empty() || !table.moved_to.contains(id)) return;
+  throw Refusal(SQLITE_CONSTRAINT, table.name + ": row " + std::to_string(id) +
+                                       " was replaced by an earlier row of this UPDATE; write DELETE first, "
+                                       "or ids that no row has");
+}
+
 void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& row) {
   if (!is_null(row.command))
     throw Error(table.name + "." + table.name + " takes commands by INSERT only; write INSERT INTO " +
@@ -114,11 +123,13 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
   if (!id)
     throw Refusal(SQLITE_MISMATCH, table.name + ".id of row " + std::to_string(old_id) +
                                        " would become NULL: every object has an id; write an INTEGER");
+  require_own_row(table, old_id);
   require_unwritten(table, row, old_id);
   const std::span<const double> record = table.values.record(*id, row.motion, table.store(), old_id);
   if (*id != old_id) replaces(table, *id);  // throws, or the update replaces it
   keep_hidden(table, row, old_id);
   table.store().update(old_id, *id, record, row.auxiliaries);
+  if (*id != old_id) table.moved_to.insert(*id);
 }
 
 }  // namespace

@@ -33,6 +33,25 @@ TEST_F(TableUpdate, AuxiliaryColumnsChangeAlone) {
   EXPECT_EQ(row(2), "2|10.0|1.0|2.0|3.0|4.0|20.0|NULL|7");
 }
 
+/// SQLite passes the numbers of row 2 as they were at the start, and no value for the columns that it leaves alone.
+/// They would be those of row 1, which replaced it.
+TEST_F(TableUpdate, RefusesAnObjectThatAnEarlierRowReplaced) {
+  const std::string before = db.rows("SELECT * FROM ships ORDER BY id");
+  for (const char* set : {"id = id + 1", "id = 3 - id", "id = 2", "rowid = id + 1"})
+    EXPECT_EQ(
+        db.error_of(std::string("UPDATE OR REPLACE ships SET ") + set),
+        "ships: row 2 was replaced by an earlier row of this UPDATE; write DELETE first, or ids that no "
+        "row has")
+        << set;
+  EXPECT_EQ(db.rows("SELECT * FROM ships ORDER BY id"), before);
+  // Another statement, or ids that are free by then, are no conflict.
+  db.exec(
+      "UPDATE OR REPLACE ships SET id = 2 WHERE id = 1; UPDATE OR REPLACE ships SET id = id + 1, y = y + 1");
+  EXPECT_EQ(db.rows("SELECT id, name FROM ships"), "3|Argo");
+  db.exec("UPDATE OR REPLACE ships SET id = id - 1; UPDATE OR REPLACE ships SET id = id - 1");
+  EXPECT_EQ(db.rows("SELECT id, y, name FROM ships"), "1|1.1|Argo");
+}
+
 TEST_F(TableUpdate, AMotionUpdateDoesNotTouchTheAuxiliaryTable) {
   // The auxiliary shadow table refuses every write: only an UPDATE that leaves it alone gets through.
   sqlite3_set_authorizer(
