@@ -49,6 +49,12 @@ const Connection::OpenTable* Connection::find(std::int64_t number) const {
   return open == tables_.end() ? nullptr : &open->second;
 }
 
+std::string Connection::other_schema(const std::string& table, const std::string& schema) const {
+  for (const auto& [number, open] : tables_)
+    if (open.store && same_name(open.table, table) && !same_name(open.schema, schema)) return open.schema;
+  return "";
+}
+
 double Connection::likely_objects(const TableName& name) const {
   const auto matches = [](const std::optional<std::string>& wanted, const std::string& open) {
     return !wanted || sqlite3_stricmp(wanted->c_str(), open.c_str()) == 0;

@@ -63,6 +63,10 @@ class Connection {
   WatchUpkeep* watches() const { return watches_.get(); }
   void keep_watches(std::unique_ptr<WatchUpkeep> upkeep) { watches_ = std::move(upkeep); }
 
+  /// The schema of a connected table with this name that is in another schema than this one; "" if none is
+  /// connected. From memory: reads nothing.
+  std::string other_schema(const std::string& table, const std::string& schema) const;
+
   /// Estimated number of objects of the table with this name, from memory: reads nothing, connects nothing.
   /// The largest of the connected tables that match; without a name all match. Where none is connected yet,
   /// the number that R*Tree assumes without statistics.

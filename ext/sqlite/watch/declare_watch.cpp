@@ -117,28 +117,28 @@ void take_option(WatchDeclaration& declaration, std::set<std::string>& given, co
   option->take(declaration, argument);
 }
 
-/// A watch has no input `schema`: its tables are in its own schema.
-void require_table(const std::vector<VisibleTable>& tables, const QualifiedName& watch,
+/// A watch has no input `schema`: its tables are in its own schema, whose tables are `here`. No other schema is
+/// read: while a table is being created that may free it (visible_tables.h).
+void require_table(Connection& connection, const QualifiedName& watch, const std::vector<VisibleTable>& here,
                    const std::string& name) {
-  const auto is_here = [&](const VisibleTable& table) { return same_name(table.schema, watch.schema); };
-  std::string here, elsewhere;
+  std::string list;
   const VisibleTable* found = nullptr;
-  for (const VisibleTable& table : tables) {
-    const bool is_named = same_name(table.name, name);
-    if (is_here(table) && is_named) found = &table;
-    if (!table.holds_moving_objects) continue;
-    if (is_here(table)) here += (here.empty() ? "" : ", ") + quoted(table.name);
-    if (is_named && !is_here(table)) elsewhere = table.schema;
+  for (const VisibleTable& table : here) {
+    if (same_name(table.name, name)) found = &table;
+    if (table.holds_moving_objects) list += (list.empty() ? "" : ", ") + quoted(table.name);
   }
   if (found && found->holds_moving_objects) return;
-  const std::string list = here.empty() ? "" : " (moving_objects tables here: " + here + ")";
+  if (!list.empty()) list = " (moving_objects tables here: " + list + ")";
   if (found)
     throw Error(quoted(name) + " is " + (found->is_watch ? "a watch" : "not a moving_objects table") +
                 "; name the table whose objects move" + list);
+  const std::string elsewhere = connection.other_schema(name, watch.schema);
+  const bool is_guess = elsewhere.empty() && list.empty() && !same_name(watch.schema, "main");
   throw Error("no such table: " + quoted(name) + " in schema " + quoted(watch.schema) +
-              (elsewhere.empty() ? list
-                                 : "; a watch is in the schema of its table: write CREATE VIRTUAL TABLE " +
-                                       elsewhere + "." + watch.table));
+              (elsewhere.empty() && !is_guess
+                   ? list
+                   : "; a watch is in the schema of its table: write CREATE VIRTUAL TABLE " +
+                         (is_guess ? "main" : elsewhere) + "." + watch.table));
 }
 
 }  // namespace
@@ -171,15 +171,10 @@ WatchDeclaration parse_watch(std::string_view watch, const std::vector<std::stri
   throw Error(std::string(watch) + ": " + error.what());
 }
 
-void require_tables(sqlite3* db, const QualifiedName& watch, const WatchDeclaration& declaration) {
-  const std::vector<VisibleTable> own = visible_tables(db, watch.schema);
-  const auto require = [&](const std::string& name) {
-    for (const VisibleTable& table : own)
-      if (same_name(table.name, name) && table.holds_moving_objects) return;
-    require_table(visible_tables(db), watch, name);  // refuses it, with what there is elsewhere
-  };
-  require(declaration.tbl);
-  if (declaration.other) require(*declaration.other);
+void require_tables(Connection& connection, const QualifiedName& watch, const WatchDeclaration& declaration) {
+  const std::vector<VisibleTable> here = visible_tables(connection.db(), watch.schema);
+  require_table(connection, watch, here, declaration.tbl);
+  if (declaration.other) require_table(connection, watch, here, *declaration.other);
 }
 
 std::string declared_watch(std::string_view watch) {

@@ -35,7 +35,7 @@ std::unique_ptr<WatchTable> declare(sqlite3* db, void* aux, const char* const* a
 /// Validates the join query of the watch: throws for shapes without a distance, for different axes and frames.
 void require_valid_query(Connection& connection, const QualifiedName& name,
                          const WatchDeclaration& declaration) try {
-  require_tables(connection.db(), name, declaration);
+  require_tables(connection, name, declaration);
   const OpenTables tables = watched_tables(connection, name.schema, declaration);
   if (tables.b) require_one_frame(tables.a, *tables.b);
   require_upright(tables.a, declaration.within_z);

@@ -114,5 +114,34 @@ TEST_F(OldStatements, ATemporaryWatchIsCreatedWhileAnotherConnectionChangesTheFi
   }
 }
 
+// The same holds for a CREATE that is refused: it reads no other schema, not even for its message.
+TEST_F(OldStatements, ARefusedTemporaryWatchReadsNoOtherSchema) {
+  driver.exec(discs);
+  driver.exec("CREATE VIRTUAL TABLE temp.own USING moving_objects(id, x)");
+  std::string read;  // the schemas whose tables a statement of foresee lists
+  sqlite3_set_authorizer(
+      driver.handle(),
+      [](void* list, int action, const char* table, const char* column, const char* schema, const char*) {
+        if (action == SQLITE_READ && std::string(table).starts_with("sqlite_") &&
+            std::string(column) == "sql")
+          *static_cast<std::string*>(list) += std::string(schema) + " ";
+        return SQLITE_OK;
+      },
+      &read);
+  for (int i = 0; i < 30; ++i) {
+    Database(file.path()).exec("CREATE TABLE q" + std::to_string(i) + "(x, y, z)");
+    EXPECT_EQ(
+        driver.error_of("CREATE VIRTUAL TABLE temp.w USING predictive_watch(s, horizon = 4)"),
+        "w: no such table: 's' in schema 'temp'; a watch is in the schema of its table: write CREATE VIRTUAL "
+        "TABLE main.w");
+    EXPECT_NE(
+        driver.error_of("CREATE VIRTUAL TABLE temp.w USING predictive_watch(own, horizon = 4, other = q0)"),
+        "");
+    EXPECT_EQ(read.find("main"), std::string::npos) << read;
+    read.clear();
+  }
+  sqlite3_set_authorizer(driver.handle(), nullptr, nullptr);
+}
+
 }  // namespace
 }  // namespace foresee::testing
