@@ -252,8 +252,8 @@ class BentSeparation {
                  time = from + 0.5 * (exits - from);
     return remains_within(group, time) && spread_.never_shrinks(group.axes, time, end, evaluations_);
   }
-  bool remains_within(const LeftTogether& group, double end) const {
-    return group.axes.end - group.axes.begin > 1 ? spread_.remains_within_disc(group.half, end)
+  bool remains_within(const LeftTogether& group, double end) {
+    return group.axes.end - group.axes.begin > 1 ? spread_.remains_within_disc(group.half, end, evaluations_)
                                                  : spread_.remains_within(group.axes.begin, group.half, end);
   }
 

@@ -71,15 +71,20 @@ ClearanceVerdict certified(SeparationCase<D>& separation, const Encounter<D>& en
   double tau = 0;
   std::optional<double> nearest[2];  // of the first and the last change, once known
   const TrajectoryEstimate<D>* const ends[] = {&family.first, &family.last};
-  const ProbeResult probe = separation.probe(family.middle, tau);
+  ProbeResult probe = separation.probe(family.middle, tau);
   if (encounter.beside && !family.delayed && probe != ProbeResult::separated) {
     const Departure leaving = departure_of<D>(encounter, family);
     const double length = separation.end() - separation.begin();
     if (length <= 0 || leaving.away_until >= length) return ClearanceVerdict::clear;
-    const double begin = separation.begin() + 0.5 * std::min(leaving.away_until, length);
-    if (leaving.away_until > 0 && separation.is_proven_after(begin)) return ClearanceVerdict::clear;
-    if (leaving.all_touch && separation.all_start_together()) return ClearanceVerdict::blocked;
+    if (leaving.away_until > 0)
+      separation.start_at(separation.begin() + 0.5 * leaving.away_until);
+    else if (leaving.all_touch && separation.all_start_together())
+      return ClearanceVerdict::blocked;
     if (!leaving.all_approach) separation.take_only_certain_touches();
+    if (leaving.away_until > 0) {
+      if (separation.is_proven_after(separation.begin())) return ClearanceVerdict::clear;
+      probe = separation.probe(family.middle, tau);
+    }
   }
   switch (probe) {
     case ProbeResult::separated:

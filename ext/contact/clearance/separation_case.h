@@ -55,6 +55,7 @@ class SeparationCase {
     return false;
   }
 
+  void start_at(double begin) { begin_ = begin; }
   /// From now on a motion that nearly touches does not count as touching.
   void take_only_certain_touches() { slack_ = -slack_; }
 
@@ -154,7 +155,7 @@ class SeparationCase {
   /// The side of the other object on which all are: 1 or -1; 0: they are on both.
   int side_at(double tau) const {
     const double highest = place_of(family_.lower, 0, tau), lowest = place_of(family_.upper, 0, tau);
-    return lowest >= 0 ? 1 : highest <= 0 ? -1 : 0;
+    return lowest > 0 ? 1 : highest < 0 ? -1 : 0;
   }
 
   bool all_touch_at(double tau) const {
@@ -254,12 +255,15 @@ class SeparationCase {
       tau = near.tau;
       if (near.gap > 0 && plane_proves<D>(encounter_, family_.all, near.normal, part.begin, part.end))
         continue;
-      Vec<D> ignored;
-      if (!(signed_distance<D>(encounter_.extents.after(tau), place_at<D>(path, tau), ignored) > 0)) {
+      // The nearest place of the bent path, not of its tangent: along its normal the path may bend away.
+      Vec<D> normal;
+      if (!(signed_distance<D>(encounter_.extents.after(tau), place_at<D>(path, tau), normal) >
+            slack_at(tau))) {
         parts_ += sampled_times;
         tau = deepest_time<D>(encounter_.extents, path, begin_, end_, tau);
         return ProbeResult::overlapping;
       }
+      if (plane_proves<D>(encounter_, family_.all, normal, part.begin, part.end)) continue;
       // Compares what a shorter time gains with what only a narrower range gains.
       const Vec<D> along = family_.is_from_start ? near.normal : Vec<D>(Vec<D>::Ones());
       const double bend = 0.125 * length * length * (along * path.a).abs().sum();

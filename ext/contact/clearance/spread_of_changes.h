@@ -97,9 +97,8 @@ class SpreadOfChanges {
 
   /// Whether the distance along these axes never decreases during [begin, end].
   bool never_shrinks(const AxisRange& axes, double begin, double end, std::uint64_t& evaluations) const {
-    constexpr std::uint64_t max_parts = 160;
     double length = end - begin;
-    const double shortest = length * 0x1p-44;
+    const double shortest = length * 0x1p-80;
     if (!(length > 0)) return !(length < 0);
     for (std::uint64_t parts = 0; parts < max_parts; ++parts, ++evaluations) {
       length = std::min(length, end - begin);
@@ -130,36 +129,27 @@ class SpreadOfChanges {
     };
     return top(x.high, v.high, a.high) <= size && top(-x.low, -v.low, -a.low) <= size;
   }
-  /// The same for a disc, by boxes around the positions of short times.
-  bool remains_within_disc(double radius, double end) const {
+  /// The same for a disc.
+  bool remains_within_disc(double radius, double end, std::uint64_t& evaluations) const {
     double begin = 0, length = end;
     const double shortest = end * 0x1p-10;
     // The object touches at first, so it is inside, and remains inside while it approaches.
     const AxisRange axes{0, std::min(D, 2)};
     for (double nearer = end; nearer > shortest && begin == 0; nearer *= 0.5)
       if (never_grows_at_first(axes, nearer)) begin = nearer;
-    while (begin < end) {
+    for (std::uint64_t parts = 0; begin < end; ++parts, ++evaluations) {
       length = std::min(length, end - begin);
-      double sum = 0;
-      for (int axis = 0; axis < std::min(D, 2); ++axis) {
-        const EnclosedNumber x = place(axis, begin), v = velocity(axis, begin), a = acceleration(axis);
-        const double high = std::max(v.high, v.high + length * a.high),
-                     low = std::min(v.low, v.low + length * a.low);
-        const double far =
-            std::max(x.high + length * std::max(high, 0.0), -x.low - length * std::min(low, 0.0));
-        sum += far * far;
-      }
-      if (sum <= radius * radius * (1 - 0x1p-44)) {
+      if (parts == max_parts || !(length > 0)) return false;
+      if (is_within_disc(radius * radius * (1 - 0x1p-44), begin, length))
         begin += length, length *= 2;
-      } else {
+      else
         length *= 0.5;
-        if (!(length > shortest)) return false;
-      }
     }
     return true;
   }
 
  private:
+  static constexpr std::uint64_t max_parts = 160;
   /// A difference of two doubles, with its rounding error.
   static EnclosedNumber padded(double low, double high) {
     return {low - 0x1p-52 * std::abs(low), high + 0x1p-52 * std::abs(high)};
@@ -194,8 +184,30 @@ class SpreadOfChanges {
     find_coefficients(axes, begin, c1, c2, c3);
     const double b1 = c1.low * length / 3, b2 = c2.low * length / 3 * length,
                  b3 = c3.low * length * length * length;
-    const double size = padding * (std::abs(b1) + std::abs(b2) + std::abs(b3));
-    return c0 + b1 - size >= 0 && c0 + 2 * b1 + b2 - size >= 0 && c0 + 3 * b1 + 3 * b2 + b3 - 8 * size >= 0;
+    const auto is_above = [](double sum, double size) { return sum - padding * size >= 0; };
+    const double first = std::abs(b1), second = 2 * first + std::abs(b2), third = 3 * second + std::abs(b3);
+    return is_above(c0 + b1, first) && is_above(c0 + 2 * b1 + b2, second) &&
+           is_above(c0 + 3 * b1 + 3 * b2 + b3, 2 * third);
+  }
+
+  /// Whether the squared distance in x and y is not above `square` during these times: the Bernstein form of the
+  /// difference.
+  bool is_within_disc(double square_reach, double begin, double length) const {
+    const AxisRange axes{0, std::min(D, 2)};
+    EnclosedNumber c0, c1, c2, c3, c4;
+    for (int axis = axes.begin; axis < axes.end; ++axis) {
+      const EnclosedNumber x = place(axis, begin), v = velocity(axis, begin), a = acceleration(axis);
+      c0 += square(x), c1 += 2 * product(x, v), c2 += square(v), c2 += product(x, a);
+      c3 += product(v, a), c4 += 0.25 * square(a);
+    }
+    const double b1 = c1.high * length / 4, b2 = c2.high * length / 6 * length,
+                 b3 = c3.high * length / 4 * length * length,
+                 b4 = c4.high * length * length * length * length;
+    const double size =
+        padding * (std::abs(c0.high) + 4 * std::abs(b1) + 6 * std::abs(b2) + 4 * std::abs(b3) + b4);
+    const auto is_below = [&](double sum) { return sum + size <= square_reach; };
+    return is_below(c0.high) && is_below(c0.high + b1) && is_below(c0.high + 2 * b1 + b2) &&
+           is_below(c0.high + 3 * b1 + 3 * b2 + b3) && is_below(c0.high + 4 * b1 + 6 * b2 + 4 * b3 + b4);
   }
 
   const Encounter<D>& encounter_;

@@ -10,8 +10,9 @@
 //     for the numbers as they are stored, and for velocities within 4 units in the last place of those.
 //   - Exact contact of the stored row decides k = 0 and a query with lo = hi, both ways.
 //   - A clear range wider than 10^-6 of [lo, hi] is found if it stays clear for velocities within 64 units in
-//     the last place. It ends within 10^-6 of [lo, hi] of a change that touches; usually 10^-12. A blocked range
-//     is only not proven clear (docs/explanation/avoidance.md: limits).
+//     the last place. On accelerated paths, beside objects that start later and for delays, also for sizes within
+//     10^-13 of the lengths at hand. It ends within 10^-6 of [lo, hi] of a change that touches; usually 10^-12. A
+//     blocked range is only not proven clear (docs/explanation/avoidance.md: limits).
 // No rows: no object has this id, or it does not exist during the horizon, has no course, or has started
 // (delay). Answers do not depend on index, order, threads, CPU or objects out of reach.
 //

@@ -34,6 +34,8 @@ std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
   const std::size_t all = intruders_.size();
   open_.resize(all);
   std::iota(open_.begin(), open_.end(), 0U);
+  whole_ = open_;
+  evaluations_.assign(all, 0);
   const int parts =
       change_.manoeuvre == Manoeuvre::turn ? static_cast<int>(std::ceil(width_ / widest_arc)) : 1;
   const auto part_start = [&](int part) { return lo + part * (width_ / parts); };
@@ -44,11 +46,18 @@ std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
 
 /// The usual end is found in some hundred evaluations; a grazing path takes hundreds of thousands.
 template <int D>
-double ClearRanges<D>::narrowest() const {
+double ClearRanges<D>::narrowest(std::uint32_t intruder) const {
   constexpr std::uint64_t usual = 1 << 20;
-  return std::max(min_change_, width_ * (evaluations_ < usual       ? 0x1p-40
-                                         : evaluations_ < 4 * usual ? 0x1p-22
-                                                                    : 0x1p-12));
+  const std::uint64_t own = evaluations_[whole_[intruder]];
+  const bool many = own >= 4 * usual || all_evaluations_ >= 16 * usual;
+  return std::max(min_change_, width_ * (many ? 0x1p-12 : own >= usual ? 0x1p-22 : 0x1p-40));
+}
+
+template <int D>
+double ClearRanges<D>::narrowest(std::size_t begin, std::size_t end) const {
+  double widest = 0;
+  for (std::size_t i = begin; i < end; ++i) widest = std::max(widest, narrowest(open_[i]));
+  return widest;
 }
 
 template <int D>
@@ -58,24 +67,27 @@ std::pair<std::uint32_t, std::uint32_t> ClearRanges<D>::parts_of(std::uint32_t i
   std::vector<IntruderCertificate<D>> parts = intruders_[intruder].parts();
   const auto begin = static_cast<std::uint32_t>(intruders_.size());
   for (IntruderCertificate<D>& part : parts) intruders_.push_back(std::move(part));
+  whole_.resize(intruders_.size(), whole_[intruder]);
   return parts_[intruder] = {begin, static_cast<std::uint32_t>(intruders_.size())};
 }
 
 template <int D>
-ClearanceVerdict ClearRanges<D>::certify(const IntruderCertificate<D>& intruder, const Range& range) {
+ClearanceVerdict ClearRanges<D>::certify(const IntruderCertificate<D>& intruder, std::uint32_t whole,
+                                         const Range& range) {
   std::uint64_t evaluations = 0;
   const ClearanceVerdict verdict = intruder.certify(range.family, range.from, range.to, evaluations);
   step_.costly(static_cast<std::uint32_t>(16 * (1 + evaluations)));
-  if (!range.is_first) evaluations_ += evaluations;
+  if (!range.is_first) evaluations_[whole] += evaluations, all_evaluations_ += evaluations;
   return verdict;
 }
 
 template <int D>
-ClearanceVerdict ClearRanges<D>::certify_parts(const IntruderCertificate<D>& intruder, const Range& range) {
+ClearanceVerdict ClearRanges<D>::certify_parts(const IntruderCertificate<D>& intruder, std::uint32_t whole,
+                                               const Range& range) {
   for (const IntruderCertificate<D>& part : intruder.parts()) {
-    ClearanceVerdict verdict = certify(part, range);
+    ClearanceVerdict verdict = certify(part, whole, range);
     if (verdict == ClearanceVerdict::open && part.is_worth_splitting(range.family))
-      verdict = certify_parts(part, range);
+      verdict = certify_parts(part, whole, range);
     if (verdict != ClearanceVerdict::clear) return verdict;
   }
   return ClearanceVerdict::clear;
@@ -83,11 +95,12 @@ ClearanceVerdict ClearRanges<D>::certify_parts(const IntruderCertificate<D>& int
 
 template <int D>
 bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::size_t first) {
-  ClearanceVerdict verdict = certify(intruders_[intruder], range);
+  const std::uint32_t whole = whole_[intruder];
+  ClearanceVerdict verdict = certify(intruders_[intruder], whole, range);
   const bool is_split =
       verdict == ClearanceVerdict::open && intruders_[intruder].is_worth_splitting(range.family);
   const bool kept = is_split && (parts_.size() < max_split || parts_.count(intruder) > 0);
-  if (is_split && !kept) verdict = certify_parts(intruders_[intruder], range);
+  if (is_split && !kept) verdict = certify_parts(intruders_[intruder], whole, range);
   if (verdict == ClearanceVerdict::open && !kept) open_.push_back(intruder);
   if (!kept) return verdict == ClearanceVerdict::blocked;
   const auto [begin, end] = parts_of(intruder);
@@ -117,7 +130,7 @@ void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size
       clear_.back().to = to;
     else
       clear_.push_back({from, to});
-  } else if (to - from > narrowest() && from < middle && middle < to) {
+  } else if (to - from > narrowest(first_open, last_open) && from < middle && middle < to) {
     cut(from, to, first_open, last_open, near);
   }
   open_.resize(first_open);
@@ -125,7 +138,7 @@ void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size
 
 template <int D>
 void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t end, double near) {
-  const double min_width = narrowest(), aside = 0.25 * min_width;
+  const double min_width = narrowest(begin, end), aside = 0.25 * min_width;
   const auto found = guessed_end(from, to, begin, end);
   // Beside a known end another guess may be noise: it must reduce the range.
   const double margin = near == nowhere ? 0 : std::max(4 * min_width, 0.125 * (to - from));
@@ -156,7 +169,7 @@ std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::s
     return intruder.touches_first() ? opening_rate_of<D>(intruder.encounter(), base_, change_, k)
                                     : gap_of<D>(intruder.encounter_at(k), base_, change_, k);
   };
-  return end_between(distance_at, from, to, 0.25 * narrowest());
+  return end_between(distance_at, from, to, 0.25 * narrowest(begin, end));
 }
 
 template class ClearRanges<1>;

@@ -9,10 +9,11 @@
 // One bisection serves all intruders. A range that is certainly clear of an intruder is so for both halves,
 // so that intruder is left out of them. A range blocked by any intruder is not bisected. So each intruder is
 // tested only near the ends that it causes. A range too narrow to bisect (2^-40 of all, or what rounding
-// hides) is not clear. If more ranges than usual are undecided, as along a grazing path, narrow ranges are
-// given up earlier: at 2^-22 of all after a million evaluations, at 2^-12 after four million. Intruders of
-// several parts are tested per part once that is worth its cost. Some ten thousand sets of parts are kept in
-// memory; further ones are made again at each use.
+// hides) is not clear. Where an intruder leaves more ranges undecided than usual, as along a grazing path,
+// narrow ranges are given up earlier: at 2^-22 of all after a million evaluations of that intruder. After four
+// million of it, or sixteen million of all, that is 2^-12. Intruders of several parts are tested per part once
+// that is worth its cost. Some ten thousand sets of parts are kept in memory; further ones are made again at
+// each use.
 // Cost: one certificate per intruder, some 100 per end. Memory: four bytes per undecided intruder and level.
 #pragma once
 
@@ -47,10 +48,11 @@ class ClearRanges {
   };
   /// `near`: a known end beside the range, or infinite.
   void search(double from, double to, std::size_t begin, std::size_t end, double near);
-  /// The verdict on one intruder; counts its cost.
-  ClearanceVerdict certify(const IntruderCertificate<D>& intruder, const Range& range);
+  /// The verdict on one intruder, or on a part of the intruder `whole`; counts its cost.
+  ClearanceVerdict certify(const IntruderCertificate<D>& intruder, std::uint32_t whole, const Range& range);
   /// The first verdict of its parts that is not clear; the parts are not kept.
-  ClearanceVerdict certify_parts(const IntruderCertificate<D>& intruder, const Range& range);
+  ClearanceVerdict certify_parts(const IntruderCertificate<D>& intruder, std::uint32_t whole,
+                                 const Range& range);
   /// Whether the intruder blocks all of the range. Its undecided parts are appended to open_, from index
   /// `first` on. If many are undecided, the rest is not tested: narrower ranges decide.
   bool blocks(std::uint32_t intruder, const Range& range, std::size_t first);
@@ -60,7 +62,9 @@ class ClearRanges {
   /// the geometric mean of the distances from that end; else in the middle.
   void cut(double from, double to, std::size_t begin, std::size_t end, double near);
   std::optional<double> guessed_end(double from, double to, std::size_t begin, std::size_t end) const;
-  double narrowest() const;
+  /// The width at which ranges are given up that this intruder leaves open, and the largest of some of open_.
+  double narrowest(std::uint32_t intruder) const;
+  double narrowest(std::size_t begin, std::size_t end) const;
 
   const OwnMotion& base_;
   Change change_;
@@ -68,7 +72,9 @@ class ClearRanges {
   std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> parts_;
   Steps step_;
   double width_ = 0, min_change_ = 0;
-  std::uint64_t evaluations_ = 0;    ///< not counting the first at each intruder
+  std::vector<std::uint32_t> whole_;        ///< the intruder of each, of which it may be a part
+  std::vector<std::uint64_t> evaluations_;  ///< of each whole intruder, without those of the first ranges
+  std::uint64_t all_evaluations_ = 0;
   std::vector<std::uint32_t> open_;  ///< a stack: the undecided intruders of each enclosing range
   std::vector<KRange> clear_;
 };

@@ -2,7 +2,6 @@
 // named. The scenes have equal courses, moored ships, obstacles, later starts and bent paths. FORESEE_LONG=1:
 // fifty times as many scenes.
 #include <cstdlib>
-#include <iostream>
 
 #include "query/avoid/judge.h"
 
@@ -127,28 +126,34 @@ void expect_ends_named(const Judge& judge, const std::vector<AvoidRow>& rows) {
   }
 }
 
+/// "" if no clear range of the scene is lost. Also none must be wrong, and the ends are named.
+std::string lost_in_scene(int i) {
+  static const std::vector<Layout> layouts = judged_layouts();
+  Random random(1000 + static_cast<std::uint64_t>(i));
+  const RandomScene scene = SceneOfTies(layouts[random.below(layouts.size())], random).made();
+  AvoidQuestion question = avoid_question(scene, 0, as_scene(scene));
+  draw_changes(question, random);
+  const std::vector<AvoidRow> rows = rows_of(question);
+  if (rows.empty()) return "";
+  SCOPED_TRACE("scene " + std::to_string(i) + ": " + described(scene, question));
+  const Judge judge(question, random);
+  expect_none_wrong(judge, rows, random);
+  if (!::testing::Test::HasFatalFailure()) expect_ends_named(judge, rows);
+  const std::string loss = lost_in(judge, rows, random);
+  return loss.empty() ? "" : "scene " + std::to_string(i) + ": " + described(scene, question) + loss;
+}
+
 TEST(AvoidJudge, FindsEveryClearRangeAndNamesItsEnds) {
-  const std::vector<Layout> layouts = judged_layouts();
-  int lost = 0;
-  for (int i = 0; i < scenes; ++i) {
-    Random random(1000 + static_cast<std::uint64_t>(i));
-    const RandomScene scene = SceneOfTies(layouts[random.below(layouts.size())], random).made();
-    AvoidQuestion question = avoid_question(scene, 0, as_scene(scene));
-    draw_changes(question, random);
-    const std::vector<AvoidRow> rows = rows_of(question);
-    if (rows.empty()) continue;
-    SCOPED_TRACE("scene " + std::to_string(i) + ": " + described(scene, question));
-    const Judge judge(question, random);
-    expect_none_wrong(judge, rows, random);
-    if (!HasFatalFailure()) expect_ends_named(judge, rows);
-    if (HasFatalFailure()) return;
-    const std::string loss = lost_in(judge, rows, random);
-    if (loss.empty()) continue;
-    ++lost;
-    std::cout << "scene " << i << ": " << described(scene, question) << loss;
-  }
-  // The limits of docs/explanation/avoidance.md: bent paths that nearly touch for many changes at once.
-  EXPECT_LE(lost * 500, scenes);
+  for (int i = 0; i < scenes && !HasFatalFailure(); ++i) EXPECT_EQ(lost_in_scene(i), "");
+}
+
+// Bent paths beside another one at the start (11618, 2801), slopes that touch 0 (7265, 8938, 10524, 15396,
+// 19868), a turn back on one axis (14944), and a grazing path beside an end of another object (771). In the others
+// doubles cannot decide which of two neighbours touches.
+TEST(AvoidJudge, FindsTheRangesThatWereLost) {
+  for (const int i : {728,   771,   850,   1017,  2801,  4752,  5291,  7265,  8833,  8938, 10263,
+                      10524, 11618, 11775, 14944, 15396, 15971, 16293, 17121, 17233, 19868})
+    EXPECT_EQ(lost_in_scene(i), "");
 }
 
 }  // namespace

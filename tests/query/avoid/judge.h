@@ -5,7 +5,8 @@
 //   judge.is_surely_clear(12.5)
 //
 // Every clear interval wider than 10^-6 of the range must be in a clear row, if velocities within 64 units in
-// the last place leave it clear (docs/explanation/avoidance.md, "Tight").
+// the last place leave it clear. On bent paths, for delays and beside objects that start later, sizes within
+// 10^-13 of the lengths at hand must leave it clear, too (docs/explanation/avoidance.md, "Tight").
 #pragma once
 
 #include "query/avoid/avoid_cases.h"
@@ -108,17 +109,15 @@ class Judge {
   Judge(const AvoidQuestion& question, Random& random) : queried_(question) {
     queried_.wants_motion = queried_.wants_ends = false;
     for (int i = 0; i < 8; ++i) aside_.push_back(aside(random));
-    // On bent paths the intervals of a proof cannot decide less than this.
-    if (question.own->layout.law == Law::accelerated) aside_.push_back(wider(queried_));
   }
 
   bool is_clear(double k) const { return is_clear_in(queried_, k); }
-  /// For all last bits of the velocity and of k.
+  /// For all last bits of the velocity, and for objects that are larger by 10^-13 of the lengths at hand.
   bool is_surely_clear(double k) const {
-    if (!is_clear(k) || starts_alongside()) return false;
+    if (!is_clear(k)) return false;
     for (const AvoidQuestion& one : aside_)
       if (!is_clear_in(one, k)) return false;
-    return true;
+    return is_clear_of_larger(k);
   }
 
   /// With all sizes smaller by a billionth: what still touches does not only graze.
@@ -143,41 +142,67 @@ class Judge {
   }
 
  private:
-  /// Whether a velocity off by last bits approaches an object that touches and moves alongside, when only the
-  /// acceleration changes.
-  bool starts_alongside() const {
-    if (*queried_.how != Manoeuvre::accelerate || queried_.touching != Touching::part) return false;
+  /// On bent paths, of objects that start later and of delays doubles cannot decide less than `share`. What is
+  /// nearer than that at the start counts as touching, and must separate.
+  bool is_clear_of_larger(double k) const {
+    const bool bends = queried_.own->layout.law == Law::accelerated,
+               delays = *queried_.how == Manoeuvre::delay;
+    AvoidQuestion question = queried_;
+    question.touching = Touching::ignore, question.lo = question.hi = k, question.wants_motion = true;
+    const std::vector<double> record = rows_of(question).at(0).record;
     const Scene& others = *queried_.others.scene;
     for (std::size_t i = 0; i < others.size(); ++i) {
-      if (others.ids[i] == queried_.own->ids[0] || !touches_first(queried_, queried_.record, i)) continue;
-      const PlainPair pair = pair_of(queried_, queried_.record, others.bodies(), i);
-      double apart = 0, speed = 0;
-      for (int axis = 0; axis < pair.axes; ++axis) {
-        apart += static_cast<double>(std::abs(pair.w[static_cast<std::size_t>(axis)]));
-        speed += std::abs(
-            queried_.record[static_cast<std::size_t>(record_offsets(queried_.own->layout).v + axis)]);
+      if (others.ids[i] == queried_.own->ids[0]) continue;
+      const PlainPair pair = pair_of(queried_, record, others.bodies(), i);
+      const bool starts_later = pair.end < 0;
+      if (!bends && !delays && !starts_later) continue;
+      const PlainPair::Real share = 0x1p-43L * pair.length();
+      question.within = static_cast<double>(share);
+      if (question.own->layout.shape == Shape::cylinder) question.within_z = question.within;
+      if (!delays && !starts_later && touches_first(queried_, record, i)) {
+        if (queried_.touching == Touching::part && !(separates_by(pair, share) && separates_nearby(pair)))
+          return false;
+      } else if (!delays && !starts_later && touches_first(question, record, i)) {
+        if (!pair.grown(share).separates()) return false;
+      } else if (touches(question, record, i)) {
+        return false;
       }
-      if (apart <= 0x1p-40 * (1 + speed)) return true;
     }
-    return false;
+    return true;
   }
-  static AvoidQuestion wider(AvoidQuestion question) {
-    question.within = 0x1p-43 * 10;
-    if (question.own->layout.shape == Shape::cylinder) question.within_z = question.within;
-    return question;
+  /// With all sizes larger or smaller by up to `share`.
+  static bool separates_by(const PlainPair& pair, PlainPair::Real share) {
+    for (int i = 0; i < 8; ++i, share /= 4)
+      if (!pair.grown(share).separates() || !pair.grown(-share).separates()) return false;
+    return true;
+  }
+  /// With the own velocity off by last places towards the other object, or along its acceleration.
+  bool separates_nearby(const PlainPair& pair) const {
+    PlainPair towards = pair, along = pair;
+    PlainPair::Real times = HUGE_VAL;
+    for (int axis = 0; axis < pair.axes; ++axis) {
+      const auto j = static_cast<std::size_t>(axis);
+      const PlainPair::Real off = last_places(axis);
+      if (pair.d[j] != 0) towards.w[j] -= pair.d[j] > 0 ? off : -off;
+      if (pair.b[j] != 0) times = std::min(times, off / std::abs(pair.b[j]));
+    }
+    for (std::size_t j = 0; j < 3 && times < HUGE_VAL; ++j) along.w[j] -= times * pair.b[j];
+    return towards.separates() && along.separates();
+  }
+  /// 64 units in the last place of the own velocity; for a turn, of its longest component.
+  double last_places(int axis) const {
+    const Layout& layout = queried_.own->layout;
+    const double* const v = queried_.record.data() + record_offsets(layout).v;
+    double unit = std::abs(v[axis]);
+    if (*queried_.how == Manoeuvre::turn && axis < 2)
+      for (int one = 0; one < layout.axes; ++one) unit = std::max(unit, std::abs(v[one]));
+    return unit > 0 ? 64 * (std::nextafter(unit, HUGE_VAL) - unit) : 0;
   }
   AvoidQuestion aside(Random& random) const {
     AvoidQuestion other = queried_;
     const Layout& layout = other.own->layout;
     double* const v = other.record.data() + record_offsets(layout).v;
-    double longest = 0;
-    for (int axis = 0; axis < layout.axes; ++axis) longest = std::max(longest, std::abs(v[axis]));
-    for (int axis = 0; axis < layout.axes; ++axis) {
-      const double unit = *other.how == Manoeuvre::turn && axis < 2 ? longest : std::abs(v[axis]);
-      constexpr int places = 64;
-      v[axis] +=
-          (random.below(2) ? places : -places) * (std::nextafter(unit, HUGE_VAL) - unit) * (unit > 0 ? 1 : 0);
-    }
+    for (int axis = 0; axis < layout.axes; ++axis) v[axis] += (random.below(2) ? 1 : -1) * last_places(axis);
     std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
     row_from_record(layout, other.record.data(), row.data());
     other.own = scene_of(layout, other.own->ids, row);
@@ -202,13 +227,19 @@ class Judge {
   }
 
   static bool touches_first(const AvoidQuestion& question, const std::vector<double>& record, std::size_t i) {
+    const double t = record[static_cast<std::size_t>(record_offsets(question.own->layout).t)];
+    return touches_during(question, record, i, {std::max(question.now, t), 0});
+  }
+  static bool touches(const AvoidQuestion& question, const std::vector<double>& record, std::size_t i) {
+    return touches_during(question, record, i, {question.now, question.h});
+  }
+  static bool touches_during(const AvoidQuestion& question, const std::vector<double>& record, std::size_t i,
+                             const Horizon& horizon) {
     const Layout& layout = question.own->layout;
     std::vector<double> own(static_cast<std::size_t>(row_offsets(layout).size));
     row_from_record(layout, record.data(), own.data());
-    const double first = std::max(question.now, own[static_cast<std::size_t>(row_offsets(layout).t)]);
-    const Bodies others = question.others.scene->bodies();
-    const auto contact = make_contact({layout, own.data(), 1}, others,
-                                      {{first, 0}, question.within, question.within_z}, "own", "others");
+    const auto contact = make_contact({layout, own.data(), 1}, question.others.scene->bodies(),
+                                      {horizon, question.within, question.within_z}, "own", "others");
     const Pair pair{0, static_cast<std::uint32_t>(i)};
     std::vector<Pair> hits;
     contact->decide({&pair, 1}, hits);

@@ -43,6 +43,22 @@ struct PlainPair {
     }
     return sum;
   }
+  /// With sizes larger by so much.
+  PlainPair grown(Real by) const {
+    PlainPair pair = *this;
+    pair.radius += by;
+    for (Real& one : pair.half) one += by;
+    return pair;
+  }
+  /// The largest length that a computation of the pair meets.
+  Real length() const {
+    Real longest = radius;
+    const Real last = std::max(end, Real{0});
+    for (std::size_t j = 0; j < 3; ++j)
+      longest =
+          std::max({longest, half[j], std::abs(d[j]) + last * (std::abs(w[j]) + last * std::abs(b[j]) / 2)});
+    return longest;
+  }
   bool touches(Real tau) const {
     if (square(tau, round) > radius * radius) return false;
     for (int axis = round; axis < axes; ++axis)
