@@ -1,7 +1,7 @@
 // Outputs lat, lon and height of a table-valued function: the place on the Earth of a row's stored position.
 //
 //   PlaceOutput place({.kind = FrameKind::degrees, .origin = LatLon{53.9, 7.9}}, 2);      // Store::frame(), its axes
-//   place.output(context, GeoColumn::lat, row.x);      // NULL for a plain table
+//   place.output(context, GeoColumn::lat, position);   // NULL for a plain table
 //   place.next_row();
 //
 // The numbers are those that the table's columns show. The height is z, on the globe that above the ellipsoid. NULL for
