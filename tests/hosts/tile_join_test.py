@@ -129,6 +129,17 @@ class Whole(Fleet):
         self.check(Question("ships", 60.0, other="zones", now=60.0),
                    ships=(f"id, t, lat, lon, speed, course, r, +name TEXT, {about}", rows), zones=(f"id, lat, lon, r, {about}", zones))
 
+    def test_the_globe(self):
+        about = "origin = globe, speed_unit = knots"
+        rows = [(i, t, 89.99 - y / 1e5, x / 5 % 360 - 180, 0, abs(vx), 22 * abs(vy), 0, 20, name) for i, t, x, y, vx, vy, _, name in ships(300)]
+        self.check(Question("ships", 60.0, now=60.0, within=50.0, columns=("t", "d_cpa", "a.name")),
+                   ships=(f"id, t, lat, lon, z, speed, course, vz, r, +name TEXT, {about}", rows))
+        shutil.rmtree(self.folder)
+        self.folder.mkdir()
+        self.check(Question("ships", 60.0, other="buoys", now=60.0, within=50.0),
+                   ships=(f"id, t, lat, lon, speed, course, r, {about}", [(*row[:4], *row[5:7], 20) for row in rows]),
+                   buoys=(f"id, lat, lon, r, {about}", [(row[0], *row[2:4], 40) for row in rows]))
+
     def test_kinds(self):
         rows = [(*row[:7], 1 << i % 3, (3, 6, 0, 7)[i % 4]) for i, row in enumerate(ships(500))]
         self.check(Question("ships", 60.0, now=60.0, within=20.0), ships=("id, t, x, y, vx, vy, r, category, mask", rows))

@@ -33,11 +33,15 @@ class Encounters:
 
     def place_at(self, number, t):
         """(latitude, longitude, x, y) of an object of the first table at a time, as far as they are known."""
-        row = self.db.execute("SELECT x, y FROM predictive_position(?, ?) WHERE id = ?", (t, self.first.name, number)).fetchone()
+        position = "predictive_position(?, ?) p"
+        row = self.db.execute(f"SELECT x, y FROM {position} WHERE id = ?", (t, self.first.name, number)).fetchone()
         if row is None or row[1] is None:
             return None, None, row and row[0], None
-        place = self.first.place(*row)
-        return (*(place or (None, None)), *row)
+        there = self.first.as_degrees()
+        if there is None:
+            return None, None, *row
+        return (*self.db.execute(f"SELECT g.lat, g.lon FROM {position}, {there[0]} g WHERE p.id = ?",
+                                 (t, self.first.name, *there[1], number)).fetchone(), *row)
 
     def describe(self, row):
         seq, op, a, b, t, now = row

@@ -3,7 +3,7 @@
     table = Table(connection, "ships")
     table.prepare(forget=900.0, kinds=True)
     table.write(report)                          # within a transaction; False where a newer one is there
-    table.place(x, y)                            # (latitude, longitude), or None where the table does not say
+    table.as_degrees()                           # SQL of lat, lon, speed, course of p, or None where the table does not say
 
 A table in degrees knows its origin itself. Of a table in metres the file remembers the origin that feed was given.
 """
@@ -34,27 +34,28 @@ class Table:
         if kind is None or "moving_objects" not in kind[0].lower():
             raise Refusal(f"{name} is not a table of moving objects; write the name of one")
         self.degrees = "lat" in self.columns and "lon" in self.columns
-        self.origin, self.unit = self.frame()
+        self.globe, self.origin, self.unit = self.frame()
         self.named = next((column for column in ("name", "vesselname", "shipname") if column in self.columns), None)
 
     def frame(self):
-        """(origin, unit of speed): what a table in degrees says itself, else what the file remembers."""
+        """(on the globe, origin, unit of speed): what a table in degrees says itself, else what the file remembers."""
+        frame = None
         if self.degrees:
-            origin, unit = self.connection.execute("SELECT origin, speed_unit FROM foresee_tables WHERE schema = 'main' AND "
-                                                   "lower(name) = lower(?)", (self.name,)).fetchone()
+            frame, origin, unit = self.connection.execute("SELECT frame, origin, speed_unit FROM foresee_tables WHERE schema = 'main' "
+                                                          "AND lower(name) = lower(?)", (self.name,)).fetchone()
         else:
             row = self.connection.execute("SELECT origin FROM foresee_feed WHERE tbl = ?", (self.name,)).fetchone() \
                 if self.connection.execute("SELECT 1 FROM sqlite_master WHERE name = 'foresee_feed'").fetchone() else None
             origin, unit = row and row[0], None
-        return tuple(map(float, origin.split())) if origin else None, unit or "mps"
+        return frame == "globe", tuple(map(float, origin.split())) if origin else None, unit or "mps"
 
-    def place(self, x, y):
-        """Degrees of a place on the plane."""
+    def as_degrees(self):
+        """The call that gives lat, lon, speed, course of a row p of predictive_position, and its last inputs."""
+        if self.globe:
+            return "globe_to_geo(p.x, p.y, p.z, p.vx, p.vy, p.vz)", ()
         if self.origin is None:
-            self.origin, self.unit = self.frame()       # a table in degrees has its origin from the first report on
-        if self.origin is None:
-            return None
-        return self.connection.execute("SELECT lat, lon FROM plane_to_geo(?, ?, 0, 0, ?, ?)", (x, y, *self.origin)).fetchone()
+            self.globe, self.origin, self.unit = self.frame()   # a table in degrees has its origin from the first report on
+        return None if self.origin is None else ("plane_to_geo(p.x, p.y, p.vx, p.vy, ?, ?)", self.origin)
 
     # Writing
 

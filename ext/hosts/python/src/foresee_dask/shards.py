@@ -62,8 +62,10 @@ def reading(db, path):
         raise Refusal(f"{path} cannot be read: {error}") from None
 
 
-# A table in degrees is joined on its plane: by the hidden columns that hold it, bit for bit, in a plain table.
+# A table in degrees is joined on its plane: by the hidden columns that hold it, bit for bit, in a plain table. So is one on the globe:
+# in place of lat, lon and z there are x, y, z, which gx, gy, gz hold, and in place of speed, course and vz velocity and acceleration.
 ON_THE_PLANE = {"lat": "x", "lon": "y", "speed": "vx", "course": "vy"}
+ON_THE_GLOBE = {"lat": ("x", "y", "z"), "lon": (), "z": (), "speed": ("vx", "vy", "vz", "ax", "ay", "az"), "course": (), "vz": ()}
 
 
 def tables_of(db, tables):
@@ -114,8 +116,19 @@ def declaration(shards, table, carried):
         for column in carried:
             if column not in plus:
                 raise Refusal(f"{shard['path']}: {table} has no column +{column}")
-    in_degrees = "lat" in columns_of(first)[0]
-    return [ON_THE_PLANE[column] if in_degrees and column in ON_THE_PLANE else column for column in columns_of(first)[0]]
+    columns = columns_of(first)[0]
+    if on_globe(having[0], table):
+        return [axis for column in columns for axis in ON_THE_GLOBE.get(column, (column,))]
+    return [ON_THE_PLANE[column] if "lat" in columns and column in ON_THE_PLANE else column for column in columns]
+
+
+def on_globe(shard, table):
+    return shard["tables"][table]["frame"][0] == "globe"
+
+
+def stored(shard, table, column):
+    """The column of the shard's table that holds a column of the plain one."""
+    return "g" + column if on_globe(shard, table) and column in ON_THE_GLOBE["lat"] + ON_THE_GLOBE["speed"] else column
 
 
 def refuse_other_frames(shards):

@@ -73,7 +73,7 @@ def _collect(plan, tile, db):
         for shard in plan.shards:
             if table in shard["tables"]:
                 with _unchanged(db, shard):
-                    db.execute(f"INSERT INTO main.{_collected(table)} SELECT {', '.join('o.' + c for c in columns)}, b.x0, b.x1, b.y0, b.y1"
+                    db.execute(f"INSERT INTO main.{_collected(table)} SELECT {', '.join('o.' + shards.stored(shard, table, c) for c in columns)}, b.x0, b.x1, b.y0, b.y1"
                                f" FROM {sweep} b CROSS JOIN shard.{quoted(table)} o ON o.id = b.id WHERE {where}", (*inputs, *bounds))
     return sum(db.execute(f"SELECT count(*) FROM {_collected(table)}").fetchone()[0] for table in plan.declared)
 
