@@ -132,13 +132,12 @@ void require_table(Connection& connection, const QualifiedName& watch, const std
   if (found)
     throw Error(quoted(name) + " is " + (found->is_watch ? "a watch" : "not a moving_objects table") +
                 "; name the table whose objects move" + list);
-  const std::string elsewhere = connection.other_schema(name, watch.schema);
-  const bool is_guess = elsewhere.empty() && list.empty() && !same_name(watch.schema, "main");
+  std::string elsewhere = connection.other_schema(name, watch.schema);
+  if (elsewhere.empty() && !same_name(watch.schema, "main")) elsewhere = "main";  // probably
   throw Error("no such table: " + quoted(name) + " in schema " + quoted(watch.schema) +
-              (elsewhere.empty() && !is_guess
-                   ? list
-                   : "; a watch is in the schema of its table: write CREATE VIRTUAL TABLE " +
-                         (is_guess ? "main" : elsewhere) + "." + watch.table));
+              (elsewhere.empty() ? list
+                                 : "; a watch is in the schema of its table: write CREATE VIRTUAL TABLE " +
+                                       elsewhere + "." + watch.table));
 }
 
 }  // namespace
