@@ -9,8 +9,7 @@ Entry<D> summary(const Node& node, const LeafReader<D>& reader, double epoch) {
     if (node.is_leaf()) {
       all.include(entry_of(Mover<D>(reader, reader.record(node, slot)), epoch));
     } else {
-      all.include({times_at<D>(node, slot), carried(bounds_at<D>(node, slot), node.epoch, epoch),
-                   kinds_at(node, slot)});
+      all.include(entry_at<D>(node, slot, epoch));
     }
   }
   return all;

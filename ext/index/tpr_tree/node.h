@@ -21,7 +21,7 @@ class LeafReader {
 
   Motion<D> motion(const double* record) const {
     Motion<D> motion{t(record), vector(record, at_.x), vector(record, at_.v), vector(record, at_.a),
-                     value_or(record, at_.until, std::numeric_limits<double>::infinity())};
+                     until(record)};
     if (at_.force != Offsets::absent) motion.a = vector(record, at_.force) / record[at_.mass];
     return motion;
   }
@@ -30,6 +30,11 @@ class LeafReader {
   bool grows() const { return at_.growth != Offsets::absent || at_.growth_z != Offsets::absent; }
   Kinds kinds(const double* record) const { return kinds_of(record, at_); }
   double t(const double* record) const { return value_or(record, at_.t, 0); }
+  double until(const double* record) const {
+    return value_or(record, at_.until, std::numeric_limits<double>::infinity());
+  }
+  /// False if no object has an end: the table does not declare `until`.
+  bool ends() const { return at_.until != Offsets::absent; }
   const double* record(const Node& leaf, std::size_t slot) const {
     return leaf.values.data() + slot * record_size();
   }
@@ -88,6 +93,11 @@ struct Times {
   friend bool operator==(const Times&, const Times&) = default;
 };
 
+/// True if every object beneath has an end.
+inline bool ends(const Times& times) {
+  return times.until_max < std::numeric_limits<double>::infinity();
+}
+
 /// An inner node's entry for one child.
 template <int D>
 struct Entry {
@@ -126,6 +136,14 @@ Bounds<D> bounds_at(const Node& inner, std::size_t slot) {
 template <int D>
 Entry<D> entry_at(const Node& inner, std::size_t slot) {
   return {times_at<D>(inner, slot), bounds_at<D>(inner, slot), kinds_at(inner, slot)};
+}
+
+/// The same entry with its bounds at another epoch.
+template <int D>
+Entry<D> entry_at(const Node& inner, std::size_t slot, double epoch) {
+  Entry<D> entry = entry_at<D>(inner, slot);
+  entry.bounds = carried(entry.bounds, inner.epoch, epoch);
+  return entry;
 }
 
 template <int D>
@@ -213,6 +231,21 @@ inline void remove_slot(Node& node, std::size_t slot, std::size_t stride) {
   if (!node.kinds.empty()) node.kinds[slot] = node.kinds.back(), node.kinds.pop_back();
   node.keys.pop_back();
   node.values.resize(node.values.size() - stride);
+}
+
+/// The times of all objects beneath a node, computed from the node's own numbers.
+template <int D>
+Times times_of(const Node& node, const LeafReader<D>& reader) {
+  Times all;
+  for (std::size_t slot = 0; slot < node.size(); ++slot) {
+    if (!node.is_leaf()) {
+      all.include(times_at<D>(node, slot));
+      continue;
+    }
+    const double *record = reader.record(node, slot), t = reader.t(record);
+    all.include({t, t, reader.until(record)});
+  }
+  return all;
 }
 
 /// The tightest entry for a whole node at `epoch`, computed from the node's own numbers.

@@ -8,8 +8,10 @@
 //
 // Guarantee: every object is in exactly one leaf, and the bounds of every entry above it contain its motion,
 // whatever the numbers. The tree is tuned for queries up to `horizon` seconds ahead of the times being
-// written; other queries are answered too. Bounds follow the clock: if a node's epoch is far behind or ahead,
-// its entries are recomputed when an object beneath it is written. If updates have left loose leaves, the
+// written; other queries are answered too. Objects that exist for a limited time are separated in time as they
+// are in place, and are tuned for queries during their lives (reference_times.h). Bounds follow the clock, or
+// the middle of the lives beneath. If a node's epoch is far from it, its entries are recomputed when an object
+// beneath it is written. If updates have left loose leaves, the
 // leaves beneath two neighbours are repacked from time to time (repack.h).
 //
 // Cost: insert and erase touch one path of nodes. An update writes only the leaf if the leaf's entry stays

@@ -2,45 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
-#include "index/tpr_tree/node.h"
+#include "index/tpr_tree/reference_times.h"
 #include "index/tpr_tree/visit_cost.h"
 
 namespace foresee {
-
-// The write clock estimates the current time of a table. Most objects are written with the current time as
-// their t, but some are scheduled for later and some arrive late. So the clock is the median t of the last
-// writes.
-//
-// Only the shape of the tree depends on it, never a result.
-class WriteClock {
- public:
-  /// The number of writes that it remembers.
-  static constexpr std::size_t memory = 15;
-
-  double now() const { return now_; }
-  /// False until the first write.
-  bool runs() const { return count_ > 0; }
-
-  /// Called when an object with this t is written. The first write sets the clock.
-  void observe(double t) {
-    if (count_ == 0) recent_.fill(t);
-    recent_[count_++ % recent_.size()] = t;
-    if (t == now_ && count_ > 1) return;
-    auto sorted = recent_;
-    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-    now_ = sorted[sorted.size() / 2];
-  }
-  /// Called when a whole table was written; `t` is its typical time.
-  void set(double t) { recent_.fill(t), now_ = t, count_ = recent_.size(); }
-
- private:
-  std::array<double, memory> recent_{};
-  std::size_t count_ = 0;
-  double now_ = 0;
-};
 
 /// The fraction of `horizon` for which the tree's shape is optimized. Queries about a whole horizon are
 /// fastest with 0.3 to 0.5, queries about a twentieth of it with 0.1 or less. With 0.15 neither costs much
@@ -60,7 +27,17 @@ struct TreeState {
   double horizon;
   WriteClock clock;
 
-  VisitCost<D> cost(double epoch) const { return {clock.now(), look_ahead * horizon, epoch}; }
+  ReferenceTimes reference_times() const { return ReferenceTimes(clock.now()); }
+  /// The epoch of a node with these lives beneath it. Every epoch that is written comes from here.
+  double epoch_for(const Times& beneath) const {
+    return reader.ends() ? reference_times().of(beneath) : clock.now();
+  }
+  double epoch_for(const Node& node) const {
+    return reader.ends() ? epoch_for(times_of<D>(node, reader)) : clock.now();
+  }
+  VisitCost<D> cost(double epoch) const {
+    return {reference_times(), clock.now(), look_ahead * horizon, epoch};
+  }
   std::size_t stride(int level) const {
     return level == 0 ? reader.record_size() : static_cast<std::size_t>(entry_size(D));
   }

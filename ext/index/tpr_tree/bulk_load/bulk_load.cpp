@@ -77,11 +77,12 @@ class TreeLoad {
 
   void write_inner_nodes(std::size_t level) {
     const std::vector<Entry<D>> below = std::exchange(entries_, {});
+    const std::vector<double> epochs = std::exchange(epochs_, {});
     const std::size_t nodes = levels_[level];
     for (std::size_t i = 0; i < nodes; ++i) {
       Node inner;
       inner.level = static_cast<int>(level);
-      inner.epoch = state_.clock.now();
+      inner.epoch = epochs[i];
       const std::size_t last = first_child(i + 1, nodes, below.size());
       for (std::size_t child = first_child(i, nodes, below.size()); child < last; ++child)
         add_entry(inner, number(level - 1, child), below[child]);
@@ -89,24 +90,38 @@ class TreeLoad {
     }
   }
 
-  /// Writes node i of a level and keeps its entry for the level above.
+  /// Writes node i of a level, together with its siblings, whose lives choose the epoch of their parent.
   void finish(Node node, std::size_t level, std::size_t i) {
     if (i % 64 == 0) interrupt_.check();
-    entries_.push_back(summary(node, state_.reader, state_.clock.now()));
-    if (level + 1 < levels_.size()) {
-      const std::size_t nodes = levels_[level], parents = levels_[level + 1];
-      std::size_t parent = i * parents / nodes;
-      while (first_child(parent + 1, parents, nodes) <= i) ++parent;
-      node.parent = number(level + 1, parent);
+    const bool is_root = level + 1 == levels_.size();
+    const std::size_t nodes = levels_[level], parents = is_root ? 1 : levels_[level + 1];
+    std::size_t parent = i * parents / nodes;
+    while (first_child(parent + 1, parents, nodes) <= i) ++parent;
+    node.parent = is_root ? 0 : number(level + 1, parent);
+    siblings_.push_back(std::move(node));
+    if (i + 1 == first_child(parent + 1, parents, nodes)) write_siblings(number(level, i + 1));
+  }
+
+  /// Writes the nodes before node `end` and keeps their entries for the level above.
+  void write_siblings(NodeNumber end) {
+    Times times;
+    for (const Node& node : siblings_) times.include(times_of(node, state_.reader));
+    epochs_.push_back(state_.epoch_for(times));
+    NodeNumber next = end - static_cast<NodeNumber>(siblings_.size());
+    for (Node& node : siblings_) {
+      entries_.push_back(summary(node, state_.reader, epochs_.back()));
+      state_.pages.put(next++, std::move(node));
     }
-    state_.pages.put(number(level, i), std::move(node));
+    siblings_.clear();
   }
 
   TreeState<D>& state_;
   Interrupt& interrupt_;
   std::vector<std::size_t> levels_;  ///< number of nodes per level
   std::vector<NodeNumber> firsts_;   ///< the first node number of each level; the others follow
+  std::vector<Node> siblings_;       ///< not written yet
   std::vector<Entry<D>> entries_;    ///< of the nodes written last, for the level above
+  std::vector<double> epochs_;       ///< of the nodes of the level above
 };
 
 }  // namespace

@@ -6,9 +6,12 @@
 namespace foresee {
 namespace {
 
-template <int D>
+template <int D, bool timed>
 class LeafOrder {
  public:
+  using Items = OrderItems<D, timed>;
+  using Item = typename Items::Item;
+
   LeafOrder(const TreeState<D>& state, std::span<const double> records,
             const std::vector<std::size_t>& levels, LeafRange leaves, Interrupt& interrupt)
       : state_(state),
@@ -17,13 +20,19 @@ class LeafOrder {
         leaves_(leaves),
         interrupt_(interrupt),
         step_(interrupt),
+        order_(state, records),
         items_(records.size() / state.reader.record_size()) {}
 
   std::vector<std::uint32_t> order() {
     fill();
-    const std::size_t first_giant = leaves_.first + move_giants_last() * leaves_.count / items_.size();
-    halve(leaves_.first, first_giant);
-    halve(first_giant, leaves_.first + leaves_.count);
+    const std::size_t giants = move_giants_last();
+    std::size_t first = leaves_.first;
+    for (const std::size_t end : {endless_before(0, giants, true), giants,
+                                  endless_before(giants, items_.size(), false), items_.size()}) {
+      const std::size_t last = leaves_.first + end * leaves_.count / items_.size();
+      halve(first, last);
+      first = last;
+    }
     std::vector<std::uint32_t> order(items_.size());
     for (std::size_t i = 0; i < order.size(); step_(), ++i) order[i] = items_[i].index;
     return order;
@@ -31,12 +40,11 @@ class LeafOrder {
 
  private:
   void fill() {
-    const OrderItems<D> items(state_, records_.data());
     reach_.resize(items_.size());
     for (std::size_t i = 0; i < items_.size(); ++i) {
       if (i % 4096 == 0) interrupt_.check();
-      items_[i] = items.of(records_.data() + i * state_.reader.record_size(), static_cast<std::uint32_t>(i),
-                           reach_[i]);
+      items_[i] = order_.of(records_.data() + i * state_.reader.record_size(), static_cast<std::uint32_t>(i),
+                            reach_[i]);
     }
   }
 
@@ -47,10 +55,25 @@ class LeafOrder {
     std::nth_element(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2),
                      sample.end());
     const float limit = 16 * sample[sample.size() / 2];
-    const auto end = std::partition(items_.begin(), items_.end(), [&](const OrderItem<D>& item) {
-      return step_(), reach_[item.index] <= limit;
-    });
+    const auto end = std::partition(items_.begin(), items_.end(),
+                                    [&](const Item& item) { return step_(), reach_[item.index] <= limit; });
     return static_cast<std::size_t>(end - items_.begin());
+  }
+
+  /// Moves the objects without an end to one side of some items; returns where the sides meet. In a leaf of
+  /// legs such an object would let queries of every time visit it.
+  std::size_t endless_before(std::size_t first, std::size_t last, bool before) {
+    if constexpr (!timed) return before ? last : first;
+    const auto begin = items_.begin() + static_cast<std::ptrdiff_t>(first),
+               end = items_.begin() + static_cast<std::ptrdiff_t>(last);
+    const auto middle =
+        std::partition(begin, end, [&](const Item& item) { return step_(), is_endless(item) == before; });
+    return static_cast<std::size_t>(middle - items_.begin());
+  }
+
+  bool is_endless(const Item& item) const {
+    const double* record = records_.data() + item.index * state_.reader.record_size();
+    return !(state_.reader.until(record) < std::numeric_limits<double>::infinity());
   }
 
   /// Orders the objects of leaves [first, last).
@@ -60,9 +83,9 @@ class LeafOrder {
       const std::size_t middle = boundary_near_middle(first, last);
       const auto begin = items_.begin() + object(first), nth = items_.begin() + object(middle),
                  end = items_.begin() + object(last);
-      const std::span<const OrderItem<D>> items(&*begin, static_cast<std::size_t>(end - begin));
-      const std::size_t along = widest_axis<D>(items);
-      std::nth_element(begin, nth, end, [this, along](const OrderItem<D>& a, const OrderItem<D>& b) {
+      const std::span<const Item> items(&*begin, static_cast<std::size_t>(end - begin));
+      const std::size_t along = order_.widest_axis(items);
+      std::nth_element(begin, nth, end, [this, along](const Item& a, const Item& b) {
         step_();
         return a.place[along] < b.place[along];
       });
@@ -99,7 +122,8 @@ class LeafOrder {
   LeafRange leaves_;
   Interrupt& interrupt_;
   Steps step_;
-  std::vector<OrderItem<D>> items_;
+  Items order_;
+  std::vector<Item> items_;
   std::vector<float> reach_;  ///< how far an object extends over the horizon, by record
 };
 
@@ -115,7 +139,8 @@ template <int D>
 std::vector<std::uint32_t> leaf_order(const TreeState<D>& state, std::span<const double> records,
                                       const std::vector<std::size_t>& levels, LeafRange leaves,
                                       Interrupt& interrupt) {
-  return LeafOrder<D>(state, records, levels, leaves, interrupt).order();
+  if (state.reader.ends()) return LeafOrder<D, true>(state, records, levels, leaves, interrupt).order();
+  return LeafOrder<D, false>(state, records, levels, leaves, interrupt).order();
 }
 
 template std::vector<std::uint32_t> leaf_order<1>(const TreeState<1>&, std::span<const double>,

@@ -1,11 +1,11 @@
-// Order of objects in the leaves of a bulk load: top-down halving by position and velocity (OMT). So the
-// objects of a leaf are near each other now and later.
+// Order of objects in the leaves of a bulk load: top-down halving by position, velocity and time (OMT). So the
+// objects of a leaf are near each other now and later, and exist at about the same time.
 //
 // The objects are halved recursively at a boundary between nodes, of the highest level that has one near the
-// middle. Each cut is along the axis of position or velocity with the largest spread; a velocity counts as
-// the distance that it covers in part of a horizon. The spread is the distance between the first and the last
-// tenth of a sample, so a few outliers do not change it. Objects far larger or faster than the median come
-// last, in their own leaves.
+// middle. Each cut is along the axis of position, velocity or time with the largest spread
+// (leaf_order_items.h). The spread is the distance between the first and the last tenth of a sample, so a few
+// outliers do not change it. Objects far larger or faster than the median come last, in their own leaves.
+// Objects without an end do not share leaves with those that end.
 #pragma once
 
 #include <cstdint>

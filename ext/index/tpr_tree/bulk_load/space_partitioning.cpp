@@ -7,14 +7,16 @@
 namespace foresee {
 namespace {
 
-template <int D>
+template <int D, bool timed>
 class Division final : public SpacePartitioning {
  public:
+  using Item = OrderItem<D, timed>;
+
   Division(const TreeState<D>& state, std::span<const double> sample, std::size_t partitions,
            Interrupt& interrupt)
-      : items_(state, sample.data()), partitions_(partitions), cuts_(partitions) {
+      : items_(state, sample), partitions_(partitions), cuts_(partitions) {
     const std::size_t size = state.reader.record_size();
-    std::vector<OrderItem<D>> drawn(sample.size() / size);
+    std::vector<Item> drawn(sample.size() / size);
     Steps step(interrupt);
     for (std::size_t i = 0; i < drawn.size(); ++i)
       step(), drawn[i] = items_.of(sample.data() + i * size, static_cast<std::uint32_t>(i));
@@ -22,7 +24,7 @@ class Division final : public SpacePartitioning {
   }
 
   std::size_t partition_of(const double* record) override {
-    const OrderItem<D> item = items_.of(record, 0);
+    const Item item = items_.of(record, 0);
     std::size_t first = 0, last = partitions_;
     while (last - first > 1) {
       const std::size_t middle = first + (last - first) / 2;
@@ -42,14 +44,14 @@ class Division final : public SpacePartitioning {
     std::size_t on_it = 0;  ///< the number of objects exactly on the cut so far
   };
 
-  void cut(std::size_t first, std::size_t last, std::span<OrderItem<D>> drawn, Steps& step) {
+  void cut(std::size_t first, std::size_t last, std::span<Item> drawn, Steps& step) {
     if (last - first < 2 || drawn.empty()) return;
     const std::size_t middle = first + (last - first) / 2;
     const std::size_t nth = drawn.size() * (middle - first) / (last - first);
     Cut& between = cuts_[middle];
-    between.along = widest_axis<D>(std::span<const OrderItem<D>>(drawn));
+    between.along = items_.widest_axis(drawn);
     std::nth_element(drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(nth), drawn.end(),
-                     [&](const OrderItem<D>& a, const OrderItem<D>& b) {
+                     [&](const Item& a, const Item& b) {
                        step();
                        return a.place[between.along] < b.place[between.along];
                      });
@@ -58,7 +60,7 @@ class Division final : public SpacePartitioning {
     cut(middle, last, drawn.subspan(nth), step);
   }
 
-  OrderItems<D> items_;
+  OrderItems<D, timed> items_;
   std::size_t partitions_;
   std::vector<Cut> cuts_;  ///< by the first partition behind the cut
 };
@@ -69,7 +71,8 @@ template <int D>
 std::unique_ptr<SpacePartitioning> divide_space(TreeState<D>& state, std::span<const double> sample,
                                                 std::size_t partitions, Interrupt& interrupt) {
   start_clock(state, sample);
-  return std::make_unique<Division<D>>(state, sample, partitions, interrupt);
+  if (state.reader.ends()) return std::make_unique<Division<D, true>>(state, sample, partitions, interrupt);
+  return std::make_unique<Division<D, false>>(state, sample, partitions, interrupt);
 }
 
 template std::unique_ptr<SpacePartitioning> divide_space<1>(TreeState<1>&, std::span<const double>,

@@ -1,4 +1,5 @@
-// Partitions of objects that do not fit in memory together, by position and velocity, for a bulk load.
+// Partitions of objects that do not fit in memory together, by position, velocity and time, for a bulk
+// load.
 //
 //   auto division = divide_space(state, sample, 9, interrupt);     // records of some objects, drawn anywhere
 //   parts[division->partition_of(record)].push_back(object);

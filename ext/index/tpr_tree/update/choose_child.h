@@ -2,7 +2,7 @@
 // increases least.
 //
 //   ChildChoice<2> choice(*inner, state.cost(inner->epoch));     // for as many objects as there are
-//   const std::size_t slot = choice.choose(entry_of(object, inner->epoch).bounds);
+//   const std::size_t slot = choice.choose(entry_of(object, inner->epoch));
 //
 // Ties go to the cheaper child. Cost: the node's entries are read once. Then each object costs about thirty
 // multiplications per child, in vector instructions.
@@ -21,22 +21,27 @@ class ChildChoice {
   /// Requires: an inner node that is not empty; `cost` is for bounds at its epoch.
   ChildChoice(const Node& inner, const VisitCost<D>& cost);
 
-  /// The slot of the best child for `added`, bounds at the node's epoch.
-  std::size_t choose(const Bounds<D>& added);
+  /// The slot of the best child for `added`, an entry at the node's epoch.
+  std::size_t choose(const Entry<D>& added);
 
  private:
   enum Face { x_lower, x_upper, v_lower, v_upper, a_lower, a_upper, faces };
   const double* face(int which, int axis) const {
     return faces_.data() + static_cast<std::size_t>(which * D + axis) * children_;
   }
-  void costs_with(const Bounds<D>& added, std::vector<double>& costs);
+  void costs_with(const Entry<D>& added, std::vector<double>& costs);
+  void set_widths(const Bounds<D>& added);
+  void set_windows(const Times& added);
 
   std::size_t children_;
   VisitCost<D> cost_;
-  double query_;
-  std::vector<double> faces_;             ///< of all children in columns: by face, then by axis
-  std::vector<double> widths_, product_;  ///< temporary
-  std::vector<double> before_, after_;    ///< the cost of each child
+  bool any_ends_;
+  TypicalQuery query_;
+  std::vector<double> faces_;              ///< of all children in columns: by face, then by axis
+  std::vector<double> times_;              ///< of all children in columns; empty if no child ends
+  std::vector<double> widths_, product_;   ///< temporary
+  std::vector<double> elapsed_, weights_;  ///< temporary: the windows of the children, if any ends
+  std::vector<double> before_, after_;     ///< the cost of each child
 };
 
 /// The slot of the sibling that a node overlaps most: a union with it increases the cost least. The node's
@@ -52,10 +57,10 @@ struct Growth {
   friend auto operator<=>(const Growth&, const Growth&) = default;
 };
 
-/// The growth of every child, by slot. `added` are bounds at the node's epoch.
+/// The growth of every child, by slot. `added` is an entry at the node's epoch.
 template <int D>
-std::vector<Growth> growths(const Node& inner, const Bounds<D>& added, const VisitCost<D>& cost,
-                            double query);
+std::vector<Growth> growths(const Node& inner, const Entry<D>& added, const VisitCost<D>& cost,
+                            const TypicalQuery& query);
 
 /// The slots of a child, first, and of the siblings that it overlaps most: at most `limit` in total.
 template <int D>

@@ -16,8 +16,8 @@ NodeNumber choose_node(TreeState<D>& state, NodeNumber number, int level, const 
   if (node->level < level || (node->level > 0 && node->size() == 0))
     throw BrokenTree("a tree's root has no place for what it should take in");
   while (node->level > level) {
-    const Bounds<D> bounds = added.entry(node->epoch).bounds;
-    const std::size_t slot = ChildChoice<D>(*node, state.cost(node->epoch)).choose(bounds);
+    const Entry<D> entry = added.entry(node->epoch);
+    const std::size_t slot = ChildChoice<D>(*node, state.cost(node->epoch)).choose(entry);
     const Unread child = unread_child(number, *node, slot);
     node = read(state.pages, child);
     number = child.number;
@@ -33,7 +33,7 @@ NodeNumber put_root_above(TreeState<D>& state, NodeNumber old_root) {
   Node& root = state.pages.modify(number);
   Node& child = state.pages.modify(old_root);
   root.level = child.level + 1;
-  root.epoch = state.clock.now();
+  root.epoch = state.epoch_for(child);
   add_entry(root, old_root, summary(child, state.reader, root.epoch));
   child.parent = number;
   state.pages.set_root(number);
@@ -45,8 +45,15 @@ namespace {
 /// True if the epoch is stale for this child: much of its width comes from the time since the epoch.
 template <int D>
 bool is_stale(const TreeState<D>& state, const Node& inner, std::size_t slot) {
-  const double away = std::abs(state.clock.now() - inner.epoch);
-  if (!(away > 0.5 * state.horizon)) return false;
+  double epoch = state.clock.now(), drift = state.horizon;
+  if (state.reader.ends()) {
+    const Times beneath = times_of<D>(inner, state.reader);
+    epoch = state.epoch_for(beneath);
+    if (!state.reference_times().is_clock(beneath))
+      drift = std::min(drift, beneath.until_max - beneath.t_min);
+  }
+  const double away = std::abs(epoch - inner.epoch);
+  if (!(away > 0.5 * drift)) return false;
   const Bounds<D> bounds = bounds_at<D>(inner, slot);
   const Vec<D> by_epoch =
       away * ((bounds.v_upper - bounds.v_lower) + (0.5 * away) * (bounds.a_upper - bounds.a_lower));
@@ -78,11 +85,10 @@ void widen(TreeState<D>& state, NodeNumber parent, NodeNumber child, const Added
 }
 
 template <int D>
-std::vector<Bounds<D>> bounds_of_all(const Node& inner, double epoch) {
-  std::vector<Bounds<D>> all;
+std::vector<Entry<D>> entries_of(const Node& inner, double epoch) {
+  std::vector<Entry<D>> all;
   all.reserve(inner.size());
-  for (std::size_t slot = 0; slot < inner.size(); ++slot)
-    all.push_back(carried(bounds_at<D>(inner, slot), inner.epoch, epoch));
+  for (std::size_t slot = 0; slot < inner.size(); ++slot) all.push_back(entry_at<D>(inner, slot, epoch));
   return all;
 }
 
@@ -113,7 +119,7 @@ NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_
   Node& sibling = state.pages.modify(sibling_number);
   Node& parent = state.pages.modify(parent_number);
   sibling.level = node.level, sibling.parent = parent_number, sibling.epoch = node.epoch;
-  const std::vector<Bounds<D>> elements = bounds_of_all<D>(node, parent.epoch);
+  const std::vector<Entry<D>> elements = entries_of<D>(node, parent.epoch);
   move_slots(node, choose_split<D>(elements, state.cost(parent.epoch)), sibling, state.stride(node.level));
 
   for (const NodeNumber child : sibling.keys)
@@ -127,6 +133,9 @@ NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_
   };
   set_entry(parent, slot, entry_for(node));
   add_entry(parent, sibling_number, entry_for(sibling));
+  // A half of a schedule may never be written again: it gets the epoch of its own lives now.
+  if (state.reader.ends())
+    for (const NodeNumber half : {number, sibling_number}) renew_if_stale(state, half, 0);
   return sibling_number;
 }
 
@@ -152,14 +161,14 @@ void fit_upward(TreeState<D>& state, NodeNumber number, const Added& added) {
 
 template <int D>
 void renew_entries(TreeState<D>& state, NodeNumber inner) {
-  const double now = state.clock.now();
   Node fresh = *state.pages.read(inner);
+  const double epoch = state.epoch_for(fresh);
   for (std::size_t i = 0; i < fresh.size(); ++i) {
-    Entry<D> entry = summary(*read_below(state.pages, inner, fresh, i), state.reader, now);
-    entry.bounds.narrow_to(carried(bounds_at<D>(fresh, i), fresh.epoch, now));
+    Entry<D> entry = summary(*read_below(state.pages, inner, fresh, i), state.reader, epoch);
+    entry.bounds.narrow_to(carried(bounds_at<D>(fresh, i), fresh.epoch, epoch));
     set_entry(fresh, i, entry);
   }
-  fresh.epoch = now;
+  fresh.epoch = epoch;
   state.pages.modify(inner) = std::move(fresh);
 }
 

@@ -20,13 +20,13 @@ void fit_upward(TreeState<D>& state, NodeNumber number, const Added& added);
 template <int D>
 void insert_branch(TreeState<D>& state, const Branch<D>& branch);
 
-/// Recomputes an inner node's entries from its children, at the clock's time.
+/// Recomputes an inner node's entries from its children, at its epoch_for().
 template <int D>
 void renew_entries(TreeState<D>& state, NodeNumber inner);
 
 /// Does so only if the node's epoch is stale for the child in `slot`; returns whether it was. An epoch is
-/// stale if it is more than half a horizon from the clock, and much of the child's width comes from that
-/// time.
+/// stale if it is more than half a horizon from its epoch_for(), and much of the child's width comes from
+/// that time.
 template <int D>
 bool renew_if_stale(TreeState<D>& state, NodeNumber inner, std::size_t slot);
 

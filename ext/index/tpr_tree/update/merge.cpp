@@ -144,7 +144,7 @@ class Merge {
       ChildChoice<D> choice(*node, state_.cost(node->epoch));
       for (const std::uint32_t i : std::exchange(visit.objects, {})) {
         step_();
-        const std::size_t slot = choice.choose(object(i).entry(node->epoch).bounds);
+        const std::size_t slot = choice.choose(object(i).entry(node->epoch));
         visit_below(number, *node, slot).objects.push_back(i);
       }
     }

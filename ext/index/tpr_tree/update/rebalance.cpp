@@ -64,7 +64,7 @@ class EvenOut {
     for (const NodeNumber child : uneven)
       if (has(child)) parent_.level > 1 ? even_out_inner(child) : even_out_leaf(child);
     if (parent_.size() == 0) return;
-    if (2 * children.size() > parent_.size() && parent_.epoch != state_.clock.now())
+    if (2 * children.size() > parent_.size() && parent_.epoch != state_.epoch_for(parent_))
       renew_entries(state_, number_);
     else
       for (const NodeNumber child : children)

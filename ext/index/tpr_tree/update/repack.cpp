@@ -17,20 +17,21 @@ constexpr std::size_t max_moved = 72;
 constexpr double worth_packing = 0.95, worth_moving = 0.8;
 
 template <int D>
-double total(const std::vector<Entry<D>>& entries, const VisitCost<D>& cost, double query) {
+double total(const std::vector<Entry<D>>& entries, const VisitCost<D>& cost, const TypicalQuery& query) {
   double sum = 0;
-  for (const Entry<D>& entry : entries) sum += cost(entry.bounds, query);
+  for (const Entry<D>& entry : entries) sum += cost(entry, query);
   return sum;
 }
 
 /// The cost that a child adds to its parent.
 template <int D>
-double share_of(const Node& parent, std::size_t child, double epoch, const VisitCost<D>& cost, double query) {
-  Bounds<D> rest = Bounds<D>::nothing();
+double share_of(const Node& parent, std::size_t child, double epoch, const VisitCost<D>& cost,
+                const TypicalQuery& query) {
+  Entry<D> rest;
   for (std::size_t slot = 0; slot < parent.size(); ++slot)
-    if (slot != child) rest.include(carried(bounds_at<D>(parent, slot), parent.epoch, epoch));
-  Bounds<D> all = rest;
-  all.include(carried(bounds_at<D>(parent, child), parent.epoch, epoch));
+    if (slot != child) rest.include(entry_at<D>(parent, slot, epoch));
+  Entry<D> all = rest;
+  all.include(entry_at<D>(parent, child, epoch));
   return cost(all, query) - cost(rest, query);
 }
 
@@ -69,9 +70,9 @@ void move_where_it_costs_less(TreeState<D>& state, NodeNumber leaf) {
     from = node->parent, above_number = parent->parent;
     const VisitCost<D> cost = state.cost(above->epoch);
     const std::size_t own = slot_of(*above, from), slot = slot_of(*parent, leaf);
-    const double query = 0.1 * cost.mean_width(bounds_at<D>(*above, own));
-    const Bounds<D> bounds = carried(bounds_at<D>(*parent, slot), parent->epoch, above->epoch);
-    std::vector<Growth> others = growths(*above, bounds, cost, query);
+    const TypicalQuery query = cost.query_like(0.1, entry_at<D>(*above, own));
+    const Entry<D> entry = entry_at<D>(*parent, slot, above->epoch);
+    std::vector<Growth> others = growths(*above, entry, cost, query);
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(own));
     if (others.empty()) return;
     const Growth best = *std::min_element(others.begin(), others.end());
@@ -91,14 +92,16 @@ bool pack_with_siblings(TreeState<D>& state, NodeNumber number, NodeNumber leaf,
   {
     const auto parent = state.pages.read(number);
     const VisitCost<D> cost = state.cost(parent->epoch);
-    double query = 0;
+    TypicalQuery query;
     for (const std::size_t slot : closest_children(state, *parent, leaf, together)) {
       const auto old = read_below(state.pages, number, *parent, slot);
       before.push_back(summary(*old, state.reader, parent->epoch));
-      query += 0.5 * cost.mean_width(before.back().bounds);
+      const TypicalQuery half = cost.query_like(0.5, before.back());
+      query.side += half.side, query.duration += half.duration;
       pack.add(parent->keys[slot], *old);
     }
-    query /= static_cast<double>(before.size());
+    const auto count = static_cast<double>(before.size());
+    query.side /= count, query.duration /= count;
     pack.arrange(before.size());
     after = pack.summaries(parent->epoch);
     if (pack.arriving() > std::max(max_moved, state.capacity(0))) return false;

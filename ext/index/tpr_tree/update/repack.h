@@ -7,7 +7,7 @@
 // leaf that another parent would hold at less cost moves there. This is the reinsertion of the R*-tree
 // (Beckmann et al. 1990), of a leaf instead of objects. A leaf is repacked with the siblings that it overlaps
 // most, as a bulk load would, if that reduces their visit cost. Every other call also recomputes the entries
-// of the leaf's parent at the clock's time. Every sixteenth call recomputes those of the node above it, too.
+// of the leaf's parent at its new epoch. Every sixteenth call recomputes those of the node above it, too.
 #pragma once
 
 #include "index/tpr_tree/tree_state.h"

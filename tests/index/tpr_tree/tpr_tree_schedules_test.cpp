@@ -1,0 +1,118 @@
+// The shape of trees of objects that exist for a limited time: they are separated in time, so a query reads few
+// nodes of other times. Counted in nodes read.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "index/tpr_tree/reference_times.h"
+#include "tests/index/tpr_tree/schedule.h"
+#include "tests/index/tpr_tree/tree_model.h"
+
+namespace foresee {
+namespace {
+
+using testing::legs;
+using testing::no_end;
+using testing::nodes_of_windows;
+using testing::Random;
+using testing::Schedule;
+using testing::TreeModel;
+
+enum class Writing { load, one_by_one, by_time, merged };
+
+double nodes_of_schedule(const Schedule& schedule, Writing writing) {
+  MemoryPages pages(legs);
+  const auto tree = make_tpr_tree(pages, 60);
+  NeverInterrupt never;
+  if (writing == Writing::load) tree->bulk_load(schedule.ids, schedule.records, never);
+  const std::vector<std::size_t> order = schedule.order(writing == Writing::by_time);
+  if (writing == Writing::one_by_one || writing == Writing::by_time)
+    for (const std::size_t i : order) tree->insert(schedule.ids[i], schedule.record(i));
+  constexpr std::size_t together = 1500;
+  for (std::size_t first = 0; writing == Writing::merged && first < order.size(); first += together) {
+    std::vector<std::int64_t> ids;
+    std::vector<double> records;
+    for (std::size_t i = first; i < std::min(order.size(), first + together); ++i) {
+      ids.push_back(schedule.ids[order[i]]);
+      const auto record = schedule.record(order[i]);
+      records.insert(records.end(), record.begin(), record.end());
+    }
+    tree->merge(ids, records, never);
+  }
+  EXPECT_TRUE(check_tree(pages, never).problems.empty());
+  return nodes_of_windows(pages, schedule.side, 250);
+}
+
+TEST(TprTreeSchedules, AWindowOfAScheduleReadsLittleMoreThanOneOfThatMinute) {
+  const Schedule all(600, 50, 10), minute(600, 50, 10, 220, 280);
+  ASSERT_GT(all.ids.size(), 6 * minute.ids.size());
+  for (const Writing writing : {Writing::load, Writing::one_by_one, Writing::by_time, Writing::merged}) {
+    SCOPED_TRACE(static_cast<int>(writing));
+    const double nodes = nodes_of_schedule(all, writing),
+                 of_minute = nodes_of_schedule(minute, Writing::load);
+    // Ordered by place alone, the load reads 25 times and the shuffled inserts 70 times as many.
+    EXPECT_LT(nodes, (writing == Writing::load ? 1.5 : 3) * of_minute) << of_minute;
+  }
+}
+
+TEST(TprTreeSchedules, SchedulesOfRestingObjectsAreSeparatedInTimeToo) {
+  Schedule zones(300, 100, 10);
+  for (std::size_t i = 0; i < zones.ids.size(); ++i) zones.records[7 * i + 3] = zones.records[7 * i + 4] = 0;
+  MemoryPages pages(legs);
+  NeverInterrupt never;
+  make_tpr_tree(pages, 60)->bulk_load(zones.ids, zones.records, never);
+  // Ordered by place alone, a window finds a hundred zones that are over or to come for each that is there.
+  EXPECT_LT(nodes_of_windows(pages, zones.side, 500), 12);
+}
+
+TEST(TprTreeSchedules, ReportsThatExpireLaterAreStoredAsIfTheyHadNoEnd) {
+  const auto nodes_with = [](double life, bool grown) {
+    constexpr std::size_t count = 5000;
+    MemoryPages pages(legs);
+    const auto tree = make_tpr_tree(pages, 60);
+    NeverInterrupt never;
+    Random random(8);
+    std::vector<std::int64_t> ids;
+    std::vector<double> records;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double t = 1000 + 60 * static_cast<double>(i) / count;
+      ids.push_back(static_cast<std::int64_t>(i + 1));
+      records.insert(records.end(), {t, random.in(0, 700), random.in(0, 700), random.in(-1, 1),
+                                     random.in(-1, 1), 1, t + life});
+      if (grown) tree->insert(ids.back(), std::span(records).last(7));
+    }
+    if (!grown) tree->bulk_load(ids, records, never);
+    return nodes_of_windows(pages, 700, 1060, 10);
+  };
+  for (const bool grown : {false, true})
+    for (const double life : {100.0, 900.0, 28800.0, 1e12})
+      EXPECT_LT(nodes_with(life, grown), 1.1 * nodes_with(no_end, grown)) << life << grown;
+}
+
+TEST(TprTreeSchedules, ObjectsWithoutAnEndHaveLeavesOfTheirOwn) {
+  Schedule schedule(300, 30, 10);
+  std::size_t endless = 0;
+  for (std::size_t i = 0; i < schedule.ids.size(); ++i)
+    if (i % 50 == 7) schedule.records[7 * i + 6] = no_end, ++endless;
+  TreeModel model(legs, 60, 20);
+  model.tree->bulk_load(schedule.ids, schedule.records, model.never);
+  std::set<NodeNumber> leaves;
+  for (std::size_t i = 0; i < schedule.ids.size(); ++i)
+    if (schedule.record(i)[6] == no_end) leaves.insert(*model.pages.find_leaf(schedule.ids[i]));
+  EXPECT_LE(leaves.size(), endless / 18 + 2);
+}
+
+TEST(TprTreeSchedules, TheReferenceTimeIsTheMiddleOfALifeOrTheClock) {
+  const ReferenceTimes at_100(100);
+  EXPECT_EQ(at_100.of({500, 500, 510}), 505);
+  EXPECT_EQ(at_100.of({500, 500, no_end}), 100);
+  EXPECT_EQ(at_100.of({95, 95, 105}), 100);  // current
+  EXPECT_EQ(at_100.of({90, 90, 1e12}), 100);
+  EXPECT_EQ(at_100.of({-1000, 900, 910}), -45);  // a whole schedule
+  EXPECT_EQ(at_100.of({-1.7e308, -1.7e308, 1.7e308}), 100);
+  EXPECT_EQ(at_100.of({1.7e308, 1.7e308, 1.7e308}), 1.7e308);
+  EXPECT_TRUE(std::isfinite(at_100.of({})));
+}
+
+}  // namespace
+}  // namespace foresee
