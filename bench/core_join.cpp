@@ -20,6 +20,7 @@
 
 #include "contact/contact.h"
 #include "core_rivals.h"
+#include "exact_answer.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "measure.h"
 #include "program.h"
@@ -37,7 +38,6 @@ struct Stages {
 
 template <int D>
 Answer by_grid(const Workload& w, double h, Stages& stages) {
-  Answer answer;
   std::unique_ptr<Candidates> grid;
   const Workload& other = w.second();
   const auto contact = make_contact(w.bodies(), other.bodies(), {.horizon = {0, h}}, w.name, other.name);
@@ -47,18 +47,7 @@ Answer by_grid(const Workload& w, double h, Stages& stages) {
     grid = make_gpcd_grid<D>({w.bodies(), {0, h}, Vec<D>::Zero()}, w.other ? &others : nullptr, never, space);
   });
   const double begin = cpu_seconds();
-  std::vector<Pair> batch, hits;
-  std::vector<ContactTimes> times;
-  for (; grid->next(batch); batch.clear()) {
-    answer.candidates += batch.size();
-    if (grid->touching()) {
-      for (const Pair& pair : batch) answer.add(pair, 0);
-      continue;
-    }
-    hits.clear(), times.clear();
-    stages.contact += seconds_of([&] { contact->first_contacts(batch, TimesWanted::starts, hits, times); });
-    for (std::size_t i = 0; i < hits.size(); ++i) answer.add(hits[i], times[i].t);
-  }
+  const Answer answer = exact_answer(*grid, *contact, &stages.contact);
   stages.candidates = cpu_seconds() - begin - stages.contact;
   return answer;
 }

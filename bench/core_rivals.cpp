@@ -1,41 +1,15 @@
 #include "core_rivals.h"
 
-#include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <unordered_set>
 
-#include "core_emitter.h"
+#include "boost_tree.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/resting_bodies.h"
 
 namespace foresee::bench {
 namespace {
-
-template <int D>
-using BoostPoint = boost::geometry::model::point<double, D, boost::geometry::cs::cartesian>;
-
-template <int D>
-BoostPoint<D> boost_point(const Vec<D>& x) {
-  if constexpr (D == 2)
-    return {x[0], x[1]};
-  else
-    return {x[0], x[1], x[2]};
-}
-
-/// A swept box and the number of its object.
-template <int D>
-using BoostValue = std::pair<boost::geometry::model::box<BoostPoint<D>>, std::uint32_t>;
-
-template <int D>
-std::vector<BoostValue<D>> boost_values(const Workload& w) {
-  const std::vector<Box<D>> boxes = boxes_swept_by<D>(w);
-  std::vector<BoostValue<D>> values;
-  values.reserve(boxes.size());
-  for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    values.push_back({{boost_point<D>(boxes[i].lower), boost_point<D>(boxes[i].upper)}, i});
-  return values;
-}
 
 /// The places of the boxes at time t.
 template <int D>
@@ -65,25 +39,14 @@ Answer by_brute_force(const Workload& w) {
 }
 
 Answer by_boost(const Workload& w) {
-  namespace index = boost::geometry::index;
   return typed(w, [&](auto axes) {
     constexpr int D = axes;
     PlainEmitter emitter(w);
-    const std::vector<BoostValue<D>> values = boost_values<D>(w);
-    const index::rtree<BoostValue<D>, index::rstar<16>> tree(values);
-    const auto probe = [&](const BoostValue<D>& value, auto&& take) {
-      for (auto hit = tree.qbegin(index::intersects(value.first)); hit != tree.qend(); ++hit)
-        take(value.second, hit->second);
-    };
-    if (w.other) {
-      for (const auto& value : boost_values<D>(*w.other))
-        probe(value, [&](std::uint32_t of_other, std::uint32_t hit) { emitter.take(hit, of_other); });
-    } else {
-      for (const auto& value : values)
-        probe(value, [&](std::uint32_t a, std::uint32_t b) {
-          if (a < b) emitter.take(a, b);
-        });
-    }
+    const BoostTree<D> tree(w);
+    if (!w.other) tree.join(emitter);
+    if (w.other)
+      for (const auto& value : BoostTree<D>::values_of(*w.other))
+        tree.probe(value, [&](std::uint32_t of_other, std::uint32_t hit) { emitter.take(hit, of_other); });
     return emitter.finish();
   });
 }

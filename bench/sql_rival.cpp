@@ -42,20 +42,26 @@ void Rival::load() {
   db_.run("COMMIT");
 }
 
-void Rival::move(Statement& object, Statement& box, std::size_t row, double dx, double dy) {
+void Rival::store(Statement& object, Statement& box, std::size_t row, double x, double y,
+                  const Box<2>& swept) {
   const auto id = static_cast<std::int64_t>(row + 1);
-  const double* position = workload_.bodies().row(row);
-  object.bind(1, position[0] + dx);
-  object.bind(2, position[1] + dy);
+  object.bind(1, x);
+  object.bind(2, y);
   object.bind(3, id);
   object.step();
-  const Box<2>& swept = boxes_[row];
-  box.bind(1, swept.lower[0] + dx);
-  box.bind(2, swept.upper[0] + dx);
-  box.bind(3, swept.lower[1] + dy);
-  box.bind(4, swept.upper[1] + dy);
+  for (int axis = 0; axis < 2; ++axis) {
+    box.bind(1 + 2 * axis, swept.lower[axis]);
+    box.bind(2 + 2 * axis, swept.upper[axis]);
+  }
   box.bind(5, id);
   box.step();
+}
+
+void Rival::move(Statement& object, Statement& box, std::size_t row, double dx, double dy) {
+  const double* const position = workload_.bodies().row(row);
+  const Vec<2> by(dx, dy);
+  store(object, box, row, position[0] + dx, position[1] + dy,
+        {boxes_[row].lower + by, boxes_[row].upper + by});
 }
 
 // LIMIT -1 keeps SQLite from flattening the subquery, which would call the function twice for every hit.

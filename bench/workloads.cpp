@@ -48,6 +48,7 @@ Workload even_scene(const std::string& name, const EvenScene& scene) {
   Random random(scene.seed);
   const double space = scene.space_per_object * static_cast<double>(scene.count);
   const double side = scene.axes == 2 ? std::sqrt(space) : std::cbrt(space);
+  w.rows.reserve(scene.count * static_cast<std::size_t>(writer.at.size));
   for (std::size_t i = 0; i < scene.count; ++i) {
     double* row = writer.add();
     for (int axis = 0; axis < scene.axes; ++axis) {
@@ -179,6 +180,7 @@ Workload make_workload(const std::string& name) {
   const double number = number_at_end(name);
   const auto count = static_cast<std::size_t>(number);
   if (name.starts_with("S-")) return even_scene(name, {.count = count});
+  if (name.starts_with("U-")) return even_scene(name, {.count = count, .law = Law::uniform});
   if (name.starts_with("D-")) return even_scene(name, {.count = count, .shape = Shape::ball});
   if (name.starts_with("C-"))
     return even_scene(name, {.count = count, .axes = 3, .shape = Shape::cylinder, .space_per_object = 28});

@@ -4,6 +4,8 @@
 //
 //   S-<n>   plane of side sqrt(14 n), half extents 0.5, |v| <= 3, |a| <= 0.5, h = 3: about 1 pair per object
 //
+//   U-<n>   S-<n> in uniform motion: no acceleration
+//
 //   K-<n>   S-<n>, stored in Morton order
 //
 //   M-<n>   S-<n>, but 1 % of the objects 1000 times faster and 0.1 % 1000 times larger
