@@ -8,9 +8,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . sql/packages.sh
+. bench/machine.sh
 
-load=$(cut -d' ' -f1 /proc/loadavg)      # before the build, which raises it
-need_packages "${build_packages[@]}" "gnuplot-nox: command gnuplot"
+need_packages "${build_packages[@]}" "python3: command python3"
 
 out=docs/explanation/accuracy
 [ "${1:-}" != --quick ] || out=build/accuracy
@@ -31,17 +31,11 @@ cmake --preset release -DFORESEE_BENCH=ON -DFORESEE_NEWER_BOOST="$boost" >/dev/n
 cmake --build --preset release --target bench_accuracy bench_extreme_scenes bench_exponent_fuzz
 bench=build/release/bench
 
-{
-  echo "CPU: $(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores; processor time of one thread"
-  echo "Compiler: $(g++ --version | head -n 1)"
-  echo "Flags: -O3 -march=x86-64-v2 -ffp-contract=off -fno-math-errno -fno-trapping-math"
-  echo "Library: $(cd build/release && sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' CMakeCache.txt), commit $(git rev-parse --short=12 HEAD)"
-  echo "Seed: 20260101 for every family"
-  echo "Load average when it began: $load$(awk -v load="$load" 'BEGIN { if (load >= 0.3) print " (a busy machine: times are too long)" }')"
-} >$out/machine.txt
+{ describe_machine && echo "Seed: 20260101 for every family"; } >$out/machine.txt
 
 $bench/bench_accuracy $out "$@"
 $bench/bench_extreme_scenes >$out/extreme_scenes.csv
 $bench/bench_exponent_fuzz >$out/exponent_fuzz.csv
-gnuplot -c bench/accuracy/pictures.gnuplot $out
+load_at_the_end >>$out/machine.txt
+python3 docs/pictures/draw.py --into $out wrong stages
 echo "Written: $out/"

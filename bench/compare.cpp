@@ -153,7 +153,7 @@ class Table {
   std::FILE* csv_;
 };
 
-/// objects.csv (id and numbers), reports.csv (id, x, y) and expected.csv (pairs and checksums) of a scene.
+/// Three tables of a scene: objects (id and numbers), reports (id, x, y), and the pairs and checksums to find.
 void export_scene(const std::string& folder, const Workload& scene, const Measured& m) {
   const std::filesystem::path path = std::filesystem::path(folder) / scene.name;
   std::filesystem::create_directories(path);

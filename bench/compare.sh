@@ -36,5 +36,6 @@ echo "DuckDB: ${duckdb:-left out}" >>$out/compare_machine.txt
 build/release/bench/bench_compare "$@" --csv $out/compare.csv --export $scenes --ships sql/data/new_york_20220103.csv
 [ -z "$duckdb" ] || node bench/duckdb/compare.mjs $scenes $out/compare.csv build/duckdb $seconds
 load_at_the_end >>$out/compare_machine.txt
+python3 docs/pictures/draw.py --into $out compare
 
 python3 bench/compare_pages.py "$@"

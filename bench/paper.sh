@@ -8,8 +8,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . sql/packages.sh
+. bench/machine.sh
 
-need_packages "${build_packages[@]}" "gnuplot-nox: command gnuplot"
+need_packages "${build_packages[@]}" "python3: command python3"
 
 out=docs/developers/benchmarks
 [ "${1:-}" != --quick ] || out=build/benchmarks
@@ -18,14 +19,9 @@ mkdir -p $out
 cmake --preset release -DFORESEE_BENCH=ON >/dev/null
 cmake --build --preset release --target bench_paper
 
-{
-  echo "CPU: $(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores; processor time of one thread"
-  echo "Compiler: $(g++ --version | head -n 1)"
-  echo "Flags: -O3 -march=x86-64-v2 -ffp-contract=off -fno-math-errno -fno-trapping-math"
-  echo "Library: $(cd build/release && sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' CMakeCache.txt), commit $(git rev-parse --short=12 HEAD)"
-  echo "Load when it began: $(cut -d' ' -f1 /proc/loadavg)"
-} >$out/paper_machine.txt
+describe_machine >$out/paper_machine.txt
 
 build/release/bench/bench_paper "$@" $out
-gnuplot -c bench/paper.gnuplot $out
+load_at_the_end >>$out/paper_machine.txt
+python3 docs/pictures/draw.py --into $out paper_time paper_prune
 echo "Written: $out/"

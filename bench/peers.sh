@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The join beside its peers, with and without SQL, and how it grows: raw CSV and pictures into docs/developers/benchmarks/ (Debian).
+# The join beside its peers, with and without SQL, and how it grows: raw CSV and a picture into docs/developers/benchmarks/ (Debian).
 #
 #   bash bench/peers.sh            # half an hour, most of it the peers'
 #   bash bench/peers.sh --quick    # less than two minutes, into build/benchmarks/: docs/ stays as it is
@@ -8,8 +8,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . sql/packages.sh
+. bench/machine.sh
 
-need_packages "${build_packages[@]}" "gnuplot-nox: command gnuplot"
+need_packages "${build_packages[@]}" "python3: command python3"
 
 out=docs/developers/benchmarks
 growth=(S-1000 S-10000 S-100000 S-1000000 L-1 L-3 L-10 L-30 L-100 L-300 G-0.01 G-0.03 G-0.1 G-0.3 G-1)
@@ -22,15 +23,11 @@ mkdir -p $out
 cmake --preset release -DFORESEE_BENCH=ON >/dev/null
 cmake --build --preset release --target bench_core_join bench_sql_join
 
-{
-  echo "CPU: $(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores; processor time"
-  echo "Compiler: $(g++ --version | head -n 1)"
-  echo "Commit: $(git rev-parse --short=12 HEAD)"
-  echo "Load when it began: $(cut -d' ' -f1 /proc/loadavg)"
-} >$out/peers_machine.txt
+describe_machine >$out/peers_machine.txt
 
 build/release/bench/bench_core_join "$@" --csv $out/peers_core.csv
 build/release/bench/bench_core_join --quick --csv $out/growth.csv "${growth[@]}"
 build/release/bench/bench_sql_join "$@" --csv $out/peers_sql.csv
-gnuplot -c bench/peers.gnuplot $out
+load_at_the_end >>$out/peers_machine.txt
+python3 docs/pictures/draw.py --into $out growth
 echo "Written: $out/"
