@@ -1,5 +1,4 @@
-"""The picture of docs/explanation/avoidance.md is what its script draws, and its program makes traffic keep clear."""
-import os
+"""The program of docs/how-to/clear_traffic.md makes traffic keep clear."""
 import subprocess
 import tempfile
 import unittest
@@ -8,7 +7,6 @@ from pathlib import Path
 from house import EXTENSION, ROOT, main
 
 PYTHON = "/usr/bin/python3"
-PICTURE = ROOT / "docs/pictures/traffic"
 
 
 class WithPython(unittest.TestCase):
@@ -18,14 +16,6 @@ class WithPython(unittest.TestCase):
         probe = "import sqlite3; sqlite3.Connection.enable_load_extension"
         if not Path(PYTHON).exists() or subprocess.run([PYTHON, "-c", probe], capture_output=True).returncode:
             self.skipTest(f"there is no {PYTHON} with enable_load_extension")
-
-
-class Picture(WithPython):
-    def test_the_picture_is_what_the_script_draws(self):
-        done = subprocess.run([PYTHON, PICTURE.with_suffix(".py")], text=True, capture_output=True, cwd=ROOT,
-                              env={**os.environ, "FORESEE_EXTENSION": str(EXTENSION)})
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(done.stdout, PICTURE.with_suffix(".svg").read_text())
 
 
 class Program(WithPython):

@@ -1,19 +1,25 @@
-"""What docs/how-to/maps_and_pictures.md shows beyond its examples: the files that its recipes print are what maps and charts read, and the picture
-of the harbour is what its script draws."""
+"""What docs/how-to/maps_and_pictures.md shows beyond its examples: the files that its recipes print are what maps and charts read. And every
+picture of the pages is what docs/pictures/draw.py draws, with the palette, a title and a text for those who do not see it."""
 import csv
 import json
 import os
+import re
 import subprocess
+import sys
 import unittest
 import xml.etree.ElementTree as xml
 from datetime import datetime
 from pathlib import Path
 
 from documents import examples
-from house import EXTENSION, ROOT, main
+from house import EXTENSION, ROOT, SHARED_DATA, main
+
+sys.path.insert(0, str(ROOT / "docs/pictures"))
+import draw  # noqa: E402
+import svg  # noqa: E402
 
 PYTHON = "/usr/bin/python3"
-PICTURE = ROOT / "docs/pictures/harbour"
+DRAW = ROOT / "docs/pictures/draw.py"
 PAGE = ROOT / "docs/how-to/maps_and_pictures.md"
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -79,18 +85,76 @@ class Recipes(unittest.TestCase):
         self.assertTrue(all(top < y < top + height for way in ways["cy"] for y in way))
 
 
-class Harbour(unittest.TestCase):
+def drawn(name):
+    done = subprocess.run([PYTHON, DRAW, "--print", name], text=True, capture_output=True, cwd=ROOT,
+                          env={**os.environ, "FORESEE_EXTENSION": str(EXTENSION)})
+    if done.returncode:
+        raise AssertionError(done.stderr)
+    return done.stdout
+
+
+def pictures():
+    """Every SVG of docs/."""
+    return sorted((ROOT / "docs").rglob("*.svg"))
+
+
+class Drawn(unittest.TestCase):
     maxDiff = None
 
-    def test_the_picture_is_what_the_script_draws(self):
+    def require_extension(self):
         probe = "import sqlite3; sqlite3.Connection.enable_load_extension"
         if not Path(PYTHON).exists() or subprocess.run([PYTHON, "-c", probe], capture_output=True).returncode:
             self.skipTest(f"there is no {PYTHON} with enable_load_extension")
-        done = subprocess.run([PYTHON, PICTURE.with_suffix(".py")], text=True, capture_output=True, cwd=ROOT,
-                              env={**os.environ, "FORESEE_EXTENSION": str(EXTENSION)})
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(done.stdout, PICTURE.with_suffix(".svg").read_text())
-        self.assertNotIn("http", done.stdout.replace('xmlns="http://www.w3.org/2000/svg"', ""))
+
+    def test_every_picture_of_the_pages_is_drawn_by_the_script(self):
+        known = {folder / f"{name}.svg" for name, (folder, _) in draw.CHARTS.items()} | {draw.PICTURES / f"{name}.svg" for name in draw.SCENES}
+        self.assertEqual(set(pictures()), known)
+
+    def test_charts_are_what_their_tables_say(self):
+        for name, (folder, chart) in draw.CHARTS.items():
+            with self.subTest(name):
+                self.assertEqual(chart(folder).written(), (folder / f"{name}.svg").read_text())
+
+    def test_scenes_and_maps_are_what_the_extension_says(self):
+        self.require_extension()
+        for name in draw.SCENES:
+            if name == "mississippi" and not (SHARED_DATA / "ships_us_20220103.csv.gz").exists():
+                continue
+            with self.subTest(name):
+                self.assertEqual(drawn(name), (draw.PICTURES / f"{name}.svg").read_text())
+
+    def test_each_says_what_it_shows_in_light_and_dark_and_asks_nobody(self):
+        for path in pictures():
+            with self.subTest(path.name):
+                text = path.read_text()
+                picture = xml.fromstring(text)
+                self.assertGreater(len(picture.find(SVG + "title").text), 20)
+                self.assertGreater(len(picture.find(SVG + "desc").text), 20)
+                self.assertIn("prefers-color-scheme: dark", text)
+                self.assertNotIn("http", text.replace('xmlns="http://www.w3.org/2000/svg"', ""))
+                classes = {word for place in picture.iter() for word in place.get("class", "").split()}
+                self.assertLessEqual(classes, {f"{kind}-{name}" for kind in "fs" for name in svg.PALETTE})
+                self.assertIsNone(re.search(r'(?:fill|stroke)="#', text), "a colour that is not of the palette")
+
+    def test_each_stands_on_a_page_with_a_text_for_those_who_do_not_see_it(self):
+        shown = {}
+        for page in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]:
+            for words, target in re.findall(r"!\[([^\]]*)\]\(([^)]+\.svg)\)", page.read_text()):
+                shown[(page.parent / target).resolve()] = words
+        self.assertEqual(set(pictures()), set(shown))
+        self.assertTrue(all(len(words) > 10 for words in shown.values()), shown)
+
+    def test_foresee_is_told_from_rivals_without_colour(self):
+        def light(shade):  # relative luminance
+            parts = [int(shade[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+            return sum(weight * (c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4) for weight, c in zip((0.2126, 0.7152, 0.0722), parts))
+
+        for scheme in (0, 1):
+            ground = light(svg.PALETTE["ground"][scheme])
+            for name in ("ink", "soft", "foresee", "meet", "grey1", "grey2"):
+                other = light(svg.PALETTE[name][scheme])
+                contrast = (max(ground, other) + 0.05) / (min(ground, other) + 0.05)
+                self.assertGreater(contrast, 4.5, (name, scheme))
 
 
 if __name__ == "__main__":

@@ -43,7 +43,7 @@ class Staged(unittest.TestCase):
 
     def test_links_lead_to_pages_pictures_and_copies_of_sources(self):
         index = (self.site().pages / "index.md").read_text()
-        for wanted in ("(reference/index.md)", "(pictures/harbour.svg)", "(sources/sql/import_ais.sql.txt)", "(contributing.md)"):
+        for wanted in ("(reference/index.md)", "(pictures/new_york.svg)", "(sources/sql/import_ais.sql.txt)", "(contributing.md)"):
             self.assertIn(wanted, index)
         self.assertNotIn("](docs/", index)
         join = (self.folder / "site/pages/reference/predictive_join.md").read_text()
