@@ -131,8 +131,8 @@ std::map<std::int64_t, std::string> stored_records(Database& db, const std::stri
   return records;
 }
 
-// Of ships, which were changed after their load, and of drones, which later versions separate in time, the
-// records of the leaves are compared: the format does not define how nodes share them.
+// Ships were changed after their load, and drones are separated in time by later versions. Of both the records
+// of the leaves are compared: the format does not define how nodes share them.
 TEST_F(VersionZeroOne, CreatedAgainHasTheSameBytes) {
   Database fresh;
   sqlite3_foresee_init(fresh, nullptr, nullptr);
