@@ -1,7 +1,7 @@
 // The times for which a tree is shaped: the clock of its writes, and a reference time for the objects that
 // share a node.
 //
-//   const ReferenceTimes times(clock.now());
+//   const ReferenceTimes times(now);
 //   times.of({.t_min = 500, .t_max = 500, .until_max = 510})       // 505: the middle of a leg's life
 //   times.of({.t_min = 0, .t_max = 0, .until_max = infinity})      // the clock: a ship whose motion has no end
 //
