@@ -1,4 +1,4 @@
-"""The prose of a C++ file or of a page: comments, messages and paragraphs, without code, quoted output and SQL.
+"""The prose of a C++ file, of a page or of a man page: comments, messages and paragraphs, without code, quoted output and SQL.
 
     for piece in prose_of(ROOT / "ext/query/scene.h"):
         print(piece.kind, piece.first_line, piece.text)        # kind: "comment", "message", "page", "heading", "table"
@@ -161,6 +161,38 @@ def prose_of_page(text):
     return [without_code(piece) for piece in pieces]
 
 
+def prose_of_man_page(text):
+    """Of a man page (roff): what macros set in bold or italics is code, and so are lists of names and what stands between .nf and .fi."""
+    pieces, piece, is_example = [], Piece("page"), False
+
+    def add(number, words):
+        if words.strip():
+            piece.add(number, words)
+
+    for number, line in enumerate(text.splitlines(), 1):
+        macro, _, rest = line.partition(" ")
+        if macro in (".SH", ".TP", ".PP", ".TH", ".nf", ".fi"):
+            is_example = {".nf": True, ".fi": False}.get(macro, is_example)
+            pieces.append(piece)
+            piece = Piece("heading" if macro == ".SH" else "page")
+            if macro == ".SH":
+                piece.add(number, rest)
+                pieces.append(piece)
+                piece = Piece("page")
+        elif is_example or line.startswith(('.\\"', ".B ")) and not piece.text:      # a function that is described below
+            continue
+        elif line.startswith("."):
+            add(number, f"`{rest}`" + "." * rest.endswith("."))
+        elif re.fullmatch(r"[\w, ]+[.]?", line) and "," in line and not re.search(r"\w \w", line):
+            add(number, f"`{line}`.")
+        else:
+            add(number, re.sub(r"\\f[A-Z]|\\\(aq|\\", "", line))
+    pieces.append(piece)
+    return [without_code(piece) for piece in pieces if piece.text]
+
+
 def prose_of(path):
     text = path.read_text()
+    if path.name.endswith(".3.in"):
+        return prose_of_man_page(text)
     return prose_of_cpp(text) if path.suffix in CPP else prose_of_page(text)
