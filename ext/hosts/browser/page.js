@@ -6,58 +6,13 @@
 
 const $ = (id) => document.getElementById(id);
 const canvas = $('canvas'), pen = canvas.getContext('2d');
-const shown_rows = 1000;
 
 let query;                       // sql -> {columns, rows, ms}, or an Error
+let examples = [];
 let scene = null;                // what is drawn: {table, now, horizon, looks, pairs}
 let view = {x: 0, y: 0, scale: 1};
 let playing = null, chosen = -1;
-
-// The module.
-
-async function unpacked(element) {
-  const packed = Uint8Array.from(atob(element.textContent.trim()), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).arrayBuffer();
-}
-
-async function load() {
-  const module = await foreseeModule({wasmBinary: await unpacked($('module'))});
-  if (module._foresee_open() !== 0) throw new Error('SQLite did not open a database');
-  const ask = (sql) => {
-    const size = module.lengthBytesUTF8(sql) + 1, at = module._malloc(size);
-    module.stringToUTF8(sql, at, size);
-    const answer = JSON.parse(module.UTF8ToString(module._foresee_query(at)));
-    module._free(at);
-    if (answer.error !== undefined) throw Object.assign(new Error(answer.error), {offset: answer.offset});
-    return answer;
-  };
-  query = ask;
-  window.foresee = {query: ask, reopen: () => module._foresee_open()};
-}
-
-// Rows.
-
-function text_of(value) {
-  if (value === null) return '';
-  if (typeof value !== 'number' || Number.isInteger(value)) return String(value);
-  return String(Number(value.toPrecision(9)));
-}
-
-function show_rows(answer) {
-  const head = document.createElement('tr');
-  head.append(...answer.columns.map((name) => Object.assign(document.createElement('th'), {textContent: name})));
-  $('pairs').tHead.replaceChildren(head);
-  $('pairs').tBodies[0].replaceChildren(...answer.rows.slice(0, shown_rows).map((row, number) => {
-    const line = document.createElement('tr');
-    line.tabIndex = 0;
-    line.append(...row.map((value) => Object.assign(document.createElement('td'), {
-      textContent: text_of(value), className: typeof value === 'string' ? 'text' : '', title: value === null ? 'NULL' : String(value)})));
-    line.onclick = () => choose(number);
-    line.onkeydown = (event) => { if (event.key === 'Enter') choose(number); };
-    return line;
-  }));
-}
+let coast = null;                // {origin, read, placed}
 
 function say(text, is_error) {
   $('message').textContent = text;
@@ -69,9 +24,33 @@ function say(text, is_error) {
 const quoted = (name) => '"' + name.replaceAll('"', '""') + '"';
 const literal = (text) => "'" + text.replaceAll("'", "''") + "'";
 
+/// Name to origin, [latitude, longitude] in degrees; null of a table in metres.
 function moving_tables() {
-  const sql = "SELECT name FROM sqlite_schema WHERE sql LIKE '%USING%moving_objects%' ORDER BY rowid";
-  return query(sql).rows.map((row) => row[0]);
+  const rows = query("SELECT f.name, f.origin FROM foresee_tables f JOIN sqlite_schema s ON s.name = f.name WHERE f.schema = 'main' ORDER BY s.rowid").rows;
+  return new Map(rows.map(([name, origin]) => [name, origin ? origin.split(' ').map(Number) : null]));
+}
+
+/// Metres east and north of an origin: the mid-latitude formula on WGS84, good to a metre within 100 km. It places what is only drawn.
+function projection([lat0, lon0]) {
+  const radians = Math.PI / 180, a = 6378137, e2 = 0.00669437999014;
+  return (lon, lat) => {
+    const dl = (((lon - lon0) % 360 + 540) % 360 - 180) * radians, middle = (lat + lat0) / 2 * radians;
+    const w = 1 - e2 * Math.sin(middle) ** 2, n = a / Math.sqrt(w), m = a * (1 - e2) / w ** 1.5;
+    const east = n * dl * Math.cos(middle), north = m * (lat - lat0) * radians * Math.cos(dl / 2);
+    const turn = -dl * Math.sin(middle) / 2, [c, s] = [Math.cos(turn), Math.sin(turn)];
+    return [east * c + north * s, north * c - east * s];
+  };
+}
+
+/// The coast about an origin, once it is needed.
+function coast_about(origin) {
+  if (!origin) return null;
+  coast ??= {read: JSON.parse(new TextDecoder().decode(coast_bytes))};
+  if (String(coast.origin) !== String(origin)) {
+    const [lat, lon] = origin;
+    coast = {...coast, origin, placed: coastOf(coast.read, projection(origin), [lon - 30, Math.max(-89, lat - 18), lon + 30, Math.min(89, lat + 18)])};
+  }
+  return coast.placed;
 }
 
 function rings_of(wkt) {
@@ -80,16 +59,17 @@ function rings_of(wkt) {
 }
 
 /// What each object looks like, by its id.
-function looks_of(table) {
+function looks_of(table, origin) {
   const all = query(`SELECT * FROM ${quoted(table)}`), looks = new Map();
   const at = Object.fromEntries(all.columns.map((name, i) => [name.toLowerCase(), i]));
   const rings = new Map();
   for (const row of all.rows) {
     const value = (name) => (at[name] === undefined ? null : row[at[name]]);
-    const shape = value('shape');
-    if (shape !== null && !rings.has(shape)) rings.set(shape, rings_of(shape));
+    const shape = value('shape') ?? value('zone');
+    if (shape !== null && !rings.has(shape)) rings.set(shape, at.zone === undefined ? rings_of(shape)
+      : rings_of(shape)?.map((ring) => ring.map((corner) => projection(origin)(...corner))));
     looks.set(String(row[at.id]), {r: value('r') ?? 0, hx: value('hx'), hy: value('hy'), name: value('name'),
-      rings: shape === null ? null : rings.get(shape), heading: value('heading') ?? 0});
+      rings: shape === null ? null : rings.get(shape), heading: value('heading') ?? 0, zone: at.zone !== undefined});
   }
   return {looks, latest: at.t === undefined ? 0 : Math.max(...all.rows.map((row) => row[at.t]))};
 }
@@ -97,16 +77,16 @@ function looks_of(table) {
 function read_scene(sql, answer) {
   const call = sql.match(/predictive_join\s*\(\s*([\d.]+(?:e\d+)?)\s*(?:,\s*'([^']+)')?(?:\s*,\s*([\d.]+)(?:\s*,\s*'([^']+)')?)?/i);
   const tables = moving_tables();
-  const first = call && tables.includes(call[2]) ? call[2] : tables[0];
+  const first = call && tables.has(call[2]) ? call[2] : [...tables.keys()][0];
   if (!first) return null;
-  const second = call && tables.includes(call[4]) ? call[4] : null;
+  const second = call && tables.has(call[4]) ? call[4] : null;
   const column = (name) => answer.columns.indexOf(name);
   const [a, b, t, t_end] = ['a', 'b', 't', 't_end'].map(column);
-  const drawn = (second ? [first, second] : [first]).map((table) => ({table, ...looks_of(table)}));
+  const drawn = (second ? [first, second] : [first]).map((table) => ({table, ...looks_of(table, tables.get(table))}));
   const now = Math.max(...drawn.map((one) => one.latest));
   const pairs = a < 0 || b < 0 || t < 0 ? [] : answer.rows.map((row) => ({a: String(row[a]), b: String(row[b]), t: row[t],
     t_end: t_end < 0 ? row[t] : row[t_end]}));
-  return {tables: drawn, now: Number.isFinite(now) ? now : 0, horizon: call ? Number(call[1]) || 1 : 60, within: call ? Number(call[3] ?? 0) : 0, pairs};
+  return {tables: drawn, origin: tables.get(first), now: Number.isFinite(now) ? now : 0, horizon: call ? Number(call[1]) || 1 : 60, within: call ? Number(call[3] ?? 0) : 0, pairs};
 }
 
 function places_of(table, moment) {
@@ -120,11 +100,13 @@ const colour = (name) => getComputedStyle(document.documentElement).getPropertyV
 const moment_shown = () => scene.now + Number($('time').value);
 const on_screen = (x, y) => [canvas.width / 2 + (x - view.x) * view.scale, canvas.height / 2 - (y - view.y) * view.scale];
 
+/// Shows points; of many all but stray ones, the middle 98 of 100.
 function fit(points, room) {
   if (points.length === 0) return;
-  const xs = points.map((p) => p.x), ys = points.map((p) => p.y);
-  const middle = (values) => (Math.min(...values) + Math.max(...values)) / 2;
-  const span = (values) => Math.max(...values) - Math.min(...values) + room;
+  const sorted = (values) => { values.sort((a, b) => a - b); const cut = Math.floor(values.length / 100); return values.slice(cut, values.length - cut); };
+  const xs = sorted(points.map((p) => p.x)), ys = sorted(points.map((p) => p.y));
+  const middle = (values) => (values[0] + values[values.length - 1]) / 2;
+  const span = (values) => values[values.length - 1] - values[0] + room;
   view = {x: middle(xs), y: middle(ys), scale: Math.min(canvas.width / span(xs), canvas.height / span(ys)) * 0.88};
 }
 
@@ -142,6 +124,7 @@ function draw_grid() {
 }
 
 function draw_object(place, look, fill) {
+  if (!look.zone && Math.abs(on_screen(place.x, place.y)[0] - canvas.width / 2) > 2 * canvas.width) return;
   const [x, y] = on_screen(place.x, place.y);
   pen.fillStyle = fill;
   pen.beginPath();
@@ -151,7 +134,9 @@ function draw_object(place, look, fill) {
       ring.forEach(([u, v], i) => pen[i ? 'lineTo' : 'moveTo'](...on_screen(place.x + u * c + v * s, place.y - u * s + v * c)));
       pen.closePath();
     }
+    pen.globalAlpha = look.zone ? 0.15 : 1;
     pen.fill('evenodd');
+    pen.globalAlpha = 1;
     pen.lineWidth = 2 * devicePixelRatio;
     pen.strokeStyle = fill;
     pen.stroke();
@@ -168,6 +153,12 @@ function draw_object(place, look, fill) {
 function draw() {
   canvas.width = canvas.clientWidth * devicePixelRatio, canvas.height = canvas.clientHeight * devicePixelRatio;
   if (!scene) return;
+  const around = coast_about(scene.origin);
+  if (around) {
+    const [w, h] = [canvas.width, canvas.height].map((size) => size / 2 / view.scale);
+    drawCoast(pen, around, {seen: [view.x - w, view.y - h, view.x + w, view.y + h], onScreen: on_screen, width: canvas.width, height: canvas.height,
+      pixel: devicePixelRatio, land: colour('land'), water: colour('water'), shore: colour('shore')});
+  }
   const moment = moment_shown(), step = draw_grid();
   const [soon, touch] = [new Set(), new Set()];
   for (const pair of scene.pairs) {
@@ -189,14 +180,10 @@ function draw() {
       const key = number + place.id, look = looks.get(place.id) ?? {r: 0, hx: null, rings: null};
       draw_object(place, look, colour(touch.has(key) ? 'touch' : soon.has(key) ? 'soon' : 'object'));
       found.set(key, place);
-      if (look.name && places.length <= 60) names.push([look.name, place]);
+      if (look.name && (places.length <= 60 || soon.has(key) || touch.has(key))) names.push([look, place]);
     }
   });
-  pen.fillStyle = colour('ink'), pen.font = `${12 * devicePixelRatio}px system-ui, sans-serif`;
-  for (const [name, place] of names) {
-    const [x, y] = on_screen(place.x, place.y);
-    pen.fillText(name, x + 9 * devicePixelRatio, y - 9 * devicePixelRatio);
-  }
+  draw_names(names);
   const pair = scene.pairs[chosen], a = pair && found.get('0' + pair.a), b = pair && found.get((scene.tables.length - 1) + pair.b);
   if (a && b) {
     pen.strokeStyle = colour('touch'), pen.setLineDash([6, 5]);
@@ -205,8 +192,35 @@ function draw() {
     pen.stroke();
     pen.setLineDash([]);
   }
-  $('clock').textContent = `t = ${text_of(Number(moment.toPrecision(8)))}`;
-  $('legend').innerHTML = `grid ${text_of(step)}<i style="background:var(--touch)"></i>in contact now<i style="background:var(--soon)"></i>will be<i style="background:var(--object)"></i>keeps clear`;
+  const later = Number($('time').value), dated = scene.now > 1e8;
+  const date = () => new Date(moment * 1000).toISOString().replace('T', ' ').slice(0, 19) + ' UTC';
+  $('clock').textContent = (scene.horizon >= 120 ? `+${(later / 60).toFixed(1)} min` : `+${later.toFixed(1)} s`) + (dated ? `  ${date()}` : '');
+  $('legend').innerHTML = `grid ${step >= 1000 ? `${step / 1000} km` : `${plain(step)} m`}<i style="background:var(--touch)"></i>${scene.within ? `within ${plain(scene.within)} m` : 'in contact'} now<i style="background:var(--soon)"></i>will be<i style="background:var(--object)"></i>keeps clear`;
+}
+
+/// Names beside their objects, as far as there is room: each in a place that no other has taken. That of a zone is in its middle.
+function draw_names(names) {
+  pen.font = `${12 * devicePixelRatio}px system-ui, sans-serif`;
+  pen.lineWidth = 3 * devicePixelRatio, pen.lineJoin = 'round';
+  const chosenOnes = new Set(scene.pairs[chosen] ? [scene.pairs[chosen].a, scene.pairs[chosen].b] : []);
+  const rank = ([look, place]) => (chosenOnes.has(place.id) ? 0 : look.zone ? 1 : 2);
+  names.sort((a, b) => rank(a) - rank(b));
+  const taken = [], free = (box) => !taken.some((one) => overlap(one, box));
+  for (const [{name, zone, rings}, place] of names) {
+    const width = pen.measureText(name).width, height = 14 * devicePixelRatio;
+    let [x, y] = on_screen(place.x, place.y);
+    if (zone && rings) {
+      const [west, south, east, north] = withBox([...rings[0]]).box;
+      [x, y] = on_screen((west + east) / 2, (south + north) / 2);
+      x -= width / 2 + 9 * devicePixelRatio, y += 12 * devicePixelRatio;
+    }
+    x += 9 * devicePixelRatio, y -= 9 * devicePixelRatio;
+    const box = [x, y - height, x + width, y];
+    if (x > canvas.width || y < 0 || x + width < 0 || y - height > canvas.height || !free(box)) continue;
+    taken.push(box);
+    pen.strokeStyle = colour('water'), pen.strokeText(name, x, y);
+    pen.fillStyle = colour('ink'), pen.fillText(name, x, y);
+  }
 }
 
 // What the reader does.
@@ -217,14 +231,15 @@ function run() {
   try {
     const answer = query(sql);
     chosen = -1;
-    show_rows(answer);
     const count = answer.rows.length;
-    say(`${count} ${count === 1 ? 'row' : 'rows'} in ${answer.ms.toFixed(1)} ms` + (count > shown_rows ? `, the first ${shown_rows} shown` : ''));
+    say(`${count} ${count === 1 ? 'row' : 'rows'} in ${answer.ms.toFixed(1)} ms` + (count > SHOWN_ROWS ? `, the first ${SHOWN_ROWS} shown` : ''));
     scene = read_scene(sql, answer);
+    showRows($('pairs'), answer, scene, choose);
     if (scene) {
       $('time').max = scene.horizon, $('time').value = 0;
       const first = scene.tables[0].table;
-      scene.flat = !query(`SELECT * FROM ${quoted(first)} LIMIT 0`).columns.includes('y');
+      const columns = query(`SELECT * FROM ${quoted(first)} LIMIT 0`).columns;
+      scene.flat = columns.includes('x') && !columns.includes('y');
       canvas.width = canvas.clientWidth * devicePixelRatio, canvas.height = canvas.clientHeight * devicePixelRatio;
       fit([0, scene.horizon].flatMap((later) => scene.tables.flatMap(({table}) => places_of(table, scene.now + (scene.tables[0].looks.size < 100 ? later : 0)))), 1);
     }
@@ -292,21 +307,52 @@ function listen() {
     view.x -= event.movementX * devicePixelRatio / view.scale, view.y += event.movementY * devicePixelRatio / view.scale;
     draw();
   };
-  const examples = JSON.parse($('examples').textContent);
   examples.forEach((example, i) => $('example').add(new Option(example.title, i)));
   $('example').onchange = () => open_example(examples[Number($('example').value)]);
-  return examples;
+  $('share').onclick = share;
+  addEventListener('hashchange', open_link);
 }
 
-function open_example(example) {
+function open_example(example, sql = example.sql) {
   window.foresee.reopen();
   if (example.setup) query(example.setup);
-  $('sql').value = example.sql;
+  $('sql').value = sql;
   run();
 }
 
+/// The query goes into the address; the data of an example is in the page, and named.
+async function share() {
+  const fragment = await fragmentOf({sql: $('sql').value, example: $('example').selectedOptions[0]?.textContent});
+  history.replaceState(null, '', fragment);
+  try { await navigator.clipboard.writeText(location.href); say('The link is copied; it holds the query.'); }
+  catch { say('The link in the address bar holds the query.'); }
+}
+
+/// Opens what the address holds, else the first example.
+async function open_link() {
+  try {
+    const shared = await sharedBy(location.hash);
+    const number = Math.max(0, examples.findIndex((example) => example.title === shared?.example));
+    $('example').value = number;
+    open_example(examples[number], shared ? shared.sql : undefined);
+  } catch (error) {
+    open_example(examples[0]);
+    say(error.message, true);
+  }
+}
+
+let coast_bytes;
+
+async function load() {
+  examples = JSON.parse($('examples').textContent);
+  coast_bytes = await unpacked($('coast').textContent);
+  window.foresee = await openForesee($('module').textContent);
+  query = window.foresee.query;
+  listen();
+  await open_link();
+}
+
 load().then(() => {
-  open_example(listen()[0]);
   document.documentElement.dataset.state = 'ready';
 }).catch((error) => {
   say(error.message, true);

@@ -23,8 +23,8 @@ from .files import one_state, opened, quoted
 from .process import Refusal, Stop
 from .tables import IN_UNIT, KNOT, Table
 
-FILES = {"/": ("map.html", "text/html"), "/map.js": ("map.js", "text/javascript"), "/map.css": ("map.css", "text/css"),
-         "/coast.json": ("coast.json", "application/json")}
+FILES = {"/": ("map.html", "text/html"), "/map.js": ("map.js", "text/javascript"), "/coast.js": ("coast.js", "text/javascript"),
+         "/map.css": ("map.css", "text/css"), "/coast.json": ("coast.json", "application/json")}
 POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data:; base-uri 'none'; form-action 'none'"
 MAX_PAIRS = 500         # that the page lists: those that come first
 

@@ -12,32 +12,11 @@ const latOf = (y) => Math.atan(Math.exp(y * Math.PI / 180)) * 360 / Math.PI - 90
 const screen = (lon, y) => [(lon - view.lon) * view.scale + canvas.clientWidth / 2, (view.y - y) * view.scale + canvas.clientHeight / 2];
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
 
-function decoded(text, units) {
-  const ring = [];
-  let place = 0;
-  const value = () => {
-    let result = 0, shift = 0, bits;
-    do { bits = text.charCodeAt(place++) - 63; result += (bits & 31) * 2 ** shift; shift += 5; } while (bits & 32);
-    return result % 2 ? -(result + 1) / 2 : result / 2;
-  };
-  for (let lon = 0, lat = 0; place < text.length;) {
-    lon += value(); lat += value();
-    ring.push([lon / units, north(lat / units)]);
-  }
-  return withBox(ring);
-}
-
 // Of longitudes and latitudes one after the other.
 function ringOf(values) {
   const ring = [];
   for (let i = 0; i < values.length; i += 2) ring.push([values[i], north(values[i + 1])]);
   return withBox(ring);
-}
-
-function withBox(ring) {
-  ring.box = [Infinity, Infinity, -Infinity, -Infinity];
-  for (const [x, y] of ring) ring.box = [Math.min(ring.box[0], x), Math.min(ring.box[1], y), Math.max(ring.box[2], x), Math.max(ring.box[3], y)];
-  return ring;
 }
 
 function fit() {
@@ -57,57 +36,10 @@ function zoomAt(factor, x = canvas.clientWidth / 2, y = canvas.clientHeight / 2)
   draw();
 }
 
-function trace(rings) {
-  const [w, h] = [canvas.clientWidth / 2 / view.scale, canvas.clientHeight / 2 / view.scale];
-  const seen = rings.filter(({box}) => box[0] < view.lon + w && box[2] > view.lon - w && box[1] < view.y + h && box[3] > view.y - h);
-  pen.beginPath();
-  for (const ring of seen) {
-    ring.forEach((point, i) => i ? pen.lineTo(...screen(...point)) : pen.moveTo(...screen(...point)));
-    pen.closePath();
-  }
-  return seen;
-}
-
-// The shore of a region: its rings without the edges along its box, where it was cut.
-function shore(rings, [west, south, east, top]) {
-  const sides = [[0, west], [0, east], [1, north(south)], [1, north(top)]];
-  const isCut = (a, b) => sides.some(([axis, limit]) => Math.abs(a[axis] - limit) < 2e-3 && Math.abs(b[axis] - limit) < 2e-3);
-  pen.beginPath();
-  for (const ring of rings) {
-    for (let i = 0; i < ring.length; ++i) {
-      const from = ring[i], to = ring[(i + 1) % ring.length];
-      if (isCut(from, to)) continue;
-      if (i === 0 || isCut(ring[i - 1], from)) pen.moveTo(...screen(...from));
-      pen.lineTo(...screen(...to));
-    }
-  }
-  pen.stroke();
-}
-
-function box([west, south, east, top], wider = 0) {
-  const [x0, y0] = screen(west, north(top)), [x1, y1] = screen(east, north(south));
-  pen.rect(x0 - wider, y0 - wider, x1 - x0 + 2 * wider, y1 - y0 + 2 * wider);
-}
-
-function drawCoast() {
-  pen.fillStyle = colour('land'); pen.strokeStyle = colour('shore'); pen.lineWidth = 1;
-  pen.save();
-  pen.beginPath();
-  pen.rect(0, 0, canvas.clientWidth, canvas.clientHeight);
-  coast.regions.forEach((region) => box(region.box));
-  pen.clip('evenodd');
-  trace(coast.world); pen.fill('evenodd'); pen.stroke();
-  pen.restore();
-  for (const region of coast.regions) {
-    pen.save();
-    pen.beginPath(); box(region.box, 0.5); pen.clip();     // half a pixel more, so that no seam shows
-    pen.fillStyle = colour('water'); pen.fill();
-    pen.fillStyle = colour('land');
-    const seen = trace(region.rings);
-    pen.fill('evenodd');
-    shore(seen, region.box);
-    pen.restore();
-  }
+function sight() {
+  const [width, height] = [canvas.clientWidth, canvas.clientHeight], [w, h] = [width / 2 / view.scale, height / 2 / view.scale];
+  return {seen: [view.lon - w, view.y - h, view.lon + w, view.y + h], onScreen: screen, width, height, pixel: 1,
+          land: colour('land'), water: colour('water'), shore: colour('shore')};
 }
 
 function drawGrid() {
@@ -139,10 +71,10 @@ function drawAreas() {
     if (!marked.has(key) || pair.near || isChosen(pair)) marked.set(key, {kind: pair.near ? 'near' : 'soon', chosen: isChosen(pair) || marked.get(key)?.chosen});
   }
   pen.font = '12px system-ui, sans-serif'; pen.textAlign = 'center'; pen.lineJoin = 'round';
-  const named = new Set();
+  const named = new Set(), seen = sight();
   for (const area of areas) {
     const mark = marked.get(`${area.table.toLowerCase()} ${area.number}`);
-    if (!trace(area.rings).length) continue;
+    if (!traceRings(pen, area.rings, seen).length) continue;
     pen.fillStyle = colour('zone-fill'); pen.strokeStyle = colour(mark ? mark.kind : 'zone');
     pen.lineWidth = mark && mark.chosen ? 4 : mark ? 2.5 : 2;
     pen.fill('evenodd'); pen.stroke();
@@ -203,7 +135,7 @@ function draw() {
   pen.fillStyle = colour('water');
   pen.fillRect(0, 0, w, h);
   if (!view) return;
-  if (coast) drawCoast();
+  if (coast) drawCoast(pen, coast, sight());
   drawGrid();
   if (state) { drawAreas(); drawShips(); }
 }
@@ -315,8 +247,7 @@ window.addEventListener('resize', draw);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', draw);
 
 fetch('coast.json').then((answer) => answer.json()).then((read) => {
-  coast = {world: read.world.map((ring) => decoded(ring, read.world_units)),
-           regions: read.regions.map((region) => ({box: region.box, rings: region.rings.map((ring) => decoded(ring, read.units))}))};
+  coast = coastOf(read, (lon, lat) => [lon, north(lat)]);
   draw();
 });
 fit();
