@@ -42,14 +42,16 @@ class Figures:
         text = self.rows.get((scene, method), {}).get(column, "")
         return float(text) if text else None
 
-    def stopped(self, scene, method):
-        return self.rows.get((scene, method), {}).get("stopped") == "1"
+    def over(self, scene, method):
+        """The limit that the join exceeded."""
+        return self.of(scene, method, "over_s")
 
     def known(self, method):
         return any(name == method for _, name in self.rows)
 
-    def largest(self):
-        return max(size for size in SIZES if (f"U-{size}", "foresee grid") in self.rows)
+    def largest(self, *methods):
+        """The most objects of a scene that all these have joined."""
+        return max(size for size in SIZES if all(self.of(f"U-{size}", method, "join_s") is not None for method in methods))
 
 
 def number(value):
@@ -73,9 +75,9 @@ def power(size):
     return f"10<sup>{len(str(size)) - 1}</sup>"
 
 
-def compare_table(figures, limit):
+def compare_table(figures):
     """Joins by size; build, report and memory at the largest size that a method has."""
-    sizes = [size for size in SIZES if size <= figures.largest()]
+    sizes = [size for size in SIZES if size <= figures.largest("foresee grid")]
     yield "| | " + " | ".join(f"join, {power(size)}" for size in sizes) + " | build | report | memory |"
     yield "|---" * (len(sizes) + 4) + "|"
     for method, name in METHODS.items():
@@ -86,8 +88,8 @@ def compare_table(figures, limit):
             scene, seconds = f"U-{size}", figures.of(f"U-{size}", method, "join_s")
             if (scene, method) in figures.rows:
                 last = scene
-            over = figures.stopped(scene, method)
-            cells.append(time(seconds) if seconds is not None else f"over {limit} s" if over else "")
+            over = figures.over(scene, method)
+            cells.append(time(seconds) if seconds is not None else f"over {over:g} s" if over else "")
         build, report = (figures.of(last, method, column) for column in ("build_s", "report_s"))
         size = int(last.split("-")[1])
         at = "" if size == sizes[-1] else f" ({power(size)})"
@@ -107,7 +109,11 @@ def numbers_table(figures):
         ours = figures.of(scene, "foresee in SQL", column)
         theirs = [figures.of(scene, name, column) for name in rivals]
         return f"| {what} | {shown(ours)} | " + " | ".join(
-            f"{shown(value)} ({number(value / ours)} times)" if shown is time else shown(value) for value in theirs) + " |"
+            f"{shown(value)} ({number(value / ours)} times)" if shown is time else shown(value) + (" (no index)" if name.startswith("DuckDB") else "")
+            for name, value in zip(rivals, theirs)) + " |"
+
+    size = min(100000, figures.largest("foresee in SQL", "R*Tree in SQL"))
+    scene = f"U-{size}"
 
     def per_second(seconds):
         return count(float(f"{1 / seconds:.3g}"))
@@ -115,19 +121,21 @@ def numbers_table(figures):
     pairs = count(figures.of("ships", "foresee in SQL", "pairs"))
     yield row(f"real ships of New York Harbour, {figures.rows['ships', 'foresee in SQL']['objects']} of them: the {pairs} pairs "
               "within half a nautical mile in the next 10 minutes", "ships", "join_s", time)
-    yield row(f"100,000 moving boxes: all {count(figures.of('U-100000', 'foresee in SQL', 'pairs'))} pairs that touch, with times",
-              "U-100000", "join_s", time)
-    yield row("position reports stored in one transaction, per second", "U-100000", "report_s", per_second)
+    yield row(f"{count(size)} moving boxes: all {count(figures.of(scene, 'foresee in SQL', 'pairs'))} pairs that touch, with times",
+              scene, "join_s", time)
+    yield row("position reports stored in one transaction, per second", scene, "report_s", per_second)
 
 
 def choosing_table(figures):
-    """foresee in SQL beside the R*Tree and DuckDB at 100,000 objects."""
+    """foresee in SQL beside the R*Tree and DuckDB, to 100,000 objects."""
+    size = min(100000, figures.largest("foresee in SQL", "R*Tree in SQL"))
+    scene = f"U-{size}"
     rivals = [name for name in ("R*Tree in SQL", "DuckDB cells", "DuckDB range join") if figures.known(name)]
     yield "| | foresee | " + " | ".join(METHODS[name].replace(" in SQL", "") for name in rivals) + " |"
     yield "|---" * (len(rivals) + 2) + "|"
     for what, scene, column in (("join of 237 real ships", "ships", "join_s"), ("join of 1,000 boxes", "U-1000", "join_s"),
-                                ("join of 100,000 boxes", "U-100000", "join_s"), ("load of 100,000 boxes", "U-100000", "build_s"),
-                                ("one report of a batch", "U-100000", "report_s")):
+                                (f"join of {count(size)} boxes", scene, "join_s"), (f"load of {count(size)} boxes", scene, "build_s"),
+                                ("one report of a batch", scene, "report_s")):
         ours = figures.of(scene, "foresee in SQL", column)
         cells = []
         for name in rivals:
@@ -136,9 +144,19 @@ def choosing_table(figures):
         yield f"| {what} | {time(ours)} | " + " | ".join(cells) + " |"
 
 
-def blocks(figures, limit=60):
-    return {"table": list(compare_table(figures, limit)), "numbers": list(numbers_table(figures)),
-            "choosing": list(choosing_table(figures))}
+def run_text(figures, folder):
+    """Which machine, and whether its figures can be trusted."""
+    machine = dict(line.split(": ", 1) for line in (folder / "compare_machine.txt").read_text().splitlines() if ": " in line)
+    loads = [machine[f"Load average at the {when}"] for when in ("start", "end")]
+    yield f"The published run: {machine['CPU'].split(';')[0]}; to {count(figures.largest('foresee grid'))} objects. The load average was"
+    yield f"{loads[0].split()[0]} at the start and {loads[1].split()[0]} at the end."
+    if max(float(load.split()[0]) for load in loads) > 1.5:
+        yield "**The machine was busy: trust the ratios more than the times.**"
+
+
+def blocks(figures, folder=FOLDER):
+    return {"table": list(compare_table(figures)), "numbers": list(numbers_table(figures)),
+            "choosing": list(choosing_table(figures)), "run": list(run_text(figures, folder))}
 
 
 def filled(text, made):
@@ -149,7 +167,7 @@ def filled(text, made):
 
 def main():
     if "--quick" in sys.argv:
-        for lines in blocks(Figures(ROOT / "build/benchmarks/compare.csv"), 10).values():
+        for lines in blocks(Figures(ROOT / "build/benchmarks/compare.csv"), ROOT / "build/benchmarks").values():
             print("\n".join(lines), "\n")
         return
     made = blocks(Figures(FOLDER / "compare.csv"))

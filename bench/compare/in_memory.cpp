@@ -114,16 +114,16 @@ std::vector<ContestantKind> contestants_in_memory() {
       {.name = "foresee grid", .keeps_index = false, .make = make<GridContestant>},
       {.name = "GPCD", .keeps_index = false, .make = make<GpcdContestant>},
       {.name = "foresee TPR-tree", .keeps_index = true, .make = make<TreeContestant>},
+      {.name = "Boost R-tree", .keeps_index = true, .make = make<BoostContestant>},
 #ifdef FORESEE_SPATIALINDEX
       spatialindex_contestant(),
 #endif
-      {.name = "Boost R-tree", .keeps_index = true, .make = make<BoostContestant>},
-      {.name = "brute force", .keeps_index = false, .make = make<PairsContestant>},
       {.name = "time stepping",
        .keeps_index = false,
        .misses_pairs = true,
        .make = make<SteppingContestant>,
        .accepts = [](const Workload& objects) { return objects.layout.shape == Shape::box; }},
+      {.name = "brute force", .keeps_index = false, .make = make<PairsContestant>},
   };
 }
 

@@ -79,7 +79,7 @@ async function one() {
     await requireSame(expected.pairs_after, expected.sum_after, 'after the reports')
   }
   const objects = readFileSync(file('objects.csv'), 'utf8').trim().split('\n').length - 1
-  appendFileSync(table, [scene, objects, method, build.toPrecision(6), middle && middle.toPrecision(6), Number(stopped),
+  appendFileSync(table, [scene, objects, method, build.toPrecision(6), middle && middle.toPrecision(6), stopped ? seconds : '',
                          report.toPrecision(6), memory, stopped ? '' : expected.pairs, stopped ? '' : 0].join() + '\n')
   const ours = csv(table).filter((row) => row.scene === scene && row.method.startsWith('foresee') && row.join_s)
   const ratios = ours.filter((row) => row.method !== 'foresee TPR-tree').map((row) => `${(middle / row.join_s).toPrecision(3)} times ${row.method}`)
