@@ -31,12 +31,13 @@ def compare(folder):
     """Four panels: join, build, report, memory."""
     table = [row for row in rows(folder / "compare.csv") if row["scene"].startswith("U-")]
     largest = max(int(row["objects"]) for row in table)
-    limit = 60 if largest >= 1e6 or not any(row["stopped"] == "1" for row in table) else 10
-    picture = Picture(1180, 860, "foresee's grid joins moving objects fastest at every size",
-                      "Four charts against the number of objects: time of a join, of building, of one report, and memory.")
-    picture.heading("foresee's grid joins moving objects fastest at every size",
-                    "Scenes U-1,000 to U-1,000,000: boxes in uniform motion, about one pair per object; processor time of one thread; "
-                    "an open ring: stopped, too long")
+    fastest = {size: min((float(row["join_s"]), row["method"]) for row in table if row["objects"] == size and row["join_s"])[1]
+               for size in {row["objects"] for row in table}}
+    message = ("foresee's grid joins moving objects fastest at every size" if set(fastest.values()) == {"foresee grid"}
+               else "Joining moving objects: foresee beside other methods and products")
+    picture = Picture(1180, 860, message, "Four charts against the number of objects: time of a join, of building, of one report, and memory.")
+    picture.heading(message, f"scenes U-1000 to U-{largest}: boxes in uniform motion, about one pair per object; processor time of one thread; "
+                    "open ring: stopped there, too long")
     panels = [("Join: all pairs with times", "join_s", (1e-5, 100), "time per join", SECONDS),
               ("Build: from an array to what can be joined", "build_s", (1e-4, 1000), "time to build", SECONDS),
               ("Report: one object moves", "report_s", (1e-7, 1e-2), "time per report", SECONDS),
@@ -49,8 +50,8 @@ def compare(folder):
         for method, (label, colour, mark, dash) in COMPARED.items():
             mine = sorted((row for row in table if row["method"] == method), key=lambda row: int(row["objects"]))
             points = [(int(row["objects"]), max(low, float(row[column]))) for row in mine if row[column]]
-            stop = next((int(row["objects"]) for row in mine if row["stopped"] == "1"), None)
-            over = (stop, limit) if stop and column == "join_s" else None
+            stop = next(((int(row["objects"]), float(row["over_s"])) for row in mine if row["over_s"]), None)
+            over = stop if column == "join_s" else None
             missed = max((float(row["missed"] or 0) for row in mine), default=0)
             note = f" (misses {100 * missed:.0f} %)" if missed and column == "join_s" else ""
             if points or over:

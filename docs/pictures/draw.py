@@ -2,8 +2,8 @@
 """Draws the pictures of the pages, all from one palette (svg.py): charts from the CSV files beside them, scenes and maps from the extension.
 
     python3 docs/pictures/draw.py                       # all, from the root; those of the extension with build/release/foresee.so
-    python3 docs/pictures/draw.py growth wrong          # these
-    python3 docs/pictures/draw.py --into FOLDER growth  # from the CSV files of another folder, and into it
+    python3 docs/pictures/draw.py compare wrong         # these
+    python3 docs/pictures/draw.py --into FOLDER compare # from the CSV files of another folder, and into it
     python3 docs/pictures/draw.py --print harbour       # to the standard output
     (build/release/bench/bench_outline_cost; build/release/bench/bench_mesh_cost) | python3 docs/pictures/draw.py --pairs    # pairs.csv
 
@@ -19,11 +19,12 @@ import accuracy  # noqa: E402
 import charts  # noqa: E402
 import maps  # noqa: E402
 import scenes  # noqa: E402
+import workloads  # noqa: E402
 
 DOCS = Path(__file__).resolve().parents[1]
 BENCHMARKS, ACCURACY, PICTURES = DOCS / "developers/benchmarks", DOCS / "explanation/accuracy", DOCS / "pictures"
 # name: (folder, what draws it); a chart reads the CSV files of its folder
-CHARTS = {"growth": (BENCHMARKS, charts.growth), "paper_time": (BENCHMARKS, charts.paper_time),
+CHARTS = {"workloads": (BENCHMARKS, workloads.workloads), "compare": (BENCHMARKS, charts.compare), "growth": (BENCHMARKS, charts.growth), "paper_time": (BENCHMARKS, charts.paper_time),
           "paper_prune": (BENCHMARKS, charts.paper_prune), "pairs": (BENCHMARKS, charts.pairs), "wrong": (ACCURACY, accuracy.wrong),
           "stages": (ACCURACY, accuracy.stages)}
 SCENES = {"new_york": maps.new_york, "mississippi": maps.mississippi, "ring": scenes.ring, "traffic": scenes.traffic,

@@ -1,4 +1,5 @@
-"""Every benchmark still compiles: the release build leaves them out, so what they call could change unseen.
+"""Every benchmark still compiles: the release build leaves them out, so what they call could change unseen. And the figures of the
+README and the pages are those of docs/developers/benchmarks/compare.csv.
 
 Only their syntax and types are looked at, which takes a second a file. A file that wants the headers of a peer that
 this machine lacks is passed over."""
@@ -6,9 +7,15 @@ import concurrent.futures
 import os
 import re
 import subprocess
+import sys
+import tempfile
 import unittest
+from pathlib import Path
 
 from house import ROOT, main
+
+sys.path.insert(0, str(ROOT / "bench"))
+import compare_pages  # noqa: E402
 
 FLAGS = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-Iext", "-Itests", "-Ibench", "-I.",
          "-isystem", "/usr/include/eigen3"]
@@ -33,6 +40,36 @@ class Benchmarks(unittest.TestCase):
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             complaints = [said for said in pool.map(complaint, sources) if said]
         self.assertEqual(complaints, [], "\n".join(complaints))
+
+
+class Figures(unittest.TestCase):
+    maxDiff = None
+
+    def test_the_pages_have_the_figures_of_the_file(self):
+        made = compare_pages.blocks(compare_pages.Figures(compare_pages.FOLDER / "compare.csv"))
+        for page in compare_pages.PAGES:
+            text = (ROOT / page).read_text()
+            self.assertIn("<!-- compare ", text, page)
+            self.assertEqual(text, compare_pages.filled(text, made), f"{page}: run python3 bench/compare_pages.py")
+
+    def test_a_table_says_what_stopped_and_what_does_not_exist(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "compare.csv"
+            path.write_text("scene,objects,method,build_s,join_s,over_s,report_s,memory_bytes,pairs,missed\n"
+                            "U-1000,1000,foresee grid,,4.9e-05,,,1600000,973,0\n"
+                            "U-1000,1000,brute force,,0.00226,,,400000,973,0\n"
+                            "U-1000,1000,Boost R-tree,0.00017,0.00046,,2.2e-06,700000,973,0\n"
+                            "U-10000,10000,foresee grid,,0.00056,,,2200000,9669,0\n"
+                            "U-10000,10000,brute force,,,60,,400000,,\n")
+            _, _, grid, boost, brute = compare_pages.compare_table(compare_pages.Figures(path))
+        self.assertEqual(grid, "| **foresee: production grid** | 49 µs | 560 µs | – | – | 2.2 MB |")
+        self.assertEqual(boost, "| Boost: R-tree | 460 µs |  | 170 µs (10<sup>3</sup>) | 2.2 µs (10<sup>3</sup>) | 0.7 MB (10<sup>3</sup>) |")
+        self.assertEqual(brute, "| brute force | 2.26 ms | over 60 s | – | – | 0.4 MB |")
+
+    def test_three_digits_and_a_unit(self):
+        self.assertEqual([compare_pages.time(value) for value in (1.234e-7, 4.9e-5, 0.00123, 0.0999, 1.5, 61.2)],
+                         ["0.123 µs", "49 µs", "1.23 ms", "99.9 ms", "1.5 s", "61.2 s"])
+        self.assertEqual([compare_pages.number(value) for value in (0.58, 9.97, 47.9, 9999, 123456)], ["0.58", "9.97", "47.9", "10,000", "123,000"])
 
 
 if __name__ == "__main__":
