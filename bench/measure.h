@@ -1,5 +1,5 @@
 // Measurement of processor time and of memory: repeated times with their median and ratio, memory of this
-// process and of its children, what these write, and limits to their time.
+// process and of its children, their written bytes, and limits to their time.
 #pragma once
 
 #include <sys/mman.h>
@@ -115,17 +115,19 @@ inline double written_bytes() {
   return bytes;
 }
 
-/// Time, memory and written bytes of a child process that only does `work`, which returns the seconds that
-/// count. Call it before this process has used much memory. Throws Error if the child failed.
+/// Time, memory and written bytes of a child process that only does `work`, which returns the seconds that count.
+/// Call it before this process has used much memory. Throws Error if the child failed.
 template <class Work>
 Cost cost_in_child(Work&& work) {
-  struct Told {
-    double seconds, written;
-  };
-  SharedValue<Told> told;
+  SharedValue<Cost> cost;
   rusage usage{};
-  run_in_child([&] { *told = {work(), written_bytes()}; }, 1e9, &usage);
-  return {told->seconds, static_cast<double>(usage.ru_maxrss) * 1024, told->written};
+  run_in_child(
+      [&] {
+        cost->seconds = work();
+        cost->written_bytes = written_bytes();
+      },
+      1e9, &usage);
+  return {cost->seconds, static_cast<double>(usage.ru_maxrss) * 1024, cost->written_bytes};
 }
 
 /// The peak memory, in bytes, of such a child.
