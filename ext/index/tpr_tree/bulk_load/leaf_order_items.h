@@ -5,11 +5,11 @@
 //   const auto item = items.of(record, 7);
 //   const std::size_t axis = items.widest_axis(some_items);     // of position, velocity or time
 //
-// A velocity counts as the distance that it covers in part of a horizon. A reference time (reference_times.h)
-// counts as the distance that an object of median speed covers in `time_weight` times as long. Only the spread
-// beyond a median life counts: a cut does not separate objects that live together. Without an end the
-// reference time is the clock, and the order is that of a table without `until`. Single precision suffices:
-// the order affects the cost of queries, not their results.
+// A velocity counts as the distance that it covers in part of a horizon, or in a median life if that is
+// shorter. A reference time (reference_times.h) counts as the distance that an object of median speed covers in
+// `time_weight` times as long. Only the spread beyond a median life counts: a cut does not separate objects
+// that live together. Without an end the reference time is the clock, and the order is that of a table without
+// `until`. Single precision suffices: the order affects the cost of queries, not their results.
 #pragma once
 
 #include <algorithm>
@@ -53,12 +53,15 @@ class OrderItems {
   /// `reach` is set to the distance that the object extends over the horizon.
   Item of(const double* record, std::uint32_t index, float& reach) const {
     const Mover<D> mover(reader_, record);
-    double at = now_;
-    if constexpr (timed) at = times_.of(times_of_one(mover.motion));
+    double at = now_, velocity_weight = velocity_weight_;
+    if constexpr (timed) {
+      const Times times = times_of_one(mover.motion);
+      if (!times_.is_clock(times)) at = times_.of(times), velocity_weight = scheduled_velocity_weight_;
+    }
     const double s = at - mover.motion.t;
     const Vec<D> gained = mover.motion.a * s;
     const Vec<D> x = mover.motion.x - origin_ + s * (mover.motion.v + 0.5 * gained);
-    const Vec<D> v = (mover.motion.v + gained) * velocity_weight_;
+    const Vec<D> v = (mover.motion.v + gained) * velocity_weight;
     Item item;
     for (int axis = 0; axis < D; ++axis) {
       item.place[static_cast<std::size_t>(axis)] = clamped(x[axis]);
@@ -66,7 +69,7 @@ class OrderItems {
     }
     if constexpr (timed) item.place[2 * D] = clamped((at - now_) * distance_per_time_);
     item.index = index;
-    const Vec<D> growth = mover.growth * (std::max(s, 0.0) + velocity_weight_);
+    const Vec<D> growth = mover.growth * (std::max(s, 0.0) + velocity_weight);
     reach = clamped((v.abs() + growth + reach_of(mover.extents)).maxCoeff());
     return item;
   }
@@ -144,12 +147,15 @@ class OrderItems {
       const float time = spread_of(some, 2 * D);
       distance_per_time_ = time > 0 ? widest / time : 0;
     }
-    shared_ = clamped(median_or(lives, 0) * distance_per_time_);
+    const double life = median_or(lives, 0);
+    shared_ = clamped(life * distance_per_time_);
+    scheduled_velocity_weight_ = std::min(velocity_weight_, life);
   }
 
   LeafReader<D> reader_;
   ReferenceTimes times_;
   double now_, velocity_weight_;
+  double scheduled_velocity_weight_ = velocity_weight_;  ///< of objects whose lives are not current
   Vec<D> origin_;
   bool is_schedule_ = false;  ///< some lives of the sample are not current
   double distance_per_time_ = 0;
