@@ -123,8 +123,8 @@ void require_cylinders_or_points(const Layout& a, const Layout& b) {
     throw Error("within_z is not for meshes: leave it out; within covers every axis");
   if (!has(a, b, Shape::point) && !has(a, b, Shape::cylinder) && !has(a, b, Shape::outline))
     throw Error(
-        "within_z needs points, cylinders (r with hz) or prisms (shape with hz) on one side; between balls "
-        "or boxes leave it out: within covers every axis");
+        "within_z needs points, cylinders (r with hz) or prisms (shape with hz) on one side; else leave it "
+        "out: within covers every axis");
 }
 
 void require_no_ball_with_upright(const Layout& a, const Layout& b, const std::string& name_a,
@@ -135,9 +135,9 @@ void require_no_ball_with_upright(const Layout& a, const Layout& b, const std::s
   const std::string& upright = ball_a ? name_b : name_a;
   const char* const other = plural_of((ball_a ? b : a).shape);
   throw Error("no distance is defined between " + upright + " (" +
-              (other ? other : "points, which within_z makes cylinders") + ") and " + ball +
-              " (balls): declare hz in " + ball + " to make them cylinders" +
-              (other ? "" : ", or leave out within_z"));
+              (other ? other : "points, cylinders by within_z") + ") and " + ball +
+              " (balls): declare hz in " + ball +
+              (other ? " to make them cylinders" : ", or leave out within_z"));
 }
 
 void require_distance_of_outlines(const Layout& a, const Layout& b, const std::string& name_a,
@@ -179,17 +179,18 @@ void require_distance(const Layout& a, const Layout& b, const std::optional<doub
 void require_distance_from_zone(const Layout& objects, bool zone_has_z) {
   if (objects.shape == Shape::mesh)
     throw Error(
-        "no distance is defined between meshes and a zone, which is flat: bound the window by x0, x1, y0, "
-        "y1, z0 and z1, or declare hz in the table to make its shapes prisms");
+        "no distance is defined between meshes and a zone, which is flat: write x0 to z1, or declare hz in "
+        "the "
+        "table to make prisms");
   if (objects.shape == Shape::ball && objects.axes == 3 && zone_has_z)
     throw Error(
         "no distance is defined between balls and a zone with z0 or z1: leave these out, or declare hz "
         "in the table to make its balls cylinders");
   if (objects.shape == Shape::box && grows(objects))
     throw Error(
-        "no distance is defined between a zone and boxes that grow: bound the window by x0, x1, y0 and y1, "
-        "or "
-        "declare r and growth in the table in place of hx and hy");
+        "no distance is defined between a zone and boxes that grow: write x0 to y1, or declare r in the "
+        "table "
+        "in place of hx and hy");
 }
 
 }  // namespace foresee

@@ -58,8 +58,7 @@ void check_mesh(const Mesh& mesh) {
   const MeshEdge edge = *open_edge_of(mesh.triangles());
   throw Error("edge " + shown_edge(mesh, edge.from, edge.to) + " belongs to " +
               std::to_string(edge.triangles) + (edge.triangles == 1 ? " triangle" : " triangles") +
-              ", and each edge of a solid to two: write equal corners with equal numbers, or TIN Z for a "
-              "surface");
+              ", in a solid to two: write equal corners with equal numbers, or TIN Z for a surface");
 }
 
 void check_turned(const Mesh& mesh, const Mesh& turned, double heading) {

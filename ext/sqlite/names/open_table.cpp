@@ -29,10 +29,9 @@ std::string list_tables(const std::vector<VisibleTable>& tables, bool with_schem
     list += (list.empty() ? "" : ", ") + quoted(table.name);
     if (with_schemas || is_hidden(table, tables)) list += " with schema = " + quoted(table.schema);
   }
-  return list.empty()
-             ? " (there is no moving_objects table here; make one with CREATE VIRTUAL TABLE ships USING "
-               "moving_objects(id, x, y, vx, vy))"
-             : " (moving_objects tables here: " + list + ")";
+  return list.empty() ? " (no moving_objects table here; make one with CREATE VIRTUAL TABLE ships USING "
+                        "moving_objects(id, x, y, vx, vy))"
+                      : " (moving_objects tables here: " + list + ")";
 }
 
 /// The only moving_objects table, for a query without a table name. Throws Error unless there is exactly one.

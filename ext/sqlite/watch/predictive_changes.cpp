@@ -80,7 +80,7 @@ QualifiedName find_watch(sqlite3* db, const std::string& name, const std::option
     if (schema) list += " with schema = " + quoted(table.schema);
   }
   throw Error("no such watch: " + quoted(name) + (schema ? " in schema " + quoted(*schema) : "") +
-              (list.empty() ? " (no watches here; make one with CREATE VIRTUAL TABLE alerts USING "
+              (list.empty() ? " (none here; make one with CREATE VIRTUAL TABLE alerts USING "
                               "predictive_watch(ships, horizon = 600))"
                             : " (watches here: " + list + ")"));
 }

@@ -148,9 +148,9 @@ NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const De
   const std::string version = std::to_string(NodeFormat::version), format = meta.read("format");
   if (format != version)
     refuse(SQLITE_ERROR, name,
-           "stored in format '" + format + "'; this version of foresee reads format " + version +
-               ". Copy the table with the version that wrote it (CREATE TABLE copy AS SELECT * FROM " +
-               name.table + "), drop it, create it again and insert the copy");
+           "stored in format '" + without_nul(format) + "', this foresee reads " + version +
+               "; with the version that wrote it, copy it into an ordinary table, then insert that into a "
+               "new one");
   require_known_features(meta, name);
   const std::string declared = describe_columns(declaration);
   if (const std::string columns = meta.read("columns", 2 * declared.size() + 1000); columns != declared)

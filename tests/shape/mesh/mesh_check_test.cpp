@@ -51,10 +51,10 @@ TEST(MeshCheck, AnEdgeOfASolidBelongsToTwoTriangles) {
   const std::string text = tetrahedron;
   const std::string without_last = text.substr(0, text.rfind(", ((")) + ")";
   EXPECT_EQ(flaw(without_last),
-            "edge (0 1 0, 1 0 0) belongs to 1 triangle, and each edge of a solid to two: write equal corners "
+            "edge (0 1 0, 1 0 0) belongs to 1 triangle, in a solid to two: write equal corners "
             "with equal numbers, or TIN Z for a surface");
-  EXPECT_EQ(flaw(text.substr(0, text.size() - 1) + ", ((1 0 0, 0 1 0, 5 5 5, 1 0 0)))").substr(0, 49),
-            "edge (0 1 0, 1 0 0) belongs to 3 triangles, and e");
+  EXPECT_EQ(flaw(text.substr(0, text.size() - 1) + ", ((1 0 0, 0 1 0, 5 5 5, 1 0 0)))").substr(0, 50),
+            "edge (0 1 0, 1 0 0) belongs to 3 triangles, in a s");
   EXPECT_EQ(flaw("MULTIPOLYGON Z" + without_last.substr(19)), "");
   EXPECT_EQ(flaw("TIN Z" + without_last.substr(19)), "");
 }

@@ -14,7 +14,7 @@ struct JoinTables : ::testing::Test {
 
 TEST_F(JoinTables, MayBeLeftOutWhereThereIsOne) {
   EXPECT_EQ(pairs("predictive_join(20)"),
-            "error: predictive_join: there is no table to query (there is no moving_objects table here; make "
+            "error: predictive_join: there is no table to query (no moving_objects table here; make "
             "one with "
             "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy))");
   build_ships(db);

@@ -115,11 +115,11 @@ TEST_F(MeshColumns, HaveALimitOfTriangles) {
 
 TEST_F(MeshColumns, AreRefusedWithZonesAndLimitsAlongZ) {
   insert(1, "'" + roof + "'");
-  EXPECT_EQ(db.error_of(
-                "SELECT * FROM predictive_window(9, 'drones') WHERE zone = 'POLYGON((0 0, 4 0, 0 3, 0 0))'"),
-            "predictive_window: no distance is defined between meshes and a zone, which is flat: bound the "
-            "window by "
-            "x0, x1, y0, y1, z0 and z1, or declare hz in the table to make its shapes prisms");
+  EXPECT_EQ(
+      db.error_of(
+          "SELECT * FROM predictive_window(9, 'drones') WHERE zone = 'POLYGON((0 0, 4 0, 0 3, 0 0))'"),
+      "predictive_window: no distance is defined between meshes and a zone, which is flat: write x0 to z1, "
+      "or declare hz in the table to make prisms");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_join(9, 'drones', 0, NULL, 0, NULL, 5)"),
             "predictive_join: within_z is not for meshes: leave it out; within covers every axis");
 }

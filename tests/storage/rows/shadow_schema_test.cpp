@@ -92,9 +92,9 @@ TEST(ShadowSchema, OtherFormatsAreRefused) {
   const auto open = [&] { Store::open(db, "main", "ships", ships()); };
   open();
   db.run("UPDATE ships_meta SET value = 1 WHERE key = 'format'");
-  expect_store_error(SQLITE_ERROR,
-                     "ships: stored in format '1'; this version of foresee reads format 2. Copy the table",
-                     open);
+  expect_store_error(
+      SQLITE_ERROR, "ships: stored in format '1', this foresee reads 2; with the version that wrote it, copy",
+      open);
   db.run("UPDATE ships_meta SET value = 2 WHERE key = 'format'");
   for (const char* size : {"'4096'", "-1", "NULL", "1e300"}) {
     db.run(std::string("UPDATE ships_meta SET value = ") + size + " WHERE key = 'node_size'");
