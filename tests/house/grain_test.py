@@ -31,8 +31,9 @@ FULLEST_FOLDER = 26
 PRIVATE = {
     "query/join/slab_helpers.h": "threads of a join with an interface of their own; join.cpp would have over 300 lines",
     "shape/outline/triangulation.h": "the public header of triangulation.cpp; convex_pieces.cpp would have over 300 lines",
-    "storage/nodes/map_changes.h": "a log with an interface of its own; node_cache.h would have over 300 lines",
-    "storage/nodes/object_spill.h": "a temporary file of objects; store_pack.cpp would have over 300 lines",
+    "storage/nodes/id_map.h": "the id map with an interface of its own; node_cache.h would have over 300 lines",
+    "storage/nodes/node_slots.h": "nodes in memory, without rows and log; node_cache.h would have over 300 lines",
+    "storage/nodes/object_spill.h": "a temporary file of objects; tree_load.cpp would have over 300 lines",
     "storage/table/integrity_check.h": "the public header of integrity_check.cpp, which has 243 lines",
     "storage/table/stored_forms.h": "a cache of outlines and meshes; store.h would have over 300 lines",
     "storage/table/tree_snapshot.h": "a class of its own; store_transactions.cpp would have over 300 lines",

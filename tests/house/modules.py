@@ -28,7 +28,7 @@ INSIDE = {
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
     "shape": ["mesh", "outline"],
     "query": ["avoid", "watch", "join", "tile", "sweep", "window", "nearest", "position"],
-    "storage": ["watch", "table", "nodes", "journal", "rows", "format"],
+    "storage": ["watch", "table", "tree", "nodes", "journal", "rows", "format"],
     "sqlite": ["watch", "functions", "names", "table"],
 }
 # Folders of tests/ that are of no one module, and files that tests read.

@@ -4,7 +4,7 @@
     complaints_about_source(ROOT / "ext/base/simd.h", ROOT, files)       # the same for comments
     complaints_about_lists(page, ROOT)                                   # and for each list of files that is not the true one
 
-A path may be written from the root, from ext/ or from any folder on the way, as `storage/nodes/undo_log.h` or `undo_log.h`; with *
+A path may be written from the root, from ext/ or from any folder on the way, as `storage/nodes/node_history.h` or `node_history.h`; with *
 it stands for any that fit. SQL examples and addresses are not looked at, nor what is built.
 
 A list of files is a table behind `<!-- files that name WORD -->`: the first column has every file under ext/ whose code,

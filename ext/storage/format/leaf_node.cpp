@@ -145,6 +145,20 @@ void LeafView::copy_records(double* records) const {
   std::memcpy(records, record_at(0), static_cast<std::size_t>(count()) * format_->record_size);
 }
 
+void append(const LeafView& leaf, std::vector<std::int64_t>& ids, std::vector<double>& records) {
+  const std::size_t before = ids.size(), size = records.size();
+  const auto count = static_cast<std::size_t>(leaf.count());
+  ids.resize(before + count);
+  records.resize(size + count * leaf.record_size());
+  leaf.copy_ids(ids.data() + before);
+  leaf.copy_records(records.data() + size);
+}
+
+void append(const Node& leaf, std::vector<std::int64_t>& ids, std::vector<double>& records) {
+  ids.insert(ids.end(), leaf.keys.begin(), leaf.keys.end());
+  records.insert(records.end(), leaf.values.begin(), leaf.values.end());
+}
+
 std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number, const Node& leaf) {
   if (leaf.size() > format.leaf_capacity) throw BrokenTree("a tree node does not fit into its row");
   std::vector<std::byte> blob(format.node_size);

@@ -20,6 +20,7 @@ void Journal::push() {
   Level& level = levels_[depth_];
   level.joined.reserve(participants_.size());
   level.number = newest_ = ++last_;
+  level.abandoned = false;
   ++depth_;
 }
 
@@ -46,38 +47,60 @@ void Journal::join(Participant& participant) {
   participant.joined_ = level.number;
 }
 
-bool Journal::rewind_level(Level& level) noexcept {
+bool Journal::rewind_level(Level& level) {
   const bool changed = !level.joined.empty();
-  for (const Joined& joined : level.joined) {
-    joined.participant->rewind(joined.position);
+  while (!level.joined.empty()) {
+    const Joined joined = level.joined.back();
+    level.joined.pop_back();
     joined.participant->joined_ = 0;
+    joined.participant->rewind(joined.position);
   }
-  level.joined.clear();
   return changed;
 }
 
-bool Journal::rewind(Mark mark) noexcept {
+bool Journal::rewind(Mark mark) {
   bool changed = false;
   for (; depth_ > mark + 1; pop()) changed |= rewind_level(levels_[depth_ - 1]);
   return rewind_level(levels_[mark]) || changed;
 }
 
 // The older position of a participant holds for both marks.
+void Journal::pass_on(const Joined& passed) noexcept {
+  Level& older = levels_[depth_ - 1];
+  const auto same = std::find_if(older.joined.begin(), older.joined.end(), [&](const Joined& other) {
+    return other.participant == passed.participant;
+  });
+  if (same != older.joined.end())
+    passed.participant->merge(same->position, passed.position);
+  else if (depth_ > 1 || passed.participant->scope_ == Participant::Scope::transaction)
+    older.joined.push_back(passed);
+  else
+    passed.participant->forget();
+}
+
 void Journal::forget(Mark mark) noexcept {
-  for (; depth_ > mark && depth_ > 1; pop()) {
-    Level& older = levels_[depth_ - 2];
-    for (const Joined& joined : levels_[depth_ - 1].joined) {
-      const auto same = std::find_if(older.joined.begin(), older.joined.end(), [&](const Joined& other) {
-        return other.participant == joined.participant;
-      });
-      if (same != older.joined.end())
-        joined.participant->merge(same->position, joined.position);
-      else if (depth_ > 2 || joined.participant->scope_ == Participant::Scope::transaction)
-        older.joined.push_back(joined);
-      else
-        joined.participant->forget();
-    }
+  while (depth_ > mark && depth_ > 1) {
+    std::vector<Joined>& forgotten = levels_[depth_ - 1].joined;
+    newest_ = levels_[--depth_ - 1].number;
+    for (const Joined& joined : forgotten) pass_on(joined);
+    forgotten.clear();
   }
+}
+
+void Journal::abandon(Participant& participant) {
+  if (depth_ < 2) return;
+  participant.join();
+  Level& level = levels_[depth_ - 1];
+  level.abandoned = true;
+  participant.abandoned_ = level.number;
+  const auto joined = std::find_if(level.joined.begin(), level.joined.end(),
+                                   [&](const Joined& one) { return one.participant == &participant; });
+  if (joined == level.joined.end()) return;
+  const Joined passed = *joined;
+  level.joined.erase(joined);
+  --depth_;
+  pass_on(passed);
+  ++depth_;
 }
 
 void Journal::end(Ended how) noexcept {
@@ -85,10 +108,8 @@ void Journal::end(Ended how) noexcept {
     for (const Joined& joined : levels_[depth_ - 1].joined)
       if (how == Ended::rolled_back && joined.participant->scope_ == Participant::Scope::transaction)
         joined.participant->rewind(joined.position);
-  for (Participant* participant : participants_) {
-    participant->joined_ = 0;
-    participant->end(how);
-  }
+  for (Participant* participant : participants_) participant->joined_ = 0;
+  for (Participant* participant : participants_) participant->end(how);
 }
 
 }  // namespace foresee

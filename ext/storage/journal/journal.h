@@ -46,14 +46,28 @@ class Journal {
       if (joined_ != journal_.newest_) journal_.join(*this);
     }
     /// True if a change may be rewound: then a log is kept.
-    bool is_marked() const { return journal_.depth_ > (scope_ == Scope::transaction ? 0u : 1u); }
+    bool is_marked() const {
+      const std::size_t others = scope_ == Scope::transaction ? 0 : 1,
+                        abandoned = abandoned_ == journal_.newest_;
+      return journal_.depth_ > others + abandoned;
+    }
+    /// The newest mark can restore this state no more, because rows were written: what it keeps is passed on.
+    void abandon_newest_mark() { journal_.abandon(*this); }
+    /// Calls each(position) for every mark that this has joined.
+    template <class Each>
+    void for_each_position(Each each) const {
+      for (std::size_t depth = 0; depth < journal_.depth_; ++depth)
+        for (const Joined& joined : journal_.levels_[depth].joined)
+          if (joined.participant == this) each(joined.position);
+    }
 
    private:
     friend class Journal;
 
     /// Prepares a later rewind() to the present state, and returns its position.
     virtual std::size_t keep() = 0;
-    virtual void rewind(std::size_t position) noexcept = 0;
+    /// If it throws, only the end of the transaction restores this.
+    virtual void rewind(std::size_t position) = 0;
     /// No rewind() to `newer` follows; one to `older`, an older position, may.
     virtual void merge(std::size_t /*older*/, std::size_t /*newer*/) noexcept {}
     /// No rewind() to any position so far follows.
@@ -63,7 +77,8 @@ class Journal {
 
     Journal& journal_;
     Scope scope_;
-    std::uint64_t joined_ = 0;  ///< number of the mark that it has joined last
+    std::uint64_t joined_ = 0;                        ///< number of the mark that it has joined last
+    std::uint64_t abandoned_ = std::uint64_t(0) - 1;  ///< … that it has abandoned
   };
 
   /// A transaction starts. Requires: none is open.
@@ -71,8 +86,11 @@ class Journal {
   bool is_open() const { return depth_ > 0; }
   /// Requires: a transaction is open.
   Mark set_mark();
-  /// Restores the state as of the mark and forgets newer ones. Returns whether anything had changed.
-  bool rewind(Mark mark) noexcept;
+  /// Restores the state as of the mark and forgets newer ones. Returns whether anything had changed. If it throws,
+  /// only end() restores the state.
+  bool rewind(Mark mark);
+  /// True if a participant cannot be rewound to the mark. Requires: no newer mark is set.
+  bool is_abandoned(Mark mark) const { return levels_[mark].abandoned; }
   /// Forgets the mark and all newer ones; the state stays.
   void forget(Mark mark) noexcept;
   /// Forgets all marks. Rolled back: restores the state as of begin().
@@ -85,13 +103,17 @@ class Journal {
   };
   struct Level {
     std::uint64_t number = 0;
+    bool abandoned = false;
     std::vector<Joined> joined = {};
   };
 
   void push();
   void pop() noexcept;
   void join(Participant& participant);
-  bool rewind_level(Level& level) noexcept;
+  void abandon(Participant& participant);
+  bool rewind_level(Level& level);
+  /// A mark is forgotten that was set next to the newest one of now.
+  void pass_on(const Joined& joined) noexcept;
 
   std::vector<Participant*> participants_;
   std::vector<Level> levels_;  ///< those from depth_ on are unused, and keep their memory

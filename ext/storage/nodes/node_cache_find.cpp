@@ -14,33 +14,30 @@ void NodeCache::learn(NodeNumber number, Slot& slot) {
 }
 
 std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
-  const std::int64_t leaf = map_.find(id);
-  if (leaf == MapChanges::erased) return std::nullopt;
-  if (leaf != MapChanges::unknown) return leaf;
-  if (filter_ && !filter_->may_have(id)) return std::nullopt;
-  if (!last_block_ || last_block_->base() != IdBlock::base_of(id)) {
+  const std::int64_t leaf = ids_.find_unwritten(id);
+  if (leaf == IdMap::erased) return std::nullopt;
+  if (leaf != IdMap::unknown) return leaf;
+  if (!ids_.may_be_stored(id)) return std::nullopt;
+  const bool is_new_block = !ids_.has_block(id);
+  if (is_new_block)
     if (const Place place = find_by_hint(id); place.leaf != 0) return place.leaf;
-    read_block(id);
+  const IdBlock& block = ids_.block(id);
+  if (is_new_block) {
+    hints_.reserve(static_cast<std::size_t>(IdBlock::ids));
+    block.for_each([&](std::int64_t other, std::int64_t its) {
+      if (hints_.find(other).leaf != its) hints_.learn(other, its);
+    });
   }
-  const NodeNumber found = last_block_->leaf_of(id);
+  const NodeNumber found = block.leaf_of(id);
   if (found == 0) return std::nullopt;
-  if (Slot* slot = in_memory(found)) learn(found, *slot);
+  if (Slot* slot = slots_.in_memory(found)) learn(found, *slot);
   return found;
-}
-
-/// Reads the block of `id`; the hints learn all its ids.
-void NodeCache::read_block(std::int64_t id) {
-  last_block_ = shadow_rows_->map().find(id);
-  hints_.reserve(static_cast<std::size_t>(IdBlock::ids));
-  last_block_->for_each([&](std::int64_t other, std::int64_t leaf) {
-    if (hints_.find(other).leaf != leaf) hints_.learn(other, leaf);
-  });
 }
 
 NodeCache::Place NodeCache::find_by_hint(std::int64_t id) {
   const LeafHints::Hint hint = hints_.find(id);
   if (hint.leaf == 0) return {};
-  Slot* slot = in_memory(hint.leaf);
+  Slot* slot = slots_.in_memory(hint.leaf);
   if (!slot || !slot->state.node->is_leaf()) return {};
   const std::vector<std::int64_t>& ids = slot->state.node->keys;
   const std::size_t record = hint.slot_in(ids, id);
@@ -48,14 +45,14 @@ NodeCache::Place NodeCache::find_by_hint(std::int64_t id) {
 }
 
 const double* NodeCache::record_at(const Place& place) {
-  place.slot->used = use_;
+  slots_.note_used(*place.slot);
   return place.slot->state.node->values.data() + place.record * static_cast<std::size_t>(format_.at.size);
 }
 
 // A leaf in memory is up to date, and the hint is checked there. If the object has moved in this transaction,
 // its old leaf may be out of date.
 const double* NodeCache::find_record_in_memory(std::int64_t id) {
-  if (map_.find(id) != MapChanges::unknown) return nullptr;
+  if (ids_.find_unwritten(id) != IdMap::unknown) return nullptr;
   const Place place = find_by_hint(id);
   return place.leaf == 0 ? nullptr : record_at(place);
 }
@@ -68,7 +65,8 @@ void NodeCache::fetch_ahead(std::int64_t first, std::int64_t many) {
   std::array<const Slot*, limit> slots;
   const auto count = static_cast<std::size_t>(std::min(many, limit));
   for (std::size_t i = 0; i < count; ++i) hints[i] = hints_.find(first + static_cast<std::int64_t>(i));
-  for (std::size_t i = 0; i < count; ++i) slots[i] = hints[i].leaf == 0 ? nullptr : in_memory(hints[i].leaf);
+  for (std::size_t i = 0; i < count; ++i)
+    slots[i] = hints[i].leaf == 0 ? nullptr : slots_.in_memory(hints[i].leaf);
   for (std::size_t i = 0; i < count; ++i) {
     if (!slots[i]) continue;
     const Node& node = *slots[i]->state.node;

@@ -4,7 +4,7 @@
 //   map.place(ids_of_leaf, 7) && map.is_complete()          // for each leaf
 //   map.for_each_chunk([&](auto entries) { … });            // all ids ascending, some thousand per call
 //
-// MapChanges (map_changes.h) supports rollback and queries at 50 to 100 bytes per id; this class is for ten
+// IdMap (id_map.h) supports rollback and queries at 50 to 100 bytes per id; this class is for ten
 // million ids. Objects are read twice, from files that another program may have changed: place() and
 // is_complete() report ids that do not match. Cost: 12 bytes per id. A look-up is an interpolation search:
 // some nanoseconds for evenly distributed ids, at most twice a binary search.

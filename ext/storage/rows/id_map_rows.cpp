@@ -7,22 +7,27 @@
 
 namespace foresee {
 
-MapRows::MapRows(const ShadowTables& tables)
-    : table_(tables.name().table),
-      between_(tables.statement("SELECT id, leaf FROM {map} WHERE id BETWEEN ?1 AND ?2 ORDER BY id")),
-      largest_(tables.statement("SELECT id, leaf FROM {map} ORDER BY id DESC LIMIT 1")),
-      all_(tables.statement("SELECT id, leaf FROM {map} ORDER BY id")),
-      write_(tables.statement("INSERT OR REPLACE INTO {map} VALUES(?1, ?2)")),
-      erase_between_(tables.statement("DELETE FROM {map} WHERE id BETWEEN ?1 AND ?2")),
-      erase_all_(tables.statement("DELETE FROM {map}")) {}
+MapRows::MapRows(const ShadowTables& tables, const std::string& prefix)
+    : table_(tables.name().table), map_(prefix + "map") {
+  const std::string map = "{" + map_ + "}";
+  const auto sql = [&](const std::string& before, const std::string& after = "") {
+    return tables.statement(before + map + after);
+  };
+  between_ = sql("SELECT id, leaf FROM ", " WHERE id BETWEEN ?1 AND ?2 ORDER BY id");
+  largest_ = sql("SELECT id, leaf FROM ", " ORDER BY id DESC LIMIT 1");
+  all_ = sql("SELECT id, leaf FROM ", " ORDER BY id");
+  write_ = sql("INSERT OR REPLACE INTO ", " VALUES(?1, ?2)");
+  erase_between_ = sql("DELETE FROM ", " WHERE id BETWEEN ?1 AND ?2");
+  erase_all_ = sql("DELETE FROM ");
+}
 
 void MapRows::damaged(std::int64_t row, const char* what) const {
-  throw StoreError(SQLITE_CORRUPT_VTAB,
-                   table_ + ": " + table_ + "_map is damaged: row " + std::to_string(row) + ": " + what);
+  throw StoreError(SQLITE_CORRUPT_VTAB, table_ + ": " + table_ + "_" + map_ + " is damaged: row " +
+                                            std::to_string(row) + ": " + what);
 }
 
 IdBlock MapRows::row_of(Statement::Run& run) const {
-  const std::int64_t id = number_after(std::nullopt, run, {table_, "map"});
+  const std::int64_t id = number_after(std::nullopt, run, {table_, map_.c_str()});
   IdBlock block(IdBlock::base_of(id));
   if (run.is_blob(1)) {
     if (id != block.base()) damaged(id, "a block starts at a multiple of 64");

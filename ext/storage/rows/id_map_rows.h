@@ -24,9 +24,12 @@ namespace foresee {
 
 class MapRows {
  public:
-  static ShadowTable table() { return {"map", "(id INTEGER PRIMARY KEY, leaf INTEGER)"}; }
+  static ShadowTable table(const std::string& prefix = "") {
+    return {prefix + "map", "(id INTEGER PRIMARY KEY, leaf INTEGER)"};
+  }
 
-  explicit MapRows(const ShadowTables& tables);
+  /// `prefix`: of the suffix `map`.
+  explicit MapRows(const ShadowTables& tables, const std::string& prefix = "");
 
   /// The block of `id`.
   IdBlock find(std::int64_t id) { return read_block(IdBlock::base_of(id), nullptr); }
@@ -58,7 +61,7 @@ class MapRows {
   void write_block(std::span<const IdHashMap::Entry> changes, bool is_new);
   [[noreturn]] void damaged(std::int64_t row, const char* what) const;
 
-  std::string table_;
+  std::string table_, map_;  ///< the table; the suffix of its map
   Statement between_, largest_, all_, write_, erase_between_, erase_all_;
 };
 

@@ -1,6 +1,5 @@
 #include "storage/rows/shadow_rows.h"
 
-#include "storage/format/features.h"
 #include "storage/rows/store_error.h"
 
 namespace foresee {
@@ -20,26 +19,14 @@ std::string update_auxiliaries_sql(int columns) {
   return sql + " WHERE id = ?1";
 }
 
-std::optional<std::int64_t> one_integer(Statement::Run& run) {
-  if (!run.step() || !run.is_integer(0)) return std::nullopt;
-  return run.integer(0);
-}
-
 }  // namespace
 
 ShadowRows::ShadowRows(const ShadowTables& tables, const Declaration& declaration)
-    : db_(tables.db()), table_(tables.name().table), map_(tables), meta_(tables) {
+    : db_(tables.db()), table_(tables.name().table), meta_(tables), tree_(tables, meta_) {
   const auto auxiliaries = static_cast<int>(declaration.auxiliaries.size());
   auto sql = [&](const std::string& text) { return tables.statement(text); };
-  largest_node_ = sql("SELECT max(nodeno) FROM {node}");
-  node_by_number_ = sql("SELECT data FROM {node} WHERE nodeno = ?");
-  nodes_after_ = sql("SELECT nodeno, data FROM {node} WHERE nodeno > ? ORDER BY nodeno LIMIT 1");
-  all_nodes_ = sql("SELECT nodeno, data FROM {node} ORDER BY nodeno");
-  write_node_ = sql("INSERT OR REPLACE INTO {node} VALUES(?, ?)");
-  erase_node_ = sql("DELETE FROM {node} WHERE nodeno = ?");
   watches_ = sql("SELECT substr(key, 7) FROM {meta} WHERE key >= 'watch:' AND key < 'watch;' ORDER BY key");
   erase_watch_ = sql("DELETE FROM {meta} WHERE key = 'watch:' || ?1");
-  node_numbers_ = sql("SELECT nodeno FROM {node} ORDER BY nodeno");
   if (auxiliaries == 0) return;
   insert_auxiliaries_ = sql(insert_auxiliaries_sql(auxiliaries));
   update_auxiliaries_ = sql(update_auxiliaries_sql(auxiliaries));
@@ -61,32 +48,6 @@ void ShadowRows::require_variables(std::size_t needed) const {
                                        " SQL variables, but this connection allows " +
                                        std::to_string(variables()) +
                                        "; raise SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
-}
-
-std::int64_t ShadowRows::read_largest_node() {
-  Statement::Run run(largest_node_);
-  return one_integer(run).value_or(0);
-}
-
-void ShadowRows::write_node(std::int64_t number, std::span<const std::byte> blob) {
-  Statement::Run run(write_node_);
-  run.bind(1, number);
-  run.bind(2, blob);
-  run.step();
-}
-
-void ShadowRows::erase_node(std::int64_t number) {
-  Statement::Run run(erase_node_);
-  run.bind(1, number);
-  run.step();
-}
-
-void ShadowRows::write_map(std::span<const IdHashMap::Entry> changes) {
-  if (changes.empty()) return;
-  map_.write(changes);
-  // A table of version 0.1 now has blocks, which that version cannot read.
-  if (const std::string features = meta_.read("features", max_features); !has_feature(features, map_blocks))
-    meta_.write("features", features + (features.empty() ? "" : ",") + std::string(map_blocks));
 }
 
 void ShadowRows::insert_auxiliaries(std::int64_t id, std::span<sqlite3_value*> values) {
@@ -146,7 +107,7 @@ void ShadowRows::match_auxiliaries_to_map() {
   std::vector<std::int64_t> stored, strays, missing;
   read_auxiliary_ids([&](std::int64_t id) { stored.push_back(id); });
   auto next = stored.begin();
-  map_.read([&](std::int64_t id, std::int64_t) {
+  tree_.map().read([&](std::int64_t id, std::int64_t) {
     for (; next != stored.end() && *next < id; ++next) strays.push_back(*next);
     if (next != stored.end() && *next == id)
       ++next;

@@ -5,9 +5,9 @@
 
 #include "shape/shapes.h"
 #include "storage/format/features.h"
-#include "storage/rows/id_map_rows.h"
 #include "storage/rows/shape_rows.h"
 #include "storage/rows/store_error.h"
+#include "storage/rows/tree_rows.h"
 #include "storage/rows/value_text.h"
 
 namespace foresee {
@@ -65,8 +65,8 @@ bool is_shadow_suffix(std::string_view suffix) {
 }
 
 ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration) {
-  std::vector<ShadowTable> tables{
-      {"node", "(nodeno INTEGER PRIMARY KEY, data BLOB)"}, MapRows::table(), MetaRows::table()};
+  std::vector<ShadowTable> tables = TreeRows::tables();
+  tables.push_back(MetaRows::table());
   if (!declaration.auxiliaries.empty()) {
     std::string definition = "(id INTEGER PRIMARY KEY";
     for (std::size_t i = 0; i < declaration.auxiliaries.size(); ++i) definition += ", a" + std::to_string(i);

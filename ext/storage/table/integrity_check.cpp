@@ -98,7 +98,7 @@ class IntegrityCheck {
         step_(interrupt) {}
 
   void nodes() {
-    shadow_rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    shadow_rows_.tree().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
       interrupt_.check();
       ++nodes_;
       if (const char* fault = cache_.fault(number, blob))
@@ -122,7 +122,7 @@ class IntegrityCheck {
 
   void map() try {
     std::size_t next = 0;
-    shadow_rows_.map().read([&](std::int64_t id, std::int64_t leaf) {
+    shadow_rows_.tree().map().read([&](std::int64_t id, std::int64_t leaf) {
       step_();
       for (; next < objects_.size() && objects_[next].id < id; ++next) not_in("map", objects_[next]);
       if (next == objects_.size() || objects_[next].id != id)
@@ -144,7 +144,7 @@ class IntegrityCheck {
     const auto say = [this](const std::string& fault) { this->say(fault); };
     check.read(say);
     std::vector<double> record(static_cast<std::size_t>(format_.at.size));
-    shadow_rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    shadow_rows_.tree().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
       interrupt_.check();
       if (cache_.fault(number, blob) || is_inner(format_, blob, number)) return;
       const LeafView leaf(format_, blob);

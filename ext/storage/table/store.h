@@ -3,11 +3,7 @@
 //   store.insert(42, record, auxiliaries);                // record: record_offsets(layout).size doubles
 //   store.read_all(ids, rows, interrupt);                 // all objects, for a query
 //
-// A write goes through memory; a read sees everything that is still unwritten there:
-//
-//   write  ─► PendingObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once per transaction
-//   read   ─► pending objects, else the cache, else the shadow rows
-//
+// A write goes through memory; a read sees everything that is still unwritten there (tree_store.h).
 // Every double is returned bit for bit. All state is in SQLite's tables, so transactions, WAL readers, VACUUM
 // and backup are SQLite's own. Changes wait in memory until sync(), or until the tables of the connection
 // together exceed their budget. A savepoint is a mark in the journal (journal.h) and writes nothing. A rollback
@@ -23,22 +19,18 @@
 #include <optional>
 #include <unordered_set>
 
-#include "index/tpr_tree/tpr_tree.h"
 #include "storage/format/declaration.h"
 #include "storage/journal/version.h"
-#include "storage/nodes/memory_budget.h"
-#include "storage/nodes/node_cache.h"
 #include "storage/nodes/object_changes.h"
-#include "storage/nodes/pending_objects.h"
+#include "storage/rows/shadow_rows.h"
 #include "storage/rows/store_error.h"
 #include "storage/table/store_state.h"
 #include "storage/table/stored_forms.h"
+#include "storage/tree/tree_store.h"
 
 namespace foresee {
 
-class LeafView;
-
-class Store final : private MemoryHolder, public FormSource, public std::enable_shared_from_this<Store> {
+class Store final : public FormSource, public std::enable_shared_from_this<Store> {
  public:
   /// Creates the shadow tables of a new table.
   static std::shared_ptr<Store> create(sqlite3* db, const std::string& schema, const std::string& table,
@@ -67,7 +59,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Cost: one look-up of the stamp per statement, then about 100 ns if the leaf is in memory.
   std::span<const double> find(std::int64_t id, StatementReadState& statement_state);
   /// Prefetches `many` ids from `first` on, as far as they are in memory. Changes nothing.
-  void fetch_ahead(std::int64_t first, std::int64_t many) { cache_.fetch_ahead(first, many); }
+  void fetch_ahead(std::int64_t first, std::int64_t many) { tree_.nodes().fetch_ahead(first, many); }
   /// All ids and rows (row_from_record of each record), one leaf after another, as this connection sees them
   /// now. SQLITE_CORRUPT_VTAB for a damaged leaf, and as in expect_objects().
   void read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt);
@@ -168,38 +160,27 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   bool is_named(const std::string& table) const { return !gone_ && name_.table == table; }
   /// True if SQLite has rolled back all that this transaction wrote, without a callback.
   bool was_rolled_back();
-  NodeCache& nodes();
-  void give_up(UndoLog::Handle mark) noexcept { cache_.give_up(mark); }
+  NodeCache& nodes() { return tree().nodes(); }
+  void give_up(NodeHistory::Snapshot snapshot) noexcept { tree_.nodes().give_up(snapshot); }
 
  private:
   class OwnStatements;
   class AtomicChange;
 
-  void write_out() override;
-  void drop_nodes(bool all) override { cache_.drop_nodes(all); }
-  void note_memory() noexcept;
-
+  /// Called by another table of the connection, or by a trigger on a shadow table during a change.
+  void write_out();
   /// The rows. Throws SQLITE_ABORT if the store is torn, until SQLite rolls back; SQLITE_SCHEMA if the table
   /// is gone, so that SQLite prepares the statement again.
   ShadowRows& shadow_rows();
+  TreeStore& tree() { return shadow_rows(), tree_; }
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
-  template <class Body>
-  auto with_sound_tree(Body body);
   /// Empties the cache if another connection has committed meanwhile. Cost: at most one look-up.
   void revalidate_cache();
   void revalidate_at_begin();
-  bool read_stored(std::int64_t id, std::vector<double>& record);
 
   // reading (store_read.cpp)
   /// From the cache while this connection writes, else from the rows. Does not find pending objects.
   std::optional<std::int64_t> find_leaf(std::int64_t id);
-  /// Reads every leaf once, by ascending number, without pending objects: from memory if it is dirty, else
-  /// from its row, checked. SQLITE_CORRUPT_VTAB for a damaged leaf.
-  void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
-                   const std::function<void(const Node&)>& dirty);
-  /// Calls `use` with a sound leaf; false for a sound inner node; else throws SQLITE_CORRUPT_VTAB.
-  bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
-                        const std::function<void(const LeafView&)>& use) const;
 
   // watches (store_watches.cpp)
   /// Reads the names of the watches unless they are known.
@@ -218,32 +199,17 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   const LargestId& read_largest();
   void write_count(std::int64_t objects);
 
-  // from memory to the tables (store_flush.cpp)
   /// Moves all pending objects into the tree: in memory, as far as the budget allows.
   void merge_pending();
-  void merge_into_tree(Interrupt& interrupt);
-  void reload(Interrupt& interrupt);
-  void append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const;
   void flush();
 
-  // reload of the whole tree (store_pack.cpp)
-  class PartitionedLoad;
-  /// Calls use() for every stored leaf, checked, until it returns false; returns whether it never did.
-  bool read_stored_leaves(Interrupt& interrupt, const std::function<bool(const LeafView&)>& use);
-  /// Sorts the ids; throws if one is repeated.
-  void require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt) const;
+  // commands (store_commands.cpp)
   void pack(Interrupt& interrupt);
-  void pack_partitioned(Interrupt& interrupt);
-  void load_partitioned(Interrupt& interrupt);
-  std::int64_t form_of(const double* record) const;
-  /// Deletes all forms but these, unless a snapshot may still read them.
-  void keep_only_forms(const std::unordered_set<std::int64_t>& used);
 
   // transactions (store_transactions.cpp)
   struct Savepoint {
     int level;
     Journal::Mark mark;
-    UndoLog::Handle nodes;
     bool has_unwritten;  ///< it has unwritten changes
   };
 
@@ -264,12 +230,9 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   NodeFormat format_;
   std::unique_ptr<ShadowRows> shadow_rows_;
   std::shared_ptr<MemoryBudget> memory_;
-  MemoryShare share_;
   Journal journal_;
   Version version_{journal_};
-  NodeCache cache_;
-  std::unique_ptr<TprTree> tree_;
-  PendingObjects pending_;
+  TreeStore tree_;
   std::unique_ptr<StoredForms> forms_;  ///< null: the layout has no forms
   Journaled<Totals> totals_{journal_};
   ObjectChanges changes_{journal_};

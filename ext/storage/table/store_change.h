@@ -1,11 +1,10 @@
-// Guards that make a change of a store atomic: own statements, undo in memory, and errors of a damaged tree.
+// Guards that make a change of a store atomic: own statements, and undo in memory.
 //
 //   AtomicChange atomic_change(*this);          // starts to keep old states
 //   add(id, record);                            // if it throws, everything is restored
 //   atomic_change.done();                       // the change is valid
 #pragma once
 
-#include "base/float_environment.h"
 #include "storage/table/store.h"
 
 namespace foresee {
@@ -37,46 +36,32 @@ class Store::OwnStatements {
 /// mark in the journal; a node is copied when it is changed, not before.
 class Store::AtomicChange {
  public:
-  explicit AtomicChange(Store& store) : own_(store), store_(store), mark_(store.journal_.set_mark()) {
-    store_.cache_.begin_change();
-  }
+  explicit AtomicChange(Store& store) : own_(store), store_(store), mark_(store.journal_.set_mark()) {}
   ~AtomicChange() {
-    if (!done_) {
-      store_.torn_ |= store_.cache_.wrote_in_change();
-      store_.cache_.cancel_change();
-      store_.journal_.rewind(mark_);
-    }
+    if (!done_) cancel();
     store_.journal_.forget(mark_);
   }
 
   /// The change is valid. Only a savepoint or the start of the transaction can be restored from now on.
   void done() {
     store_.version_.note_change();
-    done_with_same_contents();
-  }
-  /// The same for a change after which every query has the same answer.
-  void done_with_same_contents() {
-    store_.cache_.end_change();
     done_ = true;
   }
+  /// The same for a change after which every query has the same answer.
+  void done_with_same_contents() { done_ = true; }
 
  private:
+  void cancel() noexcept try {
+    store_.torn_ |= store_.journal_.is_abandoned(mark_);
+    store_.journal_.rewind(mark_);
+  } catch (...) {
+    store_.torn_ = true;
+  }
+
   OwnStatements own_;
   Store& store_;
   Journal::Mark mark_;
   bool done_ = false;
 };
-
-/// Runs an operation of the tree, which rounds its bounds outward. Contradictions between nodes are reported
-/// as damage of the table.
-template <class Body>
-auto Store::with_sound_tree(Body body) {
-  const FloatEnvironment environment;
-  try {
-    return body();
-  } catch (const BrokenTree& error) {
-    damaged(error.what());
-  }
-}
 
 }  // namespace foresee

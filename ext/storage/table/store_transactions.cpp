@@ -56,12 +56,9 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       format_(format),
       shadow_rows_(std::move(rows)),
       memory_(std::move(memory)),
-      share_(*memory_, *this),
-      cache_(format_, name_, share_, journal_),
-      tree_(make_tpr_tree(cache_, declaration_.horizon)),
-      pending_(journal_, static_cast<std::size_t>(format_.at.size)),
+      tree_(db, format_, name_, declaration_.horizon, journal_, *memory_, [this] { write_out(); }),
       is_new_(is_new) {
-  cache_.connect(*shadow_rows_);
+  tree_.connect(shadow_rows_->tree());
   if (is_stored_apart(declaration_.layout.shape))
     forms_ = std::make_unique<StoredForms>(journal_, shadow_tables(db_, name_, declaration_),
                                            declaration_.layout.shape);
@@ -73,11 +70,6 @@ ShadowRows& Store::shadow_rows() {
     throw StoreError(SQLITE_SCHEMA, name_.table + ": the table is dropped; prepare the statement again");
   if (torn_) throw StoreError(SQLITE_ABORT, name_.table + ": a write failed half-way; roll back");
   return *shadow_rows_;
-}
-
-NodeCache& Store::nodes() {
-  shadow_rows();
-  return cache_;
 }
 
 void Store::damaged(const std::string& what) const {
@@ -97,14 +89,13 @@ std::shared_ptr<NodeSource> Store::take_snapshot() {
 void Store::revalidate_at_begin() try { revalidate_cache(); } catch (const StoreError& error) {
   const int code = error.code & 0xff;
   if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
-  cache_.forget_all();
+  tree_.nodes().forget_all();
   version_.forget();
 }
 
 void Store::begin() {
   if (journal_.is_open() || gone_) return;
   revalidate_at_begin();
-  cache_.begin();
   journal_.begin();
   version_.begin();
 }
@@ -118,12 +109,11 @@ void Store::sync() {
 
 void Store::end_transaction(Journal::Ended how) {
   give_up_savepoints(0);
-  how == Journal::Ended::committed ? cache_.commit() : cache_.roll_back();
   journal_.end(how);
   version_.end(how);
   totals_.change().largest = {};
   torn_ = false;
-  note_memory();
+  tree_.note_memory();
 }
 
 // A table that was created after a savepoint gets no callback when SQLite rolls back to it. Then the stamp
@@ -140,7 +130,7 @@ bool Store::was_rolled_back() {
 
 void Store::close() {
   end_transaction(Journal::Ended::rolled_back);
-  cache_.forget_all();
+  tree_.nodes().forget_all();
   gone_ = true;
 }
 
@@ -179,16 +169,13 @@ void Store::savepoint(int level) {
   if (savepoints_.size() == savepoints_.capacity())
     savepoints_.reserve(std::max<std::size_t>(8, 2 * savepoints_.size()));
   const bool unwritten = has_unwritten() || changes_.count() > 0;
-  const Journal::Mark mark = journal_.set_mark();
-  savepoints_.push_back({level, mark, cache_.set_mark(false), unwritten});
+  savepoints_.push_back({level, journal_.set_mark(), unwritten});
 }
 
 void Store::give_up_savepoints(std::size_t from) noexcept {
-  if (from < savepoints_.size()) journal_.forget(savepoints_[from].mark);
-  while (savepoints_.size() > from) {
-    cache_.give_up(savepoints_.back().nodes);
-    savepoints_.pop_back();
-  }
+  if (from >= savepoints_.size()) return;
+  journal_.forget(savepoints_[from].mark);
+  savepoints_.resize(from);
 }
 
 /// The number of savepoints older than this level.
@@ -199,12 +186,12 @@ std::size_t Store::savepoints_before(int level) const noexcept {
 }
 
 void Store::release(int level) {
-  if (own_statements_ > 0 || gone_) return;
+  if (own_statements_ > 0 || gone_ || !journal_.is_open()) return;
   give_up_savepoints(savepoints_before(level));
 }
 
 void Store::rollback_to(int level) {
-  if (own_statements_ > 0 || gone_) return;
+  if (own_statements_ > 0 || gone_ || !journal_.is_open()) return;
   const std::size_t first = savepoints_before(level);
   const bool is_marked = first < savepoints_.size() && savepoints_[first].level == level;
   if (is_marked || first > 0) {
@@ -220,12 +207,12 @@ void Store::rollback_to(int level) {
 }
 
 void Store::restore(const Savepoint& savepoint) {
-  if (!journal_.rewind(savepoint.mark) && !torn_) return;
-  torn_ = true;  // until it is done
-  cache_.restore(savepoint.nodes);
-  use_table_name(table_.get());
+  const bool was_torn = std::exchange(torn_, true);  // until it is done
+  if (journal_.rewind(savepoint.mark) || was_torn) {
+    use_table_name(table_.get());
+    version_.note_change();
+  }
   torn_ = false;
-  version_.note_change();
 }
 
 // --- the table itself
@@ -244,7 +231,7 @@ void Store::use_table_name(const std::string& table) {
   name_.table = table;
   const ShadowTables tables = shadow_tables(db_, name_, declaration_);
   shadow_rows_ = std::make_unique<ShadowRows>(tables, declaration_);
-  cache_.connect(*shadow_rows_);
+  tree_.connect(shadow_rows_->tree());
   if (forms_) forms_->connect(tables);
   remember_open_store(db_, name_, shared_from_this());
 }

@@ -1,8 +1,9 @@
-// Store: inserts, updates and deletes; each is atomic.
+// Store: inserts, updates and deletes, each atomic; and the writing of all changes to the shadow rows.
 #include <cstring>
 #include <limits>
 
 #include "storage/format/leaf_node.h"
+#include "storage/rows/statement.h"
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
@@ -21,7 +22,7 @@ void Store::start_change(std::span<const double> record) {
     load_watches();
     if (!watches_->value().empty()) changes_.keep_here();
   }
-  note_memory();
+  tree_.note_memory();
   if (memory_->too_much_waits()) memory_->write_out();
   if (version_.is_own()) return;
   const OwnStatements own(*this);
@@ -39,7 +40,8 @@ void Store::write_new_stamp(bool same_contents) {
 const LargestId& Store::read_largest() {
   // Unknown: no object was added in this transaction.
   if (!totals_->largest.known)
-    totals_.change().largest = {true, !cache_.has_unwritten(), shadow_rows().map().read_largest_id()};
+    totals_.change().largest = {true, !tree_.nodes().has_unwritten(),
+                                shadow_rows().tree().map().read_largest_id()};
   return totals_->largest;
 }
 
@@ -93,7 +95,7 @@ void Store::for_each_change(
 
 void Store::add(std::int64_t id, std::span<const double> record) {
   const std::optional<std::int64_t> last = read_largest().id;
-  pending_.add(id, record);
+  tree_.put(id, record);
   Totals& totals = totals_.change();
   ++totals.count.added;
   if (!last || *last <= id) totals.largest = {true, true, id};
@@ -104,9 +106,7 @@ void Store::throw_missing(std::int64_t id) const {
 }
 
 void Store::remove(std::int64_t id) {
-  const bool is_pending = pending_.find(id) != nullptr;
-  if (is_pending) pending_.erase(id);
-  if (!tree_->erase(id) && !is_pending) throw_missing(id);
+  if (!tree_.erase(id)) throw_missing(id);
   Totals& totals = totals_.change();
   --totals.count.added;
   if (totals.largest.id == id) totals.largest.exact = false;
@@ -127,18 +127,16 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
                    std::span<sqlite3_value*> auxiliaries) {
   start_change(record);
   AtomicChange atomic_change(*this);
-  with_sound_tree([&] {
+  tree_.with_sound_tree([&] {
     log_before_change(id);
     log_before_change(new_id);
     if (new_id != id) {
       if (contains(new_id)) remove(new_id);
       remove(id);
       add(new_id, record);
-    } else if (pending_.find(id)) {
-      pending_.replace(id, record);
     } else {
-      if (!nodes().find_record(id)) throw_missing(id);
-      pending_.add(id, record);
+      if (!tree_.pending().find(id) && !nodes().find_record(id)) throw_missing(id);
+      tree_.put(id, record);
     }
   });
   if (has_auxiliaries()) shadow_rows().update_auxiliaries(id, new_id, auxiliaries);
@@ -148,12 +146,59 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
 void Store::erase(std::int64_t id) {
   start_change({});
   AtomicChange atomic_change(*this);
-  with_sound_tree([&] {
+  tree_.with_sound_tree([&] {
     log_before_change(id);
     remove(id);
   });
   if (has_auxiliaries()) shadow_rows().erase_auxiliaries(id);
   atomic_change.done();
+}
+
+// --- from memory to the rows
+
+bool Store::has_unwritten() const {
+  return tree_.has_unwritten() || totals_->count.added != 0 || origin_->unwritten;
+}
+
+void Store::merge_pending() {
+  if (tree_.pending().count() == 0) return;
+  shadow_rows();
+  StatementInterrupt interrupt(db_);
+  AtomicChange atomic_change(*this);
+  tree_.merge_pending(interrupt);
+  atomic_change.done_with_same_contents();
+}
+
+// The new stamp comes last: a connection that reads uncommitted rows (shared cache) has seen the first stamp with
+// other rows.
+void Store::flush() {
+  if (!has_unwritten()) return;
+  if (was_rolled_back()) return restart_transaction();
+  merge_pending();
+  shadow_rows();
+  const OwnStatements own(*this);
+  StatementInterrupt interrupt(db_);
+  tree_.write(interrupt);
+  if (totals_->count.added != 0) {
+    const std::optional<std::int64_t> sum = totals_->count.sum();
+    write_count(sum ? *sum : shadow_rows().tree().map().count_ids());
+  }
+  if (origin_->unwritten) {
+    shadow_rows().meta().write("origin", origin_text(*origin_->value));
+    origin_.change().unwritten = false;
+  }
+  write_new_stamp(true);
+}
+
+void Store::write_count(std::int64_t objects) {
+  shadow_rows().write_objects(objects);
+  ObjectCount& count = totals_.change().count;
+  count.stored = objects, count.added = 0;
+}
+
+void Store::write_out() {
+  if (own_statements_ == 0 && !torn_) flush();
+  tree_.note_memory();
 }
 
 }  // namespace foresee

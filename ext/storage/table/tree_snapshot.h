@@ -1,7 +1,7 @@
 // Snapshot of a table's TPR-tree, unaffected by later writes, commits and rollbacks of the connection.
 //
-// It holds the store and a mark in its cache (undo_log.h). It must not outlive the statement that took it,
-// whose read transaction preserves the rows.
+// It holds the store and a position in the history of its nodes (node_history.h). It must not outlive the
+// statement that took it, whose read transaction preserves the rows.
 #pragma once
 
 #include "storage/table/store.h"
@@ -14,15 +14,15 @@ class TreeSnapshot final : public NodeSource, private FormSource {
       : store_(std::move(store)),
         root_(store_->nodes().find_root()),
         forms_(store_->known_forms()),
-        mark_(store_->nodes().set_mark(true)) {}
-  ~TreeSnapshot() override { store_->give_up(mark_); }
+        nodes_(store_->nodes().take_snapshot()) {}
+  ~TreeSnapshot() override { store_->give_up(nodes_); }
   TreeSnapshot(const TreeSnapshot&) = delete;
   TreeSnapshot& operator=(const TreeSnapshot&) = delete;
 
   const Layout& layout() const override { return store_->format().layout; }
   NodeNumber find_root() override { return root_; }
   std::shared_ptr<const Node> read(NodeNumber number) override {
-    return store_->nodes().read_at(mark_, number);
+    return store_->nodes().read_at(nodes_, number);
   }
   FormSource* forms() override { return forms_ ? this : nullptr; }
 
@@ -36,7 +36,7 @@ class TreeSnapshot final : public NodeSource, private FormSource {
   std::shared_ptr<Store> store_;
   NodeNumber root_;
   std::shared_ptr<const StoredForms::ByNumber> forms_;  ///< null: the layout has no forms
-  UndoLog::Handle mark_;
+  NodeHistory::Snapshot nodes_;
 };
 
 }  // namespace foresee

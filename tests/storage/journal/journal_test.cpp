@@ -20,13 +20,15 @@ class Numbers final : public Journal::Participant {
     is_logged = is_marked();
   }
 
+  void abandon() { abandon_newest_mark(); }
+
   std::vector<int> all;
   bool is_logged = false;
   int kept = 0;
 
  private:
   std::size_t keep() override { return ++kept, all.size(); }
-  void rewind(std::size_t position) noexcept override { all.resize(position); }
+  void rewind(std::size_t position) override { all.resize(position); }
   void forget() noexcept override { is_logged = false; }
   void end(Journal::Ended) noexcept override { all.clear(); }
 };
@@ -131,6 +133,28 @@ TEST_F(Journals, AgreesWithCopiesThroughRandomPrograms) {
     journal.end(committed ? Journal::Ended::committed : Journal::Ended::rolled_back);
     ASSERT_EQ(now(), (State{committed ? last : before, {}})) << round;
   }
+}
+
+TEST_F(Journals, AnAbandonedMarkRestoresNothingOfOneParticipantAndAnOlderOneDoes) {
+  journal.begin();
+  numbers.add(1);
+  const Journal::Mark savepoint = journal.set_mark(), change = journal.set_mark();
+  numbers.add(2), value.change() = 8;
+  EXPECT_FALSE(journal.is_abandoned(change));
+  numbers.abandon();
+  numbers.add(3);
+  EXPECT_TRUE(numbers.is_logged) << "for the savepoint";
+  EXPECT_TRUE(journal.is_abandoned(change));
+  journal.rewind(change);
+  EXPECT_EQ(now(), (State{7, {1, 2, 3}}));
+  journal.forget(change);
+  journal.rewind(savepoint);
+  EXPECT_EQ(now(), (State{7, {1}}));
+  journal.forget(savepoint);
+  journal.set_mark();
+  numbers.abandon();
+  numbers.add(4);
+  EXPECT_FALSE(numbers.is_logged) << "only the end of the transaction can restore it";
 }
 
 TEST_F(Journals, AParticipantMayGoWhileMarksAreSet) {

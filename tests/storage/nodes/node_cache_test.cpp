@@ -15,8 +15,7 @@ class NodeCacheTest : public ::testing::Test, MemoryHolder {
         budget({.memory = 2 * format.node_size, .waiting = 4 * format.node_size}),
         share(budget, *this),
         cache(format, name, share, journal) {
-    cache.connect(rows);
-    cache.begin();
+    cache.connect(rows.tree());
     journal.begin();
   }
 
@@ -41,23 +40,21 @@ class NodeCacheTest : public ::testing::Test, MemoryHolder {
 };
 
 TEST_F(NodeCacheTest, ACancelledChangeThatHadWrittenKeepsTheStateOfASavepoint) {
-  cache.begin_change();
   const NodeNumber number = add(1);
-  cache.end_change();
-  const UndoLog::Handle mark = cache.set_mark(false);
+  const Journal::Mark savepoint = journal.set_mark();
   db.run("SAVEPOINT s");
-  cache.begin_change();
+  const Journal::Mark change = journal.set_mark();
   cache.put(number, leaf(2));
   for (int id = 10; id < 30; ++id) add(id);
-  ASSERT_TRUE(cache.wrote_in_change());
-  cache.cancel_change();
+  ASSERT_TRUE(journal.is_abandoned(change));
+  journal.rewind(change);
+  journal.forget(change);
   db.run("ROLLBACK TO s");
-  cache.restore(mark);
+  journal.rewind(savepoint);
   EXPECT_EQ(cache.read(number)->keys, std::vector<std::int64_t>{1});
-  cache.give_up(mark);
+  journal.forget(savepoint);
   cache.write(never);
   db.run("COMMIT");
-  cache.commit();
   journal.end(Journal::Ended::committed);
   cache.forget_all();
   EXPECT_EQ(cache.read(number)->keys, std::vector<std::int64_t>{1});
@@ -70,43 +67,38 @@ TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
       const NodeNumber number = add(1);
       if (is_stored) cache.write(never);
       const std::vector<double> before = cache.read(number)->values;
-      cache.begin_change();
+      const Journal::Mark change = journal.set_mark();
       cache.modify_record(number, 0)[1] = 77;
       EXPECT_EQ(cache.read(number)->values[1], 77);
       EXPECT_TRUE(cache.dirty_node(number));
       if (leaf_changes) cache.modify(number).values[2] = 88;
-      cache.cancel_change();
+      journal.rewind(change);
+      journal.forget(change);
       EXPECT_EQ(cache.read(number)->values, before);
       EXPECT_EQ(cache.dirty_node(number).has_value(), !is_stored);
     }
-  cache.begin_change();
   const NodeNumber number = add(1);
-  cache.end_change();
-  const UndoLog::Handle mark = cache.set_mark(false);
-  cache.begin_change();
+  const Journal::Mark savepoint = journal.set_mark(), change = journal.set_mark();
   cache.modify_record(number, 0)[1] = 77;
-  cache.end_change();
-  cache.restore(mark);
+  journal.forget(change);
+  journal.rewind(savepoint);
   EXPECT_EQ(cache.read(number)->values, ship(1));
-  cache.give_up(mark);
   db.run("ROLLBACK");
 }
 
 TEST_F(NodeCacheTest, ListsDirtyNodesInOrder) {
-  cache.begin_change();
   const NodeNumber first = add(1), second = add(2), third = add(3), none = third + 1;
   EXPECT_EQ(cache.next_dirty(0, none), first);
   EXPECT_EQ(cache.next_dirty(first, none), second);
   EXPECT_EQ(cache.next_dirty(first, second), 0);
   EXPECT_EQ(cache.next_dirty(second, third), 0);
   EXPECT_EQ(cache.next_dirty(third, 1'000'000'000'000), 0);
-  cache.end_change();
   cache.write(never);
   EXPECT_EQ(cache.next_dirty(0, none), 0);
-  cache.begin_change();
+  const Journal::Mark change = journal.set_mark();
   cache.free(second);
   EXPECT_EQ(cache.next_dirty(0, none), second);
-  cache.cancel_change();
+  journal.rewind(change);
   EXPECT_EQ(cache.next_dirty(0, none), 0);
   db.run("ROLLBACK");
 }

@@ -1,5 +1,5 @@
 // Sample of records: represents all of them, also if they repeat periodically.
-#include "storage/table/record_sample.h"
+#include "storage/tree/record_sample.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,142 @@
+#include "storage/nodes/id_map.h"
+
+#include "base/interrupt_steps.h"
+#include "storage/rows/store_error.h"
+
+namespace foresee {
+namespace {
+
+// Log entries for the old value of stored_is_void_; they belong to no id.
+constexpr std::int64_t was_void = -2, was_not_void = -3;
+
+}  // namespace
+
+const IdBlock& IdMap::block(std::int64_t id) {
+  if (!has_block(id)) last_block_ = rows_->map().find(id);
+  return *last_block_;
+}
+
+// --- changes
+
+void IdMap::set(std::int64_t id, std::int64_t leaf) {
+  join();
+  leaves_.prepare(id);
+  if (is_marked())
+    log_.push_back({id, leaves_.find(id)});
+  else
+    started_empty_ = false;
+  leaves_.set(id, leaf);
+}
+
+void IdMap::place(std::span<const std::int64_t> ids, std::int64_t leaf) {
+  if (packed_map_ && !packed_map_->place(ids, leaf)) other_objects();
+  if (packed_map_) return;
+  for (const std::int64_t id : ids) set(id, leaf);
+  if (filter_)
+    for (const std::int64_t id : ids) filter_->add(id);
+}
+
+void IdMap::other_objects() const {
+  throw StoreError(SQLITE_IOERR,
+                   name_.table +
+                       ": the objects changed while they were read twice: another program writes to "
+                       "the database or to the temporary file; roll back");
+}
+
+/// Logs everything that is unwritten, and that the stored map was valid or not if that changes.
+void IdMap::log_all(bool voids) {
+  join();
+  if (!is_marked()) return;
+  const std::vector<IdHashMap::Entry> unwritten = leaves_.known();
+  log_.reserve(log_.size() + unwritten.size() + 1);
+  log_.insert(log_.end(), unwritten.begin(), unwritten.end());
+  if (voids || stored_is_void_) log_.push_back({0, stored_is_void_ ? was_void : was_not_void});
+}
+
+void IdMap::void_stored() {
+  log_all(true);
+  started_empty_ &= is_marked();
+  leaves_.reset();
+  stored_is_void_ = true;
+  filter_.reset();
+}
+
+// --- writing
+
+void IdMap::write(Interrupt& interrupt) {
+  if (!has_unwritten()) return;
+  if (stored_is_void_) rows_->map().erase_all();
+  std::vector<IdHashMap::Entry> changes = leaves_.known();
+  Steps step(interrupt);
+  std::sort(changes.begin(), changes.end(),
+            [&](const IdHashMap::Entry& a, const IdHashMap::Entry& b) { return step(), a.id < b.id; });
+  rows_->write_map(changes);
+  note_written();
+}
+
+void IdMap::note_written() {
+  if (!is_marked()) return clear();
+  last_block_.reset();
+  log_all(false);
+  stored_is_void_ = false;
+  leaves_.reset();
+  held_after_writing_ = held();
+}
+
+void IdMap::place_into(PackedMap& map) {
+  join();
+  packed_map_ = &map;
+}
+
+void IdMap::write_packed(Interrupt& interrupt) {
+  if (!packed_map_->is_complete()) other_objects();
+  void_stored();
+  rows_->map().erase_all();
+  packed_map_->for_each_chunk([&](std::span<const IdHashMap::Entry> chunk) {
+    interrupt.check();
+    rows_->write_map(chunk);
+  });
+  filter_.emplace(packed_map_->ids().size());
+  for (const std::int64_t id : packed_map_->ids()) filter_->add(id);
+  packed_map_ = nullptr;
+  note_written();
+}
+
+// --- rollbacks
+
+void IdMap::rewind(std::size_t position) noexcept {
+  forget_stored();
+  packed_map_ = nullptr;
+  if (position == 0 && started_empty_) return clear();  // fast path: a bulk load is rolled back
+  for (; log_.size() > position; log_.pop_back()) {
+    const IdHashMap::Entry& before = log_.back();
+    if (before.value == was_void || before.value == was_not_void)
+      stored_is_void_ = before.value == was_void;
+    else
+      leaves_.set(before.id, before.value);
+  }
+  held_after_writing_ = std::min(held_after_writing_, held());
+}
+
+void IdMap::forget() noexcept {
+  log_.clear();
+  started_empty_ = !has_unwritten();
+  held_after_writing_ = std::min(held_after_writing_, held());
+}
+
+void IdMap::clear() noexcept {
+  leaves_.clear();
+  log_.clear();
+  held_after_writing_ = 0;
+  stored_is_void_ = false;
+  started_empty_ = true;
+  last_block_.reset();
+}
+
+void IdMap::end(Journal::Ended how) noexcept {
+  clear();
+  packed_map_ = nullptr;
+  if (how == Journal::Ended::rolled_back) filter_.reset();
+}
+
+}  // namespace foresee

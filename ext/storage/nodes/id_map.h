@@ -1,0 +1,88 @@
+// Id map of a tree: the leaf of each object, as it is stored and with what this transaction changes.
+//
+//   ids.place(ids_of_leaf, 7);                  // or erase(42)
+//   ids.find_unwritten(42) == 7
+//   ids.write(interrupt);                       // all changes, in key order
+//
+// Changes wait in memory until they are written. After a mark each is logged, so that a rollback restores it; a
+// write of the map is logged too: when SQLite restores the rows, the changes are unwritten again. Of the rows
+// the map keeps the block read last, and after a large load a filter of all ids, which rejects new ones.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "base/error.h"
+#include "storage/journal/journal.h"
+#include "storage/nodes/id_filter.h"
+#include "storage/nodes/packed_map.h"
+#include "storage/rows/tree_rows.h"
+
+namespace foresee {
+
+class IdMap final : public Journal::Participant {
+ public:
+  static constexpr std::int64_t erased = 0;  ///< the id is gone
+  static constexpr std::int64_t unknown = IdHashMap::unknown;
+
+  /// `name` is the table name in messages.
+  IdMap(Journal& journal, const QualifiedName& name) : Participant(journal, Scope::marks), name_(name) {}
+  /// Reads and writes these rows from now on.
+  void connect(TreeRows& rows) { rows_ = &rows; }
+
+  /// A leaf's number; erased; or unknown: look it up in the stored map.
+  std::int64_t find_unwritten(std::int64_t id) const noexcept {
+    const std::int64_t leaf = leaves_.find(id);
+    return leaf == unknown && stored_is_void_ ? erased : leaf;
+  }
+  /// False only if the stored map does not have the id.
+  bool may_be_stored(std::int64_t id) const noexcept { return !filter_ || filter_->may_have(id); }
+  bool has_block(std::int64_t id) const { return last_block_ && last_block_->base() == IdBlock::base_of(id); }
+  /// The stored block of an id, read unless it was read last.
+  const IdBlock& block(std::int64_t id);
+
+  /// From now on these objects are in `leaf`.
+  void place(std::span<const std::int64_t> ids, std::int64_t leaf);
+  void erase(std::int64_t id) { set(id, erased); }
+  /// The stored map is no longer valid, for any id.
+  void void_stored();
+  bool has_unwritten() const { return !leaves_.none_known() || stored_is_void_; }
+  void write(Interrupt& interrupt);
+
+  /// Until write_packed() or a rewind, place() records leaves in this map of all future objects.
+  void place_into(PackedMap& map);
+  /// Replaces the stored map by it.
+  void write_packed(Interrupt& interrupt);
+
+  /// Bytes in use beyond those left by the last write: what another write would release.
+  std::size_t memory() const { return held() - held_after_writing_; }
+  /// Rows may have changed: forgets what was read.
+  void forget_stored() noexcept { last_block_.reset(), filter_.reset(); }
+  /// Drops all changes too.
+  void clear() noexcept;
+
+ private:
+  std::size_t keep() override { return log_.size(); }
+  void rewind(std::size_t position) noexcept override;
+  void forget() noexcept override;
+  void end(Journal::Ended how) noexcept override;
+
+  void set(std::int64_t id, std::int64_t leaf);
+  void log_all(bool voids);
+  void note_written();
+  [[noreturn]] void other_objects() const;
+  std::size_t held() const { return leaves_.memory() + log_.size() * sizeof(IdHashMap::Entry); }
+
+  const QualifiedName& name_;
+  TreeRows* rows_ = nullptr;
+  IdHashMap leaves_;
+  bool stored_is_void_ = false;
+  std::vector<IdHashMap::Entry> log_;  ///< old values, oldest first
+  bool started_empty_ = true;          ///< nothing was unwritten when the log was empty
+  std::size_t held_after_writing_ = 0;
+  std::optional<IdBlock> last_block_;
+  std::optional<IdFilter> filter_;
+  PackedMap* packed_map_ = nullptr;  ///< in place of leaves_ while the whole table is reloaded
+};
+
+}  // namespace foresee

@@ -1,0 +1,188 @@
+// TreeStore: load of a whole tree, for 'rebuild', 'optimize' and changes of most of the table.
+//
+// If the objects exceed the memory for sorting (memory_budget.h), they wait in a temporary file
+// (object_spill.h), partitioned by position and motion, and become leaves one partition at a time. The old
+// nodes are read twice, first for the ids and a sample of the records. So nothing is written before
+// everything was read and is sound. Memory besides the partitions: 12 bytes per object (packed_map.h).
+#include <algorithm>
+
+#include "base/interrupt_steps.h"
+#include "storage/format/inner_node.h"
+#include "storage/format/leaf_node.h"
+#include "storage/nodes/object_spill.h"
+#include "storage/rows/store_error.h"
+#include "storage/tree/record_sample.h"
+#include "storage/tree/tree_store.h"
+
+namespace foresee {
+namespace {
+
+template <class Each>
+void for_each_object(const LeafView& leaf, std::size_t record_size, Each each) {
+  std::vector<std::int64_t> ids(static_cast<std::size_t>(leaf.count()));
+  std::vector<double> records(ids.size() * record_size);
+  leaf.copy_ids(ids.data());
+  leaf.copy_records(records.data());
+  for (std::size_t i = 0; i < ids.size(); ++i) each(ids[i], records.data() + i * record_size);
+}
+
+template <class Each>
+void for_each_object(const Node& leaf, std::size_t record_size, Each each) {
+  for (std::size_t i = 0; i < leaf.size(); ++i) each(leaf.keys[i], leaf.values.data() + i * record_size);
+}
+
+}  // namespace
+
+/// Steps of a partitioned load: see() every object, divide(), add() every object again, write().
+class TreeStore::PartitionedLoad {
+ public:
+  PartitionedLoad(TreeStore& tree, Interrupt& interrupt)
+      : tree_(tree),
+        interrupt_(interrupt),
+        record_size_(static_cast<std::size_t>(tree.format_.at.size)),
+        sample_(record_size_) {}
+
+  void see(std::int64_t id, const double* record) {
+    ids_.push_back(id);
+    sample_.add(record);
+  }
+
+  /// Throws if an id was seen twice. `newest`: as in TprTree::divide().
+  void divide(std::span<const double> newest) {
+    tree_.require_unique(ids_, interrupt_);
+    const std::size_t limit = std::max<std::size_t>(1, tree_.memory_.max_ordered());
+    const std::size_t partitions = ids_.size() * tree_.format_.record_size / limit + 1;
+    division_ = tree_.tree_->divide(sample_.records(), partitions, newest, interrupt_);
+    spill_.emplace(tree_.db_, tree_.name_, record_size_, partitions, limit / 4);
+  }
+
+  void add(std::int64_t id, const double* record) {
+    spill_->add(division_->partition_of(record), id, record);
+  }
+
+  /// Replaces the contents by the added objects. Requires: in a change.
+  void write() {
+    spill_->finish();
+    tree_.cache_.drop_nodes(true);
+    tree_.cache_.erase_everything();
+    PackedMap map(std::move(ids_));
+    tree_.cache_.place_into(map);
+    tree_.tree_->bulk_load_partitions(*spill_, interrupt_);
+    tree_.cache_.write_packed_map(interrupt_);
+  }
+
+ private:
+  TreeStore& tree_;
+  Interrupt& interrupt_;
+  std::size_t record_size_;
+  std::vector<std::int64_t> ids_;
+  RecordSample sample_;
+  std::unique_ptr<SpacePartitioning> division_;
+  std::optional<ObjectSpill> spill_;
+};
+
+void TreeStore::require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt) const {
+  Steps step(interrupt);
+  std::sort(ids.begin(), ids.end(), [&](std::int64_t a, std::int64_t b) { return step(), a < b; });
+  const auto twice = std::adjacent_find(ids.begin(), ids.end(),
+                                        [&](std::int64_t a, std::int64_t b) { return step(), a == b; });
+  if (twice != ids.end()) damaged("object " + std::to_string(*twice) + " is in two leaves");
+}
+
+// --- from the stored leaves alone
+
+TreeStore::Rebuild::Rebuild(TreeStore& tree, Interrupt& interrupt) : tree_(tree), interrupt_(interrupt) {
+  if (!read_into_memory()) read_partitioned();
+}
+
+TreeStore::Rebuild::~Rebuild() = default;
+
+bool TreeStore::Rebuild::read_leaves(const std::function<bool(const LeafView&)>& use) {
+  unsigned nodes = 0;
+  bool goes_on = true;
+  tree_.rows_->read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    if (++nodes % 16 == 0) interrupt_.check();
+    if (!goes_on || is_inner(tree_.format_, blob, number)) return;
+    tree_.read_stored_leaf(number, blob, [&](const LeafView& leaf) { goes_on = use(leaf); });
+  });
+  return goes_on;
+}
+
+void TreeStore::Rebuild::note_form(const double* record) {
+  if (is_stored_apart(tree_.format_.layout.shape))
+    forms_.insert(static_cast<std::int64_t>(record[static_cast<std::size_t>(tree_.format_.at.outline)]));
+}
+
+bool TreeStore::Rebuild::read_into_memory() {
+  const bool fits = read_leaves([&](const LeafView& leaf) {
+    append(leaf, ids_, records_);
+    return records_.size() * sizeof(double) <= tree_.memory_.max_ordered();
+  });
+  if (!fits) {
+    ids_ = {}, records_ = {};
+    return false;
+  }
+  std::vector<std::int64_t> sorted = ids_;
+  tree_.require_unique(sorted, interrupt_);
+  interrupt_.check();
+  objects_ = ids_.size();
+  for (std::size_t i = 0; i < records_.size(); i += static_cast<std::size_t>(tree_.format_.at.size))
+    note_form(records_.data() + i);
+  return true;
+}
+
+void TreeStore::Rebuild::read_partitioned() {
+  const auto size = static_cast<std::size_t>(tree_.format_.at.size);
+  const auto for_each = [&](auto use) {
+    read_leaves([&](const LeafView& leaf) { return for_each_object(leaf, size, use), true; });
+  };
+  tree_.with_sound_tree([&] {
+    load_ = std::make_unique<PartitionedLoad>(tree_, interrupt_);
+    for_each([&](std::int64_t id, const double* record) { load_->see(id, record), ++objects_; });
+    load_->divide({});
+    for_each([&](std::int64_t id, const double* record) {
+      load_->add(id, record);
+      note_form(record);
+    });
+  });
+}
+
+void TreeStore::Rebuild::write() {
+  tree_.with_sound_tree([&] {
+    if (load_) return load_->write();
+    tree_.cache_.erase_everything();
+    tree_.tree_->bulk_load(ids_, records_, interrupt_);
+  });
+}
+
+// --- with pending objects
+
+void TreeStore::load_partitioned(Interrupt& interrupt) {
+  const auto size = static_cast<std::size_t>(format_.at.size);
+  PartitionedLoad load(*this, interrupt);
+  std::size_t stored = 0, replaced = 0;
+  bool all_are_new = false;  // no pending object replaces a stored one; known after one pass
+  const auto for_each = [&](auto use) {
+    stored = 0;
+    const auto use_stored = [&](std::int64_t id, const double* record) {
+      ++stored;
+      if (!all_are_new && pending_.find(id))
+        ++replaced;
+      else
+        use(id, record);
+    };
+    const auto use_leaf = [&](const auto& leaf) { for_each_object(leaf, size, use_stored); };
+    read_leaves(interrupt, use_leaf, use_leaf);
+    Steps step(interrupt);
+    pending_.for_each(
+        [&](std::int64_t id, std::span<const double> record) { step(), use(id, record.data()); });
+  };
+  for_each([&](std::int64_t id, const double* record) { load.see(id, record); });
+  all_are_new = replaced == 0;
+  require_as_many(stored);
+  load.divide(pending_.all_records());
+  for_each([&](std::int64_t id, const double* record) { load.add(id, record); });
+  load.write();
+}
+
+}  // namespace foresee

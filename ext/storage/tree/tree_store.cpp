@@ -1,0 +1,188 @@
+#include "storage/tree/tree_store.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/interrupt_steps.h"
+#include "storage/format/leaf_node.h"
+#include "storage/rows/store_error.h"
+
+namespace foresee {
+namespace {
+
+// Per object a bulk load of the whole table costs a twentieth of an insert, and it gives a better tree.
+constexpr double min_reload_ratio = 1.0 / 8;
+
+constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::max();
+
+}  // namespace
+
+TreeStore::TreeStore(sqlite3* db, const NodeFormat& format, const QualifiedName& name, double horizon,
+                     Journal& journal, MemoryBudget& memory, std::function<void()> write_out)
+    : db_(db),
+      format_(format),
+      name_(name),
+      memory_(memory),
+      write_out_(std::move(write_out)),
+      share_(memory, *this),
+      cache_(format, name, share_, journal),
+      tree_(make_tpr_tree(cache_, horizon)),
+      pending_(journal, static_cast<std::size_t>(format.at.size)) {}
+
+void TreeStore::damaged(const std::string& what) const {
+  throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
+}
+
+void TreeStore::note_memory() noexcept {
+  share_.hold_pending(pending_.memory());
+  cache_.note_memory();
+}
+
+// --- changes
+
+void TreeStore::put(std::int64_t id, std::span<const double> record) {
+  pending_.find(id) ? pending_.replace(id, record) : pending_.add(id, record);
+}
+
+bool TreeStore::erase(std::int64_t id) {
+  const bool is_pending = pending_.find(id) != nullptr;
+  if (is_pending) pending_.erase(id);
+  return tree_->erase(id) || is_pending;
+}
+
+void TreeStore::merge_pending(Interrupt& interrupt) {
+  with_sound_tree([&] {
+    const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_);
+    const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
+    if (stored > 0 && pending <= stored * min_reload_ratio)
+      merge_into_tree(interrupt);
+    else if (stored > 0 && bytes > static_cast<double>(memory_.max_ordered()))
+      load_partitioned(interrupt);
+    else
+      reload(interrupt);
+  });
+  pending_.take_all();
+}
+
+void TreeStore::merge_into_tree(Interrupt& interrupt) {
+  if (!pending_.has_holes()) return tree_->merge(pending_.all_ids(), pending_.all_records(), interrupt);
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  append_pending(ids, records);
+  tree_->merge(ids, records, interrupt);
+}
+
+void TreeStore::reload(Interrupt& interrupt) {
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  collect_objects(cache_, ids, records, interrupt);
+  require_as_many(ids.size());
+  if (ids.empty() && !pending_.has_holes())
+    return tree_->bulk_load(pending_.all_ids(), pending_.all_records(), interrupt);
+  const auto size = static_cast<std::size_t>(format_.at.size);
+  std::size_t kept = 0;
+  Steps step(interrupt);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    step();
+    if (pending_.find(ids[i])) continue;
+    if (kept != i) {
+      ids[kept] = ids[i];
+      std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(i * size), size,
+                  records.begin() + static_cast<std::ptrdiff_t>(kept * size));
+    }
+    ++kept;
+  }
+  ids.resize(kept), records.resize(kept * size);
+  append_pending(ids, records);
+  tree_->reload(ids, records, interrupt);
+}
+
+void TreeStore::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const {
+  ids.reserve(ids.size() + pending_.count());
+  records.reserve(records.size() + pending_.count() * static_cast<std::size_t>(format_.at.size));
+  pending_.for_each([&](std::int64_t id, std::span<const double> record) {
+    ids.push_back(id);
+    records.insert(records.end(), record.begin(), record.end());
+  });
+}
+
+void TreeStore::write(Interrupt& interrupt) {
+  with_sound_tree([&] { cache_.write(interrupt); });
+}
+
+// --- reading
+
+bool TreeStore::read_stored(std::int64_t id, std::vector<double>& record) {
+  const std::optional<std::int64_t> number = rows_->map().find_leaf(id);
+  if (!number) return false;
+  const std::string where = "node " + std::to_string(*number);
+  record.resize(static_cast<std::size_t>(format_.at.size));
+  int slot = -1;
+  const bool found = rows_->read_node(*number, [&](std::span<const std::byte> blob) {
+    read_stored_leaf(*number, blob, [&](const LeafView& leaf) {
+      slot = leaf.find(id);
+      if (slot >= 0) leaf.copy_record(slot, record.data());
+    });
+  });
+  if (!found) damaged(where + " of object " + std::to_string(id) + " is missing");
+  if (slot < 0) damaged(where + " lacks object " + std::to_string(id));
+  return true;
+}
+
+bool TreeStore::read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
+                                 const std::function<void(const LeafView&)>& use) const {
+  if (const char* fault = cache_.fault(number, blob))
+    damaged("node " + std::to_string(number) + " is damaged: " + fault);
+  if (blob[NodeFormat::level_at] != std::byte{0}) return false;
+  use(LeafView(format_, blob));
+  return true;
+}
+
+void TreeStore::read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
+                            const std::function<void(const Node&)>& dirty) {
+  std::int64_t done = 0;
+  const auto dirty_up_to = [&](std::int64_t end) {
+    for (std::int64_t next; (next = cache_.next_dirty(done, end)) != 0; done = next)
+      if (const auto node = *cache_.dirty_node(next); node && node->is_leaf()) dirty(*node);
+    done = std::max(done, end - 1);
+  };
+  unsigned leaves = 0;
+  rows_->read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    if (++leaves % 16 == 0) interrupt.check();
+    dirty_up_to(number);
+    if (!cache_.dirty_node(number)) read_stored_leaf(number, blob, stored);
+  });
+  dirty_up_to(no_number);
+}
+
+std::int64_t TreeStore::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
+                                  std::vector<double>& records) {
+  ids.clear();
+  records.clear();
+  for (;;) {
+    std::int64_t number = no_number;
+    bool is_leaf = false;
+    rows_->read_node_after(after, [&](std::int64_t stored, std::span<const std::byte> blob) {
+      number = stored;
+      if (cache_.next_dirty(after, stored) == 0 && !cache_.dirty_node(stored))
+        is_leaf = read_stored_leaf(stored, blob, [&](const LeafView& leaf) { append(leaf, ids, records); });
+    });
+    if (const std::int64_t dirty = cache_.next_dirty(after, number)) number = dirty;
+    if (number == no_number) return 0;
+    if (const auto node = cache_.dirty_node(number); node && *node && (*node)->is_leaf()) {
+      append(**node, ids, records);
+      is_leaf = true;
+    }
+    if (is_leaf) return number;
+    after = number;
+  }
+}
+
+void TreeStore::require_as_many(std::size_t found) {
+  if (cache_.has_unwritten()) return;
+  const auto mapped = static_cast<std::size_t>(rows_->map().count_ids());
+  if (found != mapped)
+    damaged("the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));
+}
+
+}  // namespace foresee

@@ -1,0 +1,141 @@
+// One TPR-tree of a table: written objects that wait, the tree over nodes in memory, and their rows.
+//
+//   TreeStore tree(db, format, name, 60, journal, memory, [] {});
+//   tree.connect(rows);
+//   tree.put(42, record);                       // within a change: a mark of the journal
+//   tree.merge_pending(interrupt);              // the same
+//   tree.write(interrupt);
+//
+// A table may have several, each over its own TreeRows, all under the journal of the table. So a rollback restores
+// them together, and this class has no undo of its own.
+//
+//   put, erase  ─► PendingObjects ─► tree over NodeCache (nodes, IdMap) ─► rows, once per transaction
+//   read        ─► pending objects, else the cache, else the rows
+//
+// Errors: SQLITE_CORRUPT_VTAB for rows that are damaged or contradict one another. Blobs are checked when read.
+#pragma once
+
+#include <functional>
+#include <unordered_set>
+
+#include "base/float_environment.h"
+#include "index/tpr_tree/tpr_tree.h"
+#include "storage/nodes/node_cache.h"
+#include "storage/nodes/pending_objects.h"
+
+namespace foresee {
+
+class LeafView;
+
+class TreeStore final : private MemoryHolder {
+ public:
+  /// `name` is the table name in messages; it, the journal and the budget must outlive the tree. `write_out`
+  /// writes everything that waits, if the budget wants it.
+  TreeStore(sqlite3* db, const NodeFormat& format, const QualifiedName& name, double horizon,
+            Journal& journal, MemoryBudget& memory, std::function<void()> write_out);
+  /// Reads and writes these rows from now on.
+  void connect(TreeRows& rows) { rows_ = &rows, cache_.connect(rows); }
+
+  const NodeFormat& format() const { return format_; }
+  NodeCache& nodes() { return cache_; }
+  const NodeCache& nodes() const { return cache_; }
+  const PendingObjects& pending() const { return pending_; }
+  bool has_unwritten() const { return pending_.count() > 0 || cache_.has_unwritten(); }
+  void note_memory() noexcept;
+
+  // --- changes; requires: in a change
+  /// Inserts the object, or replaces its record.
+  void put(std::int64_t id, std::span<const double> record);
+  /// False if there is no such object.
+  bool erase(std::int64_t id);
+  /// Moves all pending objects into the tree: in memory, as far as the budget allows.
+  void merge_pending(Interrupt& interrupt);
+  /// Writes all nodes, the map and the root. Requires: nothing is pending. If it fails half-way the rest stays
+  /// unwritten; writing the same again is harmless.
+  void write(Interrupt& interrupt);
+
+  // --- reading
+  /// The record of a stored object, read without the cache; false: no such object.
+  bool read_stored(std::int64_t id, std::vector<double>& record);
+  /// Reads every leaf once, by ascending number, without pending objects: from memory if it is dirty, else
+  /// from its row, checked.
+  void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
+                   const std::function<void(const Node&)>& dirty);
+  /// Reads the leaf after leaf `after` (0: the first one). Returns its number, or 0 at the end.
+  std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
+  /// Throws if the map, when written, has another count of objects.
+  void require_as_many(std::size_t found);
+  /// Runs an operation of the tree, which rounds its bounds outward. Contradictions between nodes are reported
+  /// as damage of the table.
+  template <class Body>
+  auto with_sound_tree(Body body) const {
+    const FloatEnvironment environment;
+    try {
+      return body();
+    } catch (const BrokenTree& error) {
+      damaged(error.what());
+    }
+  }
+
+  /// Builds the tree again from its stored leaves alone.
+  class Rebuild;
+
+ private:
+  class PartitionedLoad;
+
+  void write_out() override { write_out_(); }
+  void drop_nodes(bool all) override { cache_.drop_nodes(all); }
+  [[noreturn]] void damaged(const std::string& what) const;
+  void merge_into_tree(Interrupt& interrupt);
+  void reload(Interrupt& interrupt);
+  /// As reload(), for more objects than may be sorted together.
+  void load_partitioned(Interrupt& interrupt);
+  void append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const;
+  /// Calls `use` with a sound leaf; false for a sound inner node.
+  bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
+                        const std::function<void(const LeafView&)>& use) const;
+  /// Sorts the ids; throws if one is repeated.
+  void require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt) const;
+
+  sqlite3* db_;
+  NodeFormat format_;
+  const QualifiedName& name_;
+  MemoryBudget& memory_;
+  std::function<void()> write_out_;
+  MemoryShare share_;
+  TreeRows* rows_ = nullptr;
+  NodeCache cache_;
+  std::unique_ptr<TprTree> tree_;
+  PendingObjects pending_;
+};
+
+/// Reads and checks every leaf when it is made, whether or not the tree refers to it; the contents of inner nodes
+/// are ignored. Nothing is written before write().
+class TreeStore::Rebuild {
+ public:
+  Rebuild(TreeStore& tree, Interrupt& interrupt);
+  ~Rebuild();
+
+  std::size_t objects() const { return objects_; }
+  /// The outlines or meshes in use, in a layout with them.
+  const std::unordered_set<std::int64_t>& forms() const { return forms_; }
+  /// Replaces the tree. Requires: in a change.
+  void write();
+
+ private:
+  bool read_into_memory();
+  void read_partitioned();
+  /// Calls use() for every stored leaf until it returns false; returns whether it never did.
+  bool read_leaves(const std::function<bool(const LeafView&)>& use);
+  void note_form(const double* record);
+
+  TreeStore& tree_;
+  Interrupt& interrupt_;
+  std::size_t objects_ = 0;
+  std::unordered_set<std::int64_t> forms_;
+  std::vector<std::int64_t> ids_;
+  std::vector<double> records_;
+  std::unique_ptr<PartitionedLoad> load_;  ///< of more objects than may be sorted together
+};
+
+}  // namespace foresee
