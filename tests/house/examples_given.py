@@ -22,7 +22,7 @@ DRAWINGS = {
     "packed_legs.h": ("bytes 0 to 7",),
     "shadow_schema.h": ("<name>",),
     "watch_rows.h": ("<name>",),
-    "tree_store.h": ("put, erase",),
+    "tree_store.h": ("write  ",),
 }
 
 # Functions that examples call and nobody declares.

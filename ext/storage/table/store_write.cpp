@@ -95,7 +95,7 @@ void Store::for_each_change(
 
 void Store::add(std::int64_t id, std::span<const double> record) {
   const std::optional<std::int64_t> last = read_largest().id;
-  tree_.put(id, record);
+  tree_.insert(id, record);
   Totals& totals = totals_.change();
   ++totals.count.added;
   if (!last || *last <= id) totals.largest = {true, true, id};
@@ -134,9 +134,8 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
       if (contains(new_id)) remove(new_id);
       remove(id);
       add(new_id, record);
-    } else {
-      if (!tree_.pending().find(id) && !nodes().find_record(id)) throw_missing(id);
-      tree_.put(id, record);
+    } else if (!tree_.update(id, record)) {
+      throw_missing(id);
     }
   });
   if (has_auxiliaries()) shadow_rows().update_auxiliaries(id, new_id, auxiliaries);

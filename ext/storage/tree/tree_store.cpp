@@ -40,8 +40,14 @@ void TreeStore::note_memory() noexcept {
 
 // --- changes
 
-void TreeStore::put(std::int64_t id, std::span<const double> record) {
-  pending_.find(id) ? pending_.replace(id, record) : pending_.add(id, record);
+bool TreeStore::update(std::int64_t id, std::span<const double> record) {
+  if (pending_.find(id))
+    pending_.replace(id, record);
+  else if (cache_.find_record(id))
+    pending_.add(id, record);
+  else
+    return false;
+  return true;
 }
 
 bool TreeStore::erase(std::int64_t id) {

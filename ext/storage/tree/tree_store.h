@@ -2,14 +2,14 @@
 //
 //   TreeStore tree(db, format, name, 60, journal, memory, [] {});
 //   tree.connect(rows);
-//   tree.put(42, record);                       // within a change: a mark of the journal
+//   tree.insert(42, record);                    // within a change: a mark of the journal
 //   tree.merge_pending(interrupt);              // the same
 //   tree.write(interrupt);
 //
 // A table may have several, each over its own TreeRows, all under the journal of the table. So a rollback restores
 // them together, and this class has no undo of its own.
 //
-//   put, erase  ─► PendingObjects ─► tree over NodeCache (nodes, IdMap) ─► rows, once per transaction
+//   write       ─► PendingObjects ─► tree over NodeCache (nodes, IdMap) ─► rows, once per transaction
 //   read        ─► pending objects, else the cache, else the rows
 //
 // Errors: SQLITE_CORRUPT_VTAB for rows that are damaged or contradict one another. Blobs are checked when read.
@@ -44,8 +44,10 @@ class TreeStore final : private MemoryHolder {
   void note_memory() noexcept;
 
   // --- changes; requires: in a change
-  /// Inserts the object, or replaces its record.
-  void put(std::int64_t id, std::span<const double> record);
+  /// Requires: no object has this id.
+  void insert(std::int64_t id, std::span<const double> record) { pending_.add(id, record); }
+  /// False if there is no such object.
+  bool update(std::int64_t id, std::span<const double> record);
   /// False if there is no such object.
   bool erase(std::int64_t id);
   /// Moves all pending objects into the tree: in memory, as far as the budget allows.

@@ -34,6 +34,9 @@ class TwoTrees : public ::testing::Test {
     db.run("INSERT INTO ships_meta VALUES('chunk_root', 0)");
   }
 
+  static void put(TreeStore& tree, std::int64_t id, double x) {
+    if (!tree.update(id, ship(x))) tree.insert(id, ship(x));
+  }
   void start() { db.run("BEGIN IMMEDIATE"), journal.begin(); }
   void write() {
     merge();
@@ -88,8 +91,8 @@ class TwoTrees : public ::testing::Test {
 TEST_F(TwoTrees, StoreTheirObjectsApart) {
   start();
   change([&] {
-    for (int id = 1; id <= 500; ++id) first.put(id, ship(id));
-    for (int id = 400; id <= 700; ++id) second.put(id, ship(-id));
+    for (int id = 1; id <= 500; ++id) first.insert(id, ship(id));
+    for (int id = 400; id <= 700; ++id) second.insert(id, ship(-id));
   });
   commit();
   EXPECT_GT(db.number("SELECT count(*) FROM ships_node"), 1);
@@ -113,7 +116,7 @@ TEST_F(TwoTrees, AreRestoredTogetherThroughRandomProgramsOfSavepoints) {
     std::vector<std::pair<Journal::Mark, Both>> savepoints;
     const auto put = [&](TreeStore& tree, Model& its, std::int64_t id) {
       const double x = static_cast<double>(random() % 1000);
-      tree.put(id, ship(x));
+      TwoTrees::put(tree, id, x);
       its[id] = x;
     };
     start();
