@@ -1,7 +1,7 @@
 // The page: SQL goes into the module, rows come out, and what they say is drawn.
 //
 // Everything on the canvas is what foresee answers: places are the rows of predictive_position at the slider's
-// moment, a pair is drawn while its t and t_end say so. Nothing is computed twice here.
+// time, a pair is drawn while its t and t_end say so. Nothing is computed twice here.
 'use strict';
 
 const $ = (id) => document.getElementById(id);
@@ -9,7 +9,7 @@ const canvas = $('canvas'), pen = canvas.getContext('2d');
 
 let query;                       // sql -> {columns, rows, ms}, or an Error
 let examples = [];
-let scene = null;                // what is drawn: {table, now, horizon, looks, pairs}
+let scene = null;                // what is drawn: {table, now, horizon, styles, pairs}
 let view = {x: 0, y: 0, scale: 1};
 let playing = null, chosen = -1;
 let coast = null;                // {origin, read, placed}
@@ -19,7 +19,7 @@ function say(text, is_error) {
   $('message').className = is_error ? 'error' : '';
 }
 
-// The scene: which table, which moments, what objects look like.
+// The scene: which table, which times, the styles of objects.
 
 const quoted = (name) => '"' + name.replaceAll('"', '""') + '"';
 const literal = (text) => "'" + text.replaceAll("'", "''") + "'";
@@ -58,9 +58,9 @@ function rings_of(wkt) {
   return [...wkt.matchAll(/\(([^()]+)\)/g)].map((ring) => ring[1].split(',').map((corner) => corner.trim().split(/\s+/).map(Number)));
 }
 
-/// What each object looks like, by its id.
-function looks_of(table, origin) {
-  const all = query(`SELECT * FROM ${quoted(table)}`), looks = new Map();
+/// The style of each object, by its id.
+function styles_of(table, origin) {
+  const all = query(`SELECT * FROM ${quoted(table)}`), styles = new Map();
   const at = Object.fromEntries(all.columns.map((name, i) => [name.toLowerCase(), i]));
   const rings = new Map();
   for (const row of all.rows) {
@@ -68,10 +68,10 @@ function looks_of(table, origin) {
     const shape = value('shape') ?? value('zone');
     if (shape !== null && !rings.has(shape)) rings.set(shape, at.zone === undefined ? rings_of(shape)
       : rings_of(shape)?.map((ring) => ring.map((corner) => projection(origin)(...corner))));
-    looks.set(String(row[at.id]), {r: value('r') ?? 0, hx: value('hx'), hy: value('hy'), name: value('name'),
+    styles.set(String(row[at.id]), {r: value('r') ?? 0, hx: value('hx'), hy: value('hy'), name: value('name'),
       rings: shape === null ? null : rings.get(shape), heading: value('heading') ?? 0, zone: at.zone !== undefined});
   }
-  return {looks, latest: at.t === undefined ? 0 : Math.max(...all.rows.map((row) => row[at.t]))};
+  return {styles, latest: at.t === undefined ? 0 : Math.max(...all.rows.map((row) => row[at.t]))};
 }
 
 function read_scene(sql, answer) {
@@ -82,22 +82,22 @@ function read_scene(sql, answer) {
   const second = call && tables.has(call[4]) ? call[4] : null;
   const column = (name) => answer.columns.indexOf(name);
   const [a, b, t, t_end] = ['a', 'b', 't', 't_end'].map(column);
-  const drawn = (second ? [first, second] : [first]).map((table) => ({table, ...looks_of(table, tables.get(table))}));
+  const drawn = (second ? [first, second] : [first]).map((table) => ({table, ...styles_of(table, tables.get(table))}));
   const now = Math.max(...drawn.map((one) => one.latest));
   const pairs = a < 0 || b < 0 || t < 0 ? [] : answer.rows.map((row) => ({a: String(row[a]), b: String(row[b]), t: row[t],
     t_end: t_end < 0 ? row[t] : row[t_end]}));
   return {tables: drawn, origin: tables.get(first), now: Number.isFinite(now) ? now : 0, horizon: call ? Number(call[1]) || 1 : 60, within: call ? Number(call[3] ?? 0) : 0, pairs};
 }
 
-function places_of(table, moment) {
-  const answer = query(`SELECT id, x, ${scene.flat ? '0' : 'y'} AS y FROM predictive_position(${moment}, ${literal(table)})`);
+function places_of(table, time) {
+  const answer = query(`SELECT id, x, ${scene.flat ? '0' : 'y'} AS y FROM predictive_position(${time}, ${literal(table)})`);
   return answer.rows.map(([id, x, y]) => ({id: String(id), x, y}));
 }
 
 // Drawing: x to the right, y up.
 
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
-const moment_shown = () => scene.now + Number($('time').value);
+const time_shown = () => scene.now + Number($('time').value);
 const on_screen = (x, y) => [canvas.width / 2 + (x - view.x) * view.scale, canvas.height / 2 - (y - view.y) * view.scale];
 
 /// Shows points; of many all but stray ones, the middle 98 of 100.
@@ -123,29 +123,29 @@ function draw_grid() {
   return step;
 }
 
-function draw_object(place, look, fill) {
-  if (!look.zone && Math.abs(on_screen(place.x, place.y)[0] - canvas.width / 2) > 2 * canvas.width) return;
+function draw_object(place, style, fill) {
+  if (!style.zone && Math.abs(on_screen(place.x, place.y)[0] - canvas.width / 2) > 2 * canvas.width) return;
   const [x, y] = on_screen(place.x, place.y);
   pen.fillStyle = fill;
   pen.beginPath();
-  if (look.rings) {
-    const turn = look.heading * Math.PI / 180, c = Math.cos(turn), s = Math.sin(turn);
-    for (const ring of look.rings) {
+  if (style.rings) {
+    const turn = style.heading * Math.PI / 180, c = Math.cos(turn), s = Math.sin(turn);
+    for (const ring of style.rings) {
       ring.forEach(([u, v], i) => pen[i ? 'lineTo' : 'moveTo'](...on_screen(place.x + u * c + v * s, place.y - u * s + v * c)));
       pen.closePath();
     }
-    pen.globalAlpha = look.zone ? 0.15 : 1;
+    pen.globalAlpha = style.zone ? 0.15 : 1;
     pen.fill('evenodd');
     pen.globalAlpha = 1;
     pen.lineWidth = 2 * devicePixelRatio;
     pen.strokeStyle = fill;
     pen.stroke();
-  } else if (look.hx !== null) {
-    const w = Math.max(look.hx * view.scale, 2), h = Math.max((look.hy ?? 0) * view.scale, 2);
+  } else if (style.hx !== null) {
+    const w = Math.max(style.hx * view.scale, 2), h = Math.max((style.hy ?? 0) * view.scale, 2);
     pen.rect(x - w, y - h, 2 * w, 2 * h);
     pen.fill();
   } else {
-    pen.arc(x, y, Math.max(look.r * view.scale, 2.4 * devicePixelRatio), 0, 2 * Math.PI);
+    pen.arc(x, y, Math.max(style.r * view.scale, 2.4 * devicePixelRatio), 0, 2 * Math.PI);
     pen.fill();
   }
 }
@@ -159,16 +159,16 @@ function draw() {
     drawCoast(pen, around, {seen: [view.x - w, view.y - h, view.x + w, view.y + h], onScreen: on_screen, width: canvas.width, height: canvas.height,
       pixel: devicePixelRatio, land: colour('land'), water: colour('water'), shore: colour('shore')});
   }
-  const moment = moment_shown(), step = draw_grid();
+  const time = time_shown(), step = draw_grid();
   const [soon, touch] = [new Set(), new Set()];
   for (const pair of scene.pairs) {
-    const marks = pair.t <= moment && moment <= pair.t_end ? touch : pair.t > moment ? soon : null;
+    const marks = pair.t <= time && time <= pair.t_end ? touch : pair.t > time ? soon : null;
     if (!marks) continue;
     marks.add('0' + pair.a), marks.add((scene.tables.length - 1) + pair.b);
   }
   const found = new Map(), names = [];
-  scene.tables.forEach(({table, looks}, number) => {
-    const places = places_of(table, moment), later = new Map(places_of(table, moment + scene.horizon / 12).map((p) => [p.id, p]));
+  scene.tables.forEach(({table, styles}, number) => {
+    const places = places_of(table, time), later = new Map(places_of(table, time + scene.horizon / 12).map((p) => [p.id, p]));
     pen.strokeStyle = colour('trail'), pen.lineWidth = 1.5 * devicePixelRatio;
     pen.beginPath();
     for (const place of places) {
@@ -177,10 +177,10 @@ function draw() {
     }
     pen.stroke();
     for (const place of places) {
-      const key = number + place.id, look = looks.get(place.id) ?? {r: 0, hx: null, rings: null};
-      draw_object(place, look, colour(touch.has(key) ? 'touch' : soon.has(key) ? 'soon' : 'object'));
+      const key = number + place.id, style = styles.get(place.id) ?? {r: 0, hx: null, rings: null};
+      draw_object(place, style, colour(touch.has(key) ? 'touch' : soon.has(key) ? 'soon' : 'object'));
       found.set(key, place);
-      if (look.name && (places.length <= 60 || soon.has(key) || touch.has(key))) names.push([look, place]);
+      if (style.name && (places.length <= 60 || soon.has(key) || touch.has(key))) names.push([style, place]);
     }
   });
   draw_names(names);
@@ -193,7 +193,7 @@ function draw() {
     pen.setLineDash([]);
   }
   const later = Number($('time').value), dated = scene.now > 1e8;
-  const date = () => new Date(moment * 1000).toISOString().replace('T', ' ').slice(0, 19) + ' UTC';
+  const date = () => new Date(time * 1000).toISOString().replace('T', ' ').slice(0, 19) + ' UTC';
   $('clock').textContent = (scene.horizon >= 120 ? `+${(later / 60).toFixed(1)} min` : `+${later.toFixed(1)} s`) + (dated ? `  ${date()}` : '');
   $('legend').innerHTML = `grid ${step >= 1000 ? `${step / 1000} km` : `${plain(step)} m`}<i style="background:var(--touch)"></i>${scene.within ? `within ${plain(scene.within)} m` : 'in contact'} now<i style="background:var(--soon)"></i>will be<i style="background:var(--object)"></i>keeps clear`;
 }
@@ -203,7 +203,7 @@ function draw_names(names) {
   pen.font = `${12 * devicePixelRatio}px system-ui, sans-serif`;
   pen.lineWidth = 3 * devicePixelRatio, pen.lineJoin = 'round';
   const chosenOnes = new Set(scene.pairs[chosen] ? [scene.pairs[chosen].a, scene.pairs[chosen].b] : []);
-  const rank = ([look, place]) => (chosenOnes.has(place.id) ? 0 : look.zone ? 1 : 2);
+  const rank = ([style, place]) => (chosenOnes.has(place.id) ? 0 : style.zone ? 1 : 2);
   names.sort((a, b) => rank(a) - rank(b));
   const taken = [], free = (box) => !taken.some((one) => overlap(one, box));
   for (const [{name, zone, rings}, place] of names) {
@@ -241,7 +241,7 @@ function run() {
       const columns = query(`SELECT * FROM ${quoted(first)} LIMIT 0`).columns;
       scene.flat = columns.includes('x') && !columns.includes('y');
       canvas.width = canvas.clientWidth * devicePixelRatio, canvas.height = canvas.clientHeight * devicePixelRatio;
-      fit([0, scene.horizon].flatMap((later) => scene.tables.flatMap(({table}) => places_of(table, scene.now + (scene.tables[0].looks.size < 100 ? later : 0)))), 1);
+      fit([0, scene.horizon].flatMap((later) => scene.tables.flatMap(({table}) => places_of(table, scene.now + (scene.tables[0].styles.size < 100 ? later : 0)))), 1);
     }
     draw();
   } catch (error) {
@@ -258,9 +258,9 @@ function choose(number) {
   stop();
   $('time').value = Math.max(0, pair.t - scene.now);
   const last = scene.tables.length - 1;
-  const place = (table, id) => places_of(scene.tables[table].table, moment_shown()).find((p) => p.id === id);
+  const place = (table, id) => places_of(scene.tables[table].table, time_shown()).find((p) => p.id === id);
   const both = [place(0, pair.a), place(last, pair.b)].filter(Boolean);
-  const size = Math.max(...[[0, pair.a], [last, pair.b]].map(([table, id]) => scene.tables[table].looks.get(id)?.r ?? 0), scene.within, 1);
+  const size = Math.max(...[[0, pair.a], [last, pair.b]].map(([table, id]) => scene.tables[table].styles.get(id)?.r ?? 0), scene.within, 1);
   fit(both, 8 * size);
   draw();
 }

@@ -12,7 +12,7 @@ function columnsFor(answer, scene) {
     const spans = (from) => ({title: name, unit, text: (value) => typeof value === 'number' ? ((value - from) / scale).toFixed(1) : plain(value)});
     if (!isOfPairs) return {title: name, text: plain};
     if (name === 'a' || name === 'b') {
-      const names = scene.tables[name === 'a' ? 0 : scene.tables.length - 1].looks;
+      const names = scene.tables[name === 'a' ? 0 : scene.tables.length - 1].styles;
       return {title: name, text: (value) => names.get(String(value))?.name || plain(value)};
     }
     if (TIMES.includes(name)) return spans(scene.now);
