@@ -41,6 +41,7 @@ const puppeteer = require('puppeteer-core'), fs = require('fs');
     if (path.endsWith('/geofences.html')) {
       for (const scheme of ['light', 'dark']) {
         await page.emulateMediaFeatures([{name: 'prefers-color-scheme', value: scheme}]);
+        await page.evaluate(() => localStorage.clear());       // the theme remembers its first scheme
         await page.reload();
         await page.click('button.run');
         await page.waitForFunction(() => document.querySelector('.run-output').textContent.includes('ms'));
