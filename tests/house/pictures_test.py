@@ -15,6 +15,7 @@ from documents import examples
 from house import EXTENSION, ROOT, SHARED_DATA, main
 
 sys.path.insert(0, str(ROOT / "docs/pictures"))
+import charts  # noqa: E402
 import draw  # noqa: E402
 import svg  # noqa: E402
 
@@ -143,6 +144,16 @@ class Drawn(unittest.TestCase):
                 shown[(page.parent / target).resolve()] = words
         self.assertEqual(set(pictures()), set(shown))
         self.assertTrue(all(len(words) > 10 for words in shown.values()), shown)
+
+    def test_the_programs_lines_become_the_table_of_pairs(self):
+        lines = ["ships, 600 s: 1000 pairs, 35 touch; 2 exact",
+                 "    foresee                           98 ns decide       167 ns t       209 ns t, t_end",
+                 "    plain double                     481 ns: 4.9x 2.88x 2.3x; of 35 in 1000 pairs misses 0, invents 0, t off by 6e-13 s",
+                 "    FCL, 10 samples                 1619 ns: 17x 9.7x 7.7x; of 35 in 1000 pairs misses 25, invents 0, t off by 32 s",
+                 "… within 50 m: 1000 pairs, 90 touch; 2 exact",
+                 "    foresee                          105 ns decide       456 ns t       730 ns t, t_end"]
+        self.assertEqual(charts.pairs_of(lines), [("ships, 600 s", "foresee", "167", ""), ("ships, 600 s", "plain double", "481", ""),
+                                                  ("ships, 600 s", "FCL, 10 samples", "1619", "misses 25 of 35, 32 s late")])
 
     def test_foresee_is_told_from_rivals_without_colour(self):
         def light(shade):  # relative luminance
