@@ -108,9 +108,15 @@ def numbers_table(figures):
     def row(what, scene, column, shown):
         ours = figures.of(scene, "foresee in SQL", column)
         theirs = [figures.of(scene, name, column) for name in rivals]
-        return f"| {what} | {shown(ours)} | " + " | ".join(
-            f"{shown(value)} ({number(value / ours)} times)" if shown is time else shown(value) + (" (no index)" if name.startswith("DuckDB") else "")
-            for name, value in zip(rivals, theirs)) + " |"
+        cells = []
+        for name, value in zip(rivals, theirs):
+            if value is None:
+                cells.append("too long")
+            elif shown is time:
+                cells.append(f"{time(value)} ({number(value / ours)} times)")
+            else:
+                cells.append(shown(value) + (" (no index)" if name.startswith("DuckDB") else ""))
+        return f"| {what} | {shown(ours)} | " + " | ".join(cells) + " |"
 
     size = min(100000, figures.largest("foresee in SQL", "R*Tree in SQL"))
     scene = f"U-{size}"
