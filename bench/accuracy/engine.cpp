@@ -4,11 +4,11 @@
 #include <memory>
 #include <utility>
 
-#include "contact/certain/chord.h"
-#include "contact/certain/crossing.h"
+#include "contact/certified/chord.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/oracle.h"
 #include "contact/set/minkowski_sum.h"
+#include "contact/set/set_pair.h"
 
 namespace foresee::bench {
 namespace {
@@ -20,11 +20,7 @@ Setup setup_of(const Family& family) {
 /// One pair in the contact module, one stage after another.
 class Stages {
  public:
-  explicit Stages(const Family& family)
-      : setup_(setup_of(family)),
-        set_(contact_set(setup_)),
-        certain_scratch_(set_),
-        crossing_scratch_(set_) {}
+  explicit Stages(const Family& family) : setup_(setup_of(family)), set_(contact_set(setup_)) {}
 
   std::optional<ContactTimes> exact(std::size_t i) const {
     return exactly<std::optional<ContactTimes>>(i, exact_times);
@@ -32,17 +28,17 @@ class Stages {
 
   void count(std::size_t i, StageShares& shares) {
     const PairLifetime lifetime = pair_lifetime_of(setup_, a(i), b(i));
-    Advancement<3, 2> advancement(set_, setup_, a(i), b(i), lifetime, {0, unbounded}, certain_scratch_);
-    const Chord<3> chord(advancement.certain().relative(), lifetime.dt_end);
-    const Interval<double> near =
-        chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()), certain_scratch_.lengths,
-                      {lifetime.dt_start, lifetime.dt_end});
+    pieces_.take(set_, a(i), b(i));
+    const SetPairContext<3, 2> context(setup_, a(i), b(i), pieces_, none_, lifetime, any_time, steps_);
+    const Chord<3> chord(context.relative, lifetime.dt_end);
+    const Interval<double> near = chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()),
+                                                pieces_.lengths(), {lifetime.dt_start, lifetime.dt_end});
     const bool missed = near.begin > near.end;
-    const Verdict verdict = advancement.touches();
+    const Verdict verdict = SetPair<3, 2>(context, false, space_).touches();
     ++(missed ? shares.chord : verdict != Verdict::uncertain ? shares.certified : shares.exact);
     const bool hit =
         verdict == Verdict::uncertain ? exactly<bool>(i, exact_touches) : verdict == Verdict::yes;
-    if (hit) ++shares.hits, ++time_stage(i, advancement, lifetime, shares);
+    if (hit) ++shares.hits, ++time_stage(context, shares);
   }
 
  private:
@@ -52,16 +48,12 @@ class Stages {
     return decide(polynomials, exact_lifetime_of(setup_, a(i), b(i)));
   }
 
-  /// The start of the contact, as SetContact computes it.
-  std::size_t& time_stage(std::size_t i, Advancement<3, 2>& advancement, const PairLifetime& lifetime,
-                          StageShares& shares) {
-    Bracket first;
-    if (advancement.first_contact(first) != Verdict::yes) return shares.exact_time;
-    if (!(first.after > lifetime.dt_start)) return shares.at_once;
-    const auto relative = relative_motion_of<DoubleDouble, 3>(setup_, a(i), b(i));
-    Crossing<CrossingDirection::entering, 3, 2> crossing(advancement.certain(), relative, {set_, a(i), b(i)},
-                                                         first, setup_.horizon.now, crossing_scratch_);
-    return crossing.instant().known() ? shares.double_double : shares.exact_time;
+  /// The start of the contact, as UnionContact computes it.
+  std::size_t& time_stage(const SetPairContext<3, 2>& context, StageShares& shares) {
+    Instant begin;
+    SetPair<3, 2> pair(context, true, space_);
+    if (pair.first_contact(begin) != Verdict::yes) return shares.exact_time;
+    return pair.contact_by() <= context.lifetime.dt_start ? shares.at_once : shares.double_double;
   }
 
   const double* a(std::size_t i) const { return setup_.a.row(i); }
@@ -69,8 +61,10 @@ class Stages {
 
   Setup setup_;
   ContactSet set_;
-  CertainScratch certain_scratch_;
-  CrossingScratch crossing_scratch_;
+  SetPieces pieces_, none_;
+  SetSpace space_;
+  NeverInterrupt never_;
+  Steps steps_{never_};
 };
 
 std::optional<ContactTimes> exact_answer(const Family& family, std::size_t i) {

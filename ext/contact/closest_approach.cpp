@@ -2,9 +2,10 @@
 
 #include <optional>
 
-#include "contact/certain/certain_slope.h"
-#include "contact/certain/crossing.h"
+#include "contact/certified/certain_motion.h"
+#include "contact/certified/certain_slope.h"
 #include "contact/exact/exact_contact.h"
+#include "numbers/crossed_root.h"
 
 namespace foresee {
 namespace {

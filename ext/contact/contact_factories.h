@@ -1,7 +1,7 @@
 // Factories of the implementations of Contact, for make_contact() and make_window_contact() to choose from,
 // once per statement: contact sets, boxes in lanes, outlines and meshes.
 //
-//   make_typed<SetContact>(setup.a.layout.axes, degree, setup, contact_set(setup));      // a SetContact<2, 1>
+//   make_typed<SetContact>(setup.a.layout.axes, degree, setup, contact_set(setup));      // SetContact<2, 1>
 //
 //   const OutlineRows* outlines = …;                   // makes the pieces of a row at the first access
 //   auto contact = make_outline_contact(setup, {.a = outlines, .b = nullptr}, degree);

@@ -17,6 +17,19 @@ struct Instant {
   bool known() const { return dt == dt && t == t; }
 };
 
+[[gnu::always_inline]] inline Instant unknown_instant() {
+  return {__builtin_nan(""), __builtin_nan("")};
+}
+/// The later of two instants, and the earlier; unknown if one of them is.
+[[gnu::always_inline]] inline Instant later(const Instant& a, const Instant& b) {
+  if (!a.known() || !b.known()) return unknown_instant();
+  return {a.dt < b.dt ? b.dt : a.dt, a.t < b.t ? b.t : a.t};
+}
+[[gnu::always_inline]] inline Instant earlier(const Instant& a, const Instant& b) {
+  if (!a.known() || !b.known()) return unknown_instant();
+  return {b.dt < a.dt ? b.dt : a.dt, b.t < a.t ? b.t : a.t};
+}
+
 /// base + s, rounded, for every s within `radius` of `step`; unknown if not all round alike. Requires: the
 /// radius includes a surplus of 2^-52 |step|, for the rounding of step +- radius.
 [[gnu::always_inline]] inline Instant rounded_instant(double now, double base, double step, double radius) {

@@ -6,12 +6,12 @@
 
 #include <cstring>
 
-#include "contact/certain/advancement.h"
-#include "contact/certain/chord.h"
-#include "contact/certain/set_lanes.h"
+#include "contact/certified/chord.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
 #include "contact/set/minkowski_sum.h"
+#include "contact/set/set_lanes.h"
+#include "contact/set/set_pair.h"
 #include "every_simd.h"
 
 namespace foresee {
@@ -21,7 +21,7 @@ using namespace testing_by_hand;
 
 /// The number of certain answers of each stage.
 struct Certain {
-  int chord = 0, lanes_miss = 0, lanes_touch = 0, advancement = 0, in_128_bits = 0, times = 0;
+  int chord = 0, lanes_miss = 0, lanes_touch = 0, doubles = 0, in_128_bits = 0, times = 0;
 };
 
 template <int D, int Degree>
@@ -52,21 +52,24 @@ class StagesOfPair {
 
  private:
   void check_doubles(bool touches) {
-    CertainScratch scratch(set_);
-    Advancement<D, Degree> advancement(set_, setup_, row_a_.data(), row_b_.data(), lifetime_, {0, unbounded},
-                                       scratch);
-    const Chord<D> chord(advancement.certain().relative(), lifetime_.dt_end);
+    SetPieces pieces, none;
+    pieces.take(set_, row_a_.data(), row_b_.data());
+    const SetPairContext<D, Degree> context(setup_, row_a_.data(), row_b_.data(), pieces, none, lifetime_,
+                                            any_time, steps_);
+    const Chord<D> chord(context.relative, lifetime_.dt_end);
     const auto hull = set_.hull();
-    const Interval<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), scratch.lengths,
+    const Interval<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), pieces.lengths(),
                                                 {lifetime_.dt_start, lifetime_.dt_end});
     if (lifetime_.start_exact && lifetime_.end_exact && near.begin > near.end) {
       ++certain_.chord;
       EXPECT_FALSE(touches) << "chord: " << case_;
     }
-    Bracket first;
-    for (const Verdict verdict : {advancement.touches(), advancement.first_contact(first)}) {
+    SetSpace space;
+    Instant begin;
+    for (const Verdict verdict : {SetPair<D, Degree>(context, false, space).touches(),
+                                  SetPair<D, Degree>(context, true, space).first_contact(begin)}) {
       if (verdict == Verdict::uncertain) continue;
-      ++certain_.advancement;
+      ++certain_.doubles;
       EXPECT_EQ(verdict == Verdict::yes, touches) << "certified double: " << case_;
     }
   }
@@ -139,6 +142,8 @@ class StagesOfPair {
   Setup setup_;
   ContactSet set_;
   PairLifetime lifetime_;
+  NeverInterrupt never_;
+  Steps steps_{never_};
 };
 
 template <int D>
@@ -159,7 +164,7 @@ void check_kind(Shapes shapes, std::uint64_t seed) {
   EXPECT_GT(certain.chord, 20);
   EXPECT_GT(certain.lanes_miss, 40);
   EXPECT_GT(certain.lanes_touch, 40);
-  EXPECT_GT(certain.advancement, 100);
+  EXPECT_GT(certain.doubles, 100);
   EXPECT_GT(certain.in_128_bits, 1000);
   EXPECT_GT(certain.times, 50);
 }

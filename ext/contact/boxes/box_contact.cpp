@@ -1,12 +1,13 @@
 // Contact of two tables of boxes: pairs are decided sixteen at a time in vector lanes (box_lanes.h). A pair
 // that its lane leaves undecided, which is rare, is decided alone like a pair of any other shapes
-// (set_contact.h).
+// (set/set_traits.h).
 #include <algorithm>
 
 #include "contact/boxes/box_lanes.h"
 #include "contact/contact_factories.h"
 #include "contact/set/minkowski_sum.h"
-#include "contact/set_contact.h"
+#include "contact/set/set_filter.h"
+#include "contact/set/set_traits.h"
 
 namespace foresee {
 namespace {
@@ -31,8 +32,7 @@ class BoxContact final : public SetContact<D, Degree> {
       for (int l = 0; l < static_cast<int>(some.size()); ++l) {
         if (lanes_.misses[l] > 0) continue;
         const Pair& pair = some[static_cast<std::size_t>(l)];
-        if (lanes_.touches_now[l] > 0 || lanes_.meets[l] > 0 || this->touches(row_a(pair), row_b(pair)))
-          hits.push_back(pair);
+        if (lanes_.touches_now[l] > 0 || lanes_.meets[l] > 0 || this->touches(pair)) hits.push_back(pair);
       }
     });
   }
@@ -49,15 +49,14 @@ class BoxContact final : public SetContact<D, Degree> {
       }
       find_meetings_of(some, settled);
       if (wanted == TimesWanted::both && settled == Settled::by_rows) find_ends();
-      ContactTimes found;
       for (int l = 0; l < static_cast<int>(some.size()); ++l) {
         if (lanes_.misses[l] > 0) continue;
         const Pair& pair = some[static_cast<std::size_t>(l)];
-        if (!quick_contact(pair, l, settled, wanted, found) &&
-            !this->first_contact(row_a(pair), row_b(pair), this->any_time, wanted, found))
-          continue;
+        auto found = quick_contact(pair, l, settled, wanted);
+        if (!found) found = this->first_contact(pair, any_time, wanted);
+        if (!found) continue;
         hits.push_back(pair);
-        times.push_back(found);
+        times.push_back(*found);
       }
     });
   }
@@ -71,7 +70,7 @@ class BoxContact final : public SetContact<D, Degree> {
   void in_lanes(std::span<const Pair> pairs, bool ends_wanted, Visit&& visit) {
     for (std::size_t begin = 0; begin < pairs.size(); begin += lanes_width) {
       const auto some = pairs.subspan(begin, std::min<std::size_t>(lanes_width, pairs.size() - begin));
-      for (std::size_t l = 0; l < some.size(); ++l) this->fetch_ahead(pairs, begin + l);
+      for (std::size_t l = 0; l < some.size(); ++l) fetch_ahead(setup_, pairs, begin + l);
       visit(some, settle(some, ends_wanted));
     }
   }
@@ -120,20 +119,19 @@ class BoxContact final : public SetContact<D, Degree> {
     if (!from_now || relative.underflow > usual_underflow) lanes_.x[0][l] = std::nan("");
   }
 
-  /// The contact times from lane l; false if the lane does not decide them.
-  bool quick_contact(const Pair& pair, int l, Settled settled, TimesWanted wanted, ContactTimes& found) {
+  /// The contact times from lane l; no value if the lane does not decide them.
+  std::optional<ContactTimes> quick_contact(const Pair& pair, int l, Settled settled, TimesWanted wanted) {
     const bool touches_now = lanes_.touches_now[l] > 0;
-    if (!touches_now && !(lanes_.meets_first[l] > 0)) return false;
+    if (!touches_now && !(lanes_.meets_first[l] > 0)) return {};
     const Instant begin =
         touches_now ? Instant{0, setup_.horizon.now} : Instant{meetings_.dt[l], meetings_.t[l]};
     Instant end = begin;
     if (wanted == TimesWanted::both && begin.known()) {
       end = settled == Settled::by_rows ? quick_end(l) : unknown_instant();
-      if (!end.known())
-        end = this->end_of_contact(row_a(pair), row_b(pair), touches_now ? 0 : lanes_.after[l]);
+      if (!end.known()) end = this->end_of_contact(pair, touches_now ? 0 : lanes_.after[l]);
     }
-    found = {begin.t, end.t, begin.dt, end.dt};
-    return begin.known() && end.known();
+    if (!begin.known() || !end.known()) return {};
+    return ContactTimes{begin.t, end.t, begin.dt, end.dt};
   }
 
   Instant quick_end(int l) const {

@@ -10,7 +10,7 @@
 // meet at the latest of these times. Signs at a relative distance of 2^-34 from it certify the answer: the
 // boxes are apart until shortly before, and overlap on every axis shortly after. An interval without a root
 // is certified by three positive Bernstein coefficients, or by the minimum of the quadratic. Where that fails
-// (grazes, several axes at one time, extreme numbers) the lane gives no answer, and an Advancement decides
+// (grazes, several axes at one time, extreme numbers) the lane gives no answer, and UnionContact decides
 // the pair.
 //
 // One loop over the lanes without branches, which compilers turn into the vector instructions of the CPU; all
@@ -19,7 +19,7 @@
 #pragma once
 
 #include "base/simd.h"
-#include "contact/certain/certain_axis_motion.h"
+#include "contact/certified/certain_axis_motion.h"
 
 namespace foresee {
 

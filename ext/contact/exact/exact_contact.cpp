@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "contact/certain/crossing.h"
+#include "numbers/crossed_root.h"
 #include "numbers/time_intervals.h"
 
 namespace foresee {

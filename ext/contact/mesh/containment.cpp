@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "contact/certified/uncertain_interval.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/exact/pair_polynomials.h"
 #include "contact/mesh/space_constraint.h"
-#include "contact/pieces/uncertain_interval.h"
 
 namespace foresee {
 namespace {

@@ -1,6 +1,5 @@
 // Point-in-solid test for moving meshes: whether one object is inside the other without touching its surface.
 //
-//   Containment within(setup, row_a, row_b, a, b, relative, steps);
 //   within.may_be() && within.at(Dyadic(12.5))              // 12.5 after now
 //
 // The pieces of a mesh are its triangles, which leave out the inside. One corner represents each connected
@@ -13,7 +12,7 @@
 #pragma once
 
 #include "base/interrupt_steps.h"
-#include "contact/certain/certain_motion.h"
+#include "contact/certified/certain_motion.h"
 #include "contact/mesh/space_pieces.h"
 #include "contact/set/relative_motion.h"
 #include "numbers/dyadic.h"
@@ -22,10 +21,16 @@ namespace foresee {
 
 class Containment {
  public:
-  /// All arguments must outlive this.
-  Containment(const Setup& setup, const double* row_a, const double* row_b, const SpacePieces& a,
-              const SpacePieces& b, const CertainMotion<3>& relative, Steps& steps)
-      : setup_(setup), row_a_(row_a), row_b_(row_b), a_(a), b_(b), relative_(relative), steps_(steps) {}
+  /// `Context`: a PairContext, which must outlive this.
+  template <class Context>
+  explicit Containment(const Context& context)
+      : setup_(context.setup),
+        row_a_(context.row_a),
+        row_b_(context.row_b),
+        a_(context.a),
+        b_(context.b),
+        relative_(context.relative),
+        steps_(context.steps) {}
 
   /// Whether one of the two is a solid.
   bool may_be() const { return a_.solid() || b_.solid(); }

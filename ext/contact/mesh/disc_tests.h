@@ -10,8 +10,8 @@
 // has no discs, boxes alone decide. Cost: some ten nanoseconds, and one cache line per node.
 #pragma once
 
+#include "contact/certified/tree_walk.h"
 #include "contact/mesh/space_constraint.h"
-#include "contact/pieces/tree_walk.h"
 
 namespace foresee {
 

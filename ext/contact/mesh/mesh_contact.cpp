@@ -1,43 +1,47 @@
 #include <algorithm>
 
+#include "contact/certified/bounded_window.h"
+#include "contact/certified/exact_union.h"
+#include "contact/certified/pair_context.h"
+#include "contact/certified/pair_tests.h"
+#include "contact/certified/union_contact.h"
+#include "contact/certified/union_pair.h"
 #include "contact/contact_factories.h"
 #include "contact/mesh/containment.h"
 #include "contact/mesh/disc_tests.h"
 #include "contact/mesh/space_constraint.h"
 #include "contact/mesh/space_sum.h"
 #include "contact/mesh/space_tests.h"
-#include "contact/pieces/bounded_window.h"
-#include "contact/pieces/pair_context.h"
-#include "contact/pieces/pair_tests.h"
-#include "contact/pieces/undecided_pieces.h"
-#include "contact/pieces/union_contact.h"
 
 namespace foresee {
 
-/// Traits of contact between meshes (pieces/pair_context.h): triangles, boxes and points in space.
+/// Traits of contact between meshes (certified/pair_context.h): triangles, boxes and points in space.
 template <int Degree>
 struct SpaceTraits {
   static constexpr int axes = 3, degree = Degree;
-  static constexpr bool has_solids = true;
+  static constexpr bool has_solids = true, has_cuts = false, counts_work = true;
   using Tables = MeshTables;
+  using Filter = EachPair;
   using Pieces = SpacePieces;
   using PieceConstraint = SpaceConstraint;
   template <class T>
   using Sizes = SpaceSizes<T>;
   using Space = PieceWorkspace<SpaceConstraint>;
   using Tests = SpaceTests<Degree>;
-  using NodeTests = DiscTests;
+  using Walk = TreeWalk<3, SpacePieces, DiscTests>;
   using Containment = foresee::Containment;
+  using Context = PairContext<SpaceTraits>;
+  using Staged = UnionPair<SpaceTraits>;
+  using Exact = ExactUnion<SpaceTraits>;
 
   template <class T>
-  static SpaceSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
+  static SpaceSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b, const Pieces&) {
     SpaceSizes<T> sizes{.radius = {size_as_of_t<T>(setup.rule.radius, row_a, row_b)}};
     if constexpr (std::is_same_v<T, Bounded>) sizes.steady = steady_axes_of(setup, row_a, row_b);
     return sizes;
   }
   /// Nothing: the filter of meshes tests single pairs of triangles (triangle_filter.h).
   static FilterAnswer filter_answer(const PairContext<SpaceTraits>&, bool) { return {}; }
-  static constexpr bool is_cut(const SpaceConstraint&) { return false; }
   static std::vector<SpaceConstraint> shared_constraints(const Setup&) { return {}; }
   /// Adds the parts of the sum of two pieces, for the exact stage.
   static void add_pair(UndecidedPieces<SpaceTraits>& out, const SpacePiece& a, const SpacePiece& b,

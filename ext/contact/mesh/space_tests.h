@@ -1,7 +1,6 @@
 // Test of two convex pieces in space: the uncertain intervals in which they touch, from all constraints of
 // their Minkowski sum (space_sum.h), in doubles with error bounds.
 //
-//   SpaceTests<1> tests(a, b, relative, queried, sizes, true, space);
 //   for (const PieceInterval& interval : tests.of(triangle_a, triangle_b)) best = std::min(best, interval.begin.high);
 //
 // A flat sum, such as that of a triangle and a point, is in contact for one instant: start and end are one
@@ -9,10 +8,10 @@
 // more if the contact distance is not 0.
 #pragma once
 
-#include "contact/certain/certain_motion.h"
+#include "contact/certified/certain_motion.h"
+#include "contact/certified/pair_tests.h"
 #include "contact/mesh/space_sum.h"
 #include "contact/mesh/triangle_filter.h"
-#include "contact/pieces/pair_tests.h"
 
 namespace foresee {
 
@@ -21,17 +20,16 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceConstraint> {
   using Base = PairTests<SpaceTests, SpaceConstraint>;
 
  public:
-  /// `queried`: the queried time, enclosed. Requires: pieces, motion and space outlive this.
-  SpaceTests(const SpacePieces& a, const SpacePieces& b, const CertainMotion<3>& relative,
-             const UncertainInterval& queried, const SpaceSizes<Bounded>& sizes, bool times_wanted,
-             PieceWorkspace<SpaceConstraint>& space)
-      : Base(queried, times_wanted, space),
-        a_(a),
-        b_(b),
-        relative_(relative),
-        radius_(sizes.radius.value),
-        lost_(relative.underflow + 0x1p-1060),
-        x_(from_now(relative, sizes)) {
+  /// `Context`: a PairContext, which must outlive this like the space.
+  template <class Context>
+  SpaceTests(const Context& context, bool times_wanted, PieceWorkspace<SpaceConstraint>& space)
+      : Base(context.queried, times_wanted, space),
+        a_(context.a),
+        b_(context.b),
+        relative_(context.relative),
+        radius_(context.sizes.radius.value),
+        lost_(relative_.underflow + 0x1p-1060),
+        x_(from_now(relative_, context.sizes)) {
     for (std::size_t j = 0; j < 3; ++j) std::copy(x_[j].begin(), x_[j].end(), plain_x_[j].begin());
   }
 

@@ -13,9 +13,9 @@
 // error bounds: it rejects most pairs, and spares the rest most planes. Cost: some hundred nanoseconds.
 #pragma once
 
-#include "contact/certain/root_bracketing.h"
+#include "contact/certified/root_bracketing.h"
+#include "contact/certified/uncertain_interval.h"
 #include "contact/mesh/space_constraint.h"
-#include "contact/pieces/uncertain_interval.h"
 
 namespace foresee {
 

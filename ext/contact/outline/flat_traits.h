@@ -1,7 +1,7 @@
-// Traits of contact between outlines (pieces/pair_context.h): convex pieces in the plane, prisms over them,
+// Traits of contact between outlines (certified/pair_context.h): convex pieces in the plane, prisms over them,
 // and the test of two such pieces in doubles with error bounds.
 //
-//   PieceTests<2, 1> tests(a, b, relative, queried, sizes, true, space);
+//   PieceTests<2, 1> tests(context, true, space);
 //   for (const PieceInterval& interval : tests.of(piece_a, piece_b)) best = std::min(best, interval.begin.high);
 //
 // A test takes all constraints of the Minkowski sum (flat_constraint.h). Differences of corners, and of the two
@@ -10,16 +10,16 @@
 #pragma once
 
 #include "base/interrupt_steps.h"
-#include "contact/certain/certain_motion.h"
-#include "contact/certain/chord.h"
+#include "contact/certified/certain_motion.h"
+#include "contact/certified/chord.h"
+#include "contact/certified/exact_union.h"
+#include "contact/certified/pair_context.h"
+#include "contact/certified/pair_tests.h"
+#include "contact/certified/union_pair.h"
 #include "contact/contact_factories.h"
 #include "contact/outline/flat_constraint.h"
 #include "contact/outline/object_pieces.h"
 #include "contact/outline/outline_filter.h"
-#include "contact/pieces/pair_context.h"
-#include "contact/pieces/pair_tests.h"
-#include "contact/pieces/undecided_pieces.h"
-#include "numbers/dyadic.h"
 
 namespace foresee {
 
@@ -33,19 +33,18 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, FlatConstraint> {
   using Base = PairTests<PieceTests, FlatConstraint>;
 
  public:
-  /// `queried`: the queried time, enclosed. Requires: pieces, motion and space outlive this.
-  PieceTests(const ObjectPieces& a, const ObjectPieces& b, const CertainMotion<D>& relative,
-             const UncertainInterval& queried, const PairSizes<Bounded>& sizes, bool times_wanted,
-             FlatSpace& space)
-      : Base(queried, times_wanted, space),
-        a_(a),
-        b_(b),
-        relative_(relative),
-        sizes_(sizes),
-        lost_(relative.underflow + 0x1p-1060),
+  /// `Context`: a PairContext, which must outlive this like the space.
+  template <class Context>
+  PieceTests(const Context& context, bool times_wanted, FlatSpace& space)
+      : Base(context.queried, times_wanted, space),
+        a_(context.a),
+        b_(context.b),
+        relative_(context.relative),
+        sizes_(context.sizes),
+        lost_(relative_.underflow + 0x1p-1060),
         edges_(space.edges),
-        x_(expanded_at<Degree>(relative, 0)),
-        chord_(relative, queried.end.high) {}
+        x_(expanded_at<Degree>(relative_, 0)),
+        chord_(relative_, queried_.end.high) {}
 
  private:
   friend Base;
@@ -173,24 +172,20 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, FlatConstraint> {
 template <int D, int Degree>
 struct FlatTraits {
   static constexpr int axes = D, degree = Degree;
-  static constexpr bool has_solids = false;
+  static constexpr bool has_solids = false, has_cuts = true, counts_work = true;
   using Tables = OutlineTables;
+  using Filter = EachPair;
   using Pieces = ObjectPieces;
   using PieceConstraint = FlatConstraint;
   template <class T>
   using Sizes = PairSizes<T>;
   using Space = FlatSpace;
   using Tests = PieceTests<D, Degree>;
-  using NodeTests = BoxTests<D, ObjectPieces>;
-
-  /// Never: the pieces of an outline include its inside.
-  struct Containment {
-    Containment(const Setup&, const double*, const double*, const Pieces&, const Pieces&,
-                const CertainMotion<D>&, Steps&) {}
-    static constexpr bool may_be() { return false; }
-    static constexpr bool at_start() { return false; }
-    static constexpr bool at(const Dyadic&) { return false; }
-  };
+  using Walk = TreeWalk<D, ObjectPieces, BoxTests<D, ObjectPieces>>;
+  using Containment = NoContainment;
+  using Context = PairContext<FlatTraits>;
+  using Staged = UnionPair<FlatTraits>;
+  using Exact = ExactUnion<FlatTraits>;
 
   /// The faces across z of prisms.
   static std::vector<FlatConstraint> shared_constraints(const Setup& setup) {
@@ -224,7 +219,7 @@ struct FlatTraits {
   }
 
   template <class T>
-  static PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
+  static PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b, const Pieces&) {
     return foresee::sizes_of<T>(setup, row_a, row_b);
   }
   /// For prisms it decides only that their outlines are apart.

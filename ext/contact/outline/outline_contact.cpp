@@ -1,9 +1,9 @@
 #include <algorithm>
 
+#include "contact/certified/bounded_window.h"
+#include "contact/certified/union_contact.h"
 #include "contact/contact_factories.h"
 #include "contact/outline/flat_traits.h"
-#include "contact/pieces/bounded_window.h"
-#include "contact/pieces/union_contact.h"
 
 namespace foresee {
 

@@ -13,8 +13,8 @@
 
 #include <array>
 
+#include "contact/certified/pair_context.h"
 #include "contact/outline/object_pieces.h"
-#include "contact/pieces/pair_context.h"
 #include "numbers/bounded.h"
 
 namespace foresee {

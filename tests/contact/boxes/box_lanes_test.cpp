@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-#include "contact/certain/certain_motion.h"
+#include "contact/certified/certain_motion.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
 #include "contact/set/minkowski_sum.h"

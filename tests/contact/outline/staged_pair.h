@@ -4,9 +4,9 @@
 
 #include <optional>
 
+#include "contact/certified/union_pair.h"
 #include "contact/outline/flat_traits.h"
 #include "contact/outline/outline_scenes.h"
-#include "contact/pieces/union_pair.h"
 
 namespace foresee::testing_by_hand {
 
@@ -26,7 +26,7 @@ struct StagedScene {
   StagedScene(const StagedScene&) = delete;
 
   UnionPair<FlatTraits<2, 1>> pair(bool times_wanted) {
-    context.emplace(setup, row_a.data(), row_b.data(), a, b, lifetime, steps);
+    context.emplace(setup, row_a.data(), row_b.data(), a, b, lifetime, any_time, steps);
     return {*context, times_wanted, space};
   }
 

@@ -8,7 +8,7 @@
 //   lanes.touches[l] > 0;                                       // certainly they do
 //
 // The chord (chord.h) bounds when each pair can touch. In the middle of that interval the primitives of the
-// set are evaluated with error bounds. Pairs that neither decides are for an Advancement, within that
+// set are evaluated with error bounds. Pairs that neither decides are for the engine of single pairs, within that
 // interval. The set is read once per register of pairs, so that its interpretation as data costs little: some
 // twenty nanoseconds per pair.
 #pragma once

@@ -9,7 +9,7 @@
 // Source: Farouki, "The Bernstein polynomial basis: a centennial retrospective" (2012), section 5.
 #pragma once
 
-#include "contact/certain/certain_motion.h"
+#include "contact/certified/certain_motion.h"
 
 namespace foresee {
 

@@ -5,7 +5,7 @@
 //   walk.visit(Order::earlier_first, [&](const Interval<double>& near) { return near.begin <= best; },
 //              [&](std::size_t piece_a, std::size_t piece_b, const Interval<double>& near) { … });
 //
-// Each pair of nodes cuts the remaining time by the chord of the relative motion (certain/chord.h). Objects
+// Each pair of nodes cuts the remaining time by the chord of the relative motion (chord.h). Objects
 // do not rotate while they move, so axis-aligned boxes stay tight. Surfaces have bounding discs as well
 // (mesh/disc_tests.h). Cost: some ten nanoseconds per pair of nodes.
 #pragma once
@@ -13,8 +13,8 @@
 #include <cstdint>
 
 #include "base/interrupt_steps.h"
-#include "contact/certain/certain_motion.h"
-#include "contact/certain/chord.h"
+#include "contact/certified/certain_motion.h"
+#include "contact/certified/chord.h"
 #include "contact/constraint/constraint.h"
 #include "motion/axis_aligned_box.h"
 

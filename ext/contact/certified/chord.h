@@ -12,8 +12,8 @@
 
 #include <cmath>
 
-#include "contact/certain/certain_axis_motion.h"
-#include "contact/certain/root_bracketing.h"
+#include "contact/certified/certain_axis_motion.h"
+#include "contact/certified/root_bracketing.h"
 #include "contact/set/contact_set.h"
 
 namespace foresee {

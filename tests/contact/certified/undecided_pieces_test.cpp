@@ -1,5 +1,5 @@
 // The constraints that the exact stage reads of two pieces in the plane.
-#include "contact/pieces/undecided_pieces.h"
+#include "contact/certified/undecided_pieces.h"
 
 #include <gtest/gtest.h>
 

@@ -10,11 +10,26 @@
 #include <algorithm>
 #include <optional>
 
-#include "contact/certain/crossing.h"
-#include "contact/pieces/pair_tests.h"
+#include "contact/certified/pair_context.h"
+#include "contact/certified/pair_tests.h"
 #include "contact/set/relative_motion.h"
 
 namespace foresee {
+
+/// When a polynomial p, by powers of the time after `base`, changes its sign within `width` of it: its root,
+/// rounded once, or unknown. `value` is p[0] in DoubleDouble.
+template <CrossingDirection direction, std::size_t N>
+Instant rounded_crossing(const std::array<Bounded, N>& p, const DoubleDouble& value, double underflow,
+                         double now, double base, double width) {
+  const double lost = underflow + 0x1p-1060, slope = p[1].value;
+  // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
+  const double error = p[0].error_bound(lost) * 0x1p-44 + underflow;
+  const double span = std::max(width, 2 * std::abs(value.high / slope));
+  double bend = 0, weight = 1;  // bend: an upper bound on |p''| / 2 over the span
+  for (std::size_t k = 2; k < N; ++k, weight *= span)
+    bend += weight * static_cast<double>(k * (k - 1)) * (std::abs(p[k].value) + p[k].error_bound(lost));
+  return root_of<direction>({value, error, slope, p[1].error_bound(lost), bend}, now, base, width);
+}
 
 /// `Traits`: what the pieces are (pair_context.h).
 template <class Traits>
@@ -25,21 +40,14 @@ class EndpointRounding {
   using Sizes = typename Traits::template Sizes<T>;
 
  public:
-  EndpointRounding(const Setup& setup, const double* row_a, const double* row_b,
-                   const CertainMotion<D>& certain, const Sizes<Bounded>& sizes, const PairLifetime& lifetime,
-                   const UncertainInterval& queried)
-      : setup_(setup),
-        row_a_(row_a),
-        row_b_(row_b),
-        certain_(certain),
-        lifetime_(lifetime),
-        queried_(queried),
-        sizes_(sizes) {}
+  /// The context must outlive this.
+  explicit EndpointRounding(const PairContext<Traits>& context) : context_(context) {}
 
   /// The start. Requires: the interval is certain, and `ends` are its candidates.
   Instant begin(const UncertainInterval& interval, std::span<const EndpointCandidate<PieceConstraint>> ends) {
     Instant begin{-UncertainInterval::inf, -UncertainInterval::inf};
-    if (queried_.begin.meets(interval.begin)) begin = {lifetime_.dt_start, lifetime_.t_start};
+    if (context_.queried.begin.meets(interval.begin))
+      begin = {context_.lifetime.dt_start, context_.lifetime.t_start};
     for (const EndpointCandidate<PieceConstraint>& end : ends)
       if (end.direction == CrossingDirection::entering)
         begin = later(begin, instant<CrossingDirection::entering>(end));
@@ -47,7 +55,7 @@ class EndpointRounding {
   }
   Instant end(const UncertainInterval& interval, std::span<const EndpointCandidate<PieceConstraint>> ends) {
     Instant last{UncertainInterval::inf, UncertainInterval::inf};
-    if (queried_.end.meets(interval.end)) last = {lifetime_.dt_end, lifetime_.t_end};
+    if (context_.queried.end.meets(interval.end)) last = {context_.lifetime.dt_end, context_.lifetime.t_end};
     for (const EndpointCandidate<PieceConstraint>& end : ends)
       if (end.direction == CrossingDirection::leaving)
         last = earlier(last, instant<CrossingDirection::leaving>(end));
@@ -58,34 +66,23 @@ class EndpointRounding {
   template <CrossingDirection direction>
   Instant instant(const EndpointCandidate<PieceConstraint>& end) {
     const double width = (end.at.high - end.at.low) * (1 + 4 * unit_roundoff);
-    const double base = std::clamp(end.at.low + 0.5 * width, 0.0, queried_.end.high);
+    const double base = std::clamp(end.at.low + 0.5 * width, 0.0, context_.queried.end.high);
     const auto place = place_at(base);
     const DoubleDouble value = with_polynomial<0>(end.constraint, place, expanded_at(*fine_sizes_, base),
                                                   [](const auto& p) { return p[0]; });
-    return with_polynomial<Degree>(
-        end.constraint, expanded_at<Degree>(certain_, base), expanded_at(sizes_, base), [&](const auto& p) {
-          const double lost = certain_.underflow + 0x1p-1060, slope = p[1].value;
-          // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
-          const double error = p[0].error_bound(lost) * 0x1p-44 + certain_.underflow;
-          const double span = std::max(width, 2 * std::abs(value.high / slope));
-          return root_of<direction>({value, error, slope, p[1].error_bound(lost), bend(p, lost, span)},
-                                    setup_.horizon.now, base, width);
-        });
-  }
-
-  /// An upper bound on |p''| / 2 over `span`.
-  template <std::size_t N>
-  static double bend(const std::array<Bounded, N>& p, double lost, double span) {
-    double bend = 0, weight = 1;
-    for (std::size_t k = 2; k < N; ++k, weight *= span)
-      bend += weight * static_cast<double>(k * (k - 1)) * (std::abs(p[k].value) + p[k].error_bound(lost));
-    return bend;
+    return with_polynomial<Degree>(end.constraint, expanded_at<Degree>(context_.relative, base),
+                                   expanded_at(context_.sizes, base), [&](const auto& p) {
+                                     return rounded_crossing<direction>(p, value, context_.relative.underflow,
+                                                                        context_.setup.horizon.now, base,
+                                                                        width);
+                                   });
   }
 
   std::array<Coefficients<DoubleDouble, 0>, D> place_at(double tau) {
     if (!fine_sizes_) {
-      fine_sizes_ = Traits::template sizes_of<DoubleDouble>(setup_, row_a_, row_b_);
-      relative_ = relative_motion_of<DoubleDouble, D>(setup_, row_a_, row_b_);
+      fine_sizes_.emplace(Traits::template sizes_of<DoubleDouble>(context_.setup, context_.row_a,
+                                                                  context_.row_b, context_.a));
+      relative_ = relative_motion_of<DoubleDouble, D>(context_.setup, context_.row_a, context_.row_b);
     }
     std::array<Coefficients<DoubleDouble, 0>, D> place;
     const DoubleDouble t{tau, 0};
@@ -94,12 +91,7 @@ class EndpointRounding {
     return place;
   }
 
-  const Setup& setup_;
-  const double *row_a_, *row_b_;
-  const CertainMotion<D>& certain_;
-  const PairLifetime& lifetime_;
-  const UncertainInterval& queried_;
-  const Sizes<Bounded>& sizes_;
+  const PairContext<Traits>& context_;
   std::optional<Sizes<DoubleDouble>> fine_sizes_;  ///< with relative_: computed when first needed
   RelativeMotion<DoubleDouble, D> relative_;
 };

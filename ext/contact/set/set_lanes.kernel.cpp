@@ -1,8 +1,8 @@
 // The loops of SetKernel over a register of pairs at a time: a kernel (base/simd.h).
-#include "contact/certain/set_lanes.h"
+#include "contact/set/set_lanes.h"
 
 #include "base/doubles.h"
-#include "contact/certain/chord.h"
+#include "contact/certified/chord.h"
 
 namespace foresee {
 namespace {

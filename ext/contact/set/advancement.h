@@ -21,27 +21,21 @@
 #include <span>
 #include <vector>
 
-#include "contact/certain/certain_motion.h"
-#include "contact/certain/root_bracketing.h"
+#include "contact/certified/certain_motion.h"
+#include "contact/certified/pair_context.h"
+#include "contact/certified/root_bracketing.h"
 #include "contact/set/contact_set.h"
 
 namespace foresee {
 
-/// Scratch space for doubles with error bounds, reused for one pair after another.
-struct CertainScratch {
-  AllLengths<Bounded> lengths;
-  std::vector<double> known;  ///< the result of each primitive for the current test; NaN: not evaluated
-
-  explicit CertainScratch(const ContactSet& set) : lengths(set), known(set.primitives().size()) {}
-};
-
 template <int D, int Degree>
 class CertainSet {
  public:
-  CertainSet(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b,
-             CertainScratch& scratch)
-      : set_(set), relative_(certain_motion_of<D, Degree>(setup, row_a, row_b)), scratch_(scratch) {
-    scratch.lengths.take(set, row_a, row_b);
+  /// `lengths`: of the pair. `known`: scratch space. All arguments must outlive this.
+  CertainSet(const ContactSet& set, const CertainMotion<D>& relative, const Bounded* lengths,
+             std::vector<double>& known)
+      : set_(set), relative_(relative), lengths_(lengths), known_(known) {
+    known.resize(set.primitives().size());
   }
 
   /// For how long from tau on the pair is certainly outside the set, or not_certain. At most `room`, or
@@ -105,7 +99,7 @@ class CertainSet {
   template <class Take>
   auto with_polynomial(const Primitive& primitive, Take&& take) const {
     const auto wanted = [](const Bounded&) { return true; };
-    return foresee::with_polynomial<Degree>(primitive, x_, scratch_.lengths, tau_, wanted, take);
+    return foresee::with_polynomial<Degree>(primitive, x_, lengths_, tau_, wanted, take);
   }
 
   /// Bound on the underflow of a coefficient: 0 if it has no products.
@@ -118,9 +112,7 @@ class CertainSet {
   const CertainMotion<D>& relative() const { return relative_; }
 
  private:
-  void forget() {
-    std::fill(scratch_.known.begin(), scratch_.known.end(), std::numeric_limits<double>::quiet_NaN());
-  }
+  void forget() { std::fill(known_.begin(), known_.end(), std::numeric_limits<double>::quiet_NaN()); }
 
   /// For how long one of these primitives is certainly positive, or not_certain; exact only below `enough`.
   double longest_apart(const ContactSet::Part& part, double enough, double room) {
@@ -145,46 +137,44 @@ class CertainSet {
   /// For how long primitive i is certainly positive (side 1) or negative (-1), or not_certain.
   [[gnu::flatten]] double lasts(int i, double side, double room) {
     const auto place = static_cast<std::size_t>(i);
-    double& known = scratch_.known[place];
+    double& known = known_[place];
     if (known == known) return known;
     const Primitive& primitive = set_.primitives()[place];
     const double lost = this->lost(primitive);
     const auto wanted = [side, lost](const Bounded& now) { return side * now.value > now.error_bound(lost); };
     const auto take = [side, lost, room](const auto& p) { return positive_during(p, side, lost, room); };
-    return known = foresee::with_polynomial<Degree>(primitive, x_, scratch_.lengths, tau_, wanted, take);
+    return known = foresee::with_polynomial<Degree>(primitive, x_, lengths_, tau_, wanted, take);
   }
 
   /// Primitive i at tau: 1: certainly outside, -1: certainly inside, 0: undecided.
   [[gnu::flatten]] double value_now(int i) {
     const auto place = static_cast<std::size_t>(i);
-    double& known = scratch_.known[place];
+    double& known = known_[place];
     if (known == known) return known;
     const Primitive& primitive = set_.primitives()[place];
     Coefficients<Bounded, 0> x[D];
     for (int j = 0; j < D; ++j) x[j] = {x_[j][0]};
-    const Bounded value = polynomial_of<0>(primitive, x, scratch_.lengths, tau_)[0];
+    const Bounded value = polynomial_of<0>(primitive, x, lengths_, tau_)[0];
     const double error = value.error_bound(lost(primitive));
     return known = value.value - error > 0 ? 1 : -value.value - error > 0 ? -1 : 0;
   }
 
   const ContactSet& set_;
-  const CertainMotion<D> relative_;
-  CertainScratch& scratch_;
+  const CertainMotion<D>& relative_;
+  const Bounded* const lengths_;
+  std::vector<double>& known_;  ///< the result of each primitive for the current test; NaN: not evaluated
   Coefficients<Bounded, Degree> x_[D];
   double tau_ = 0;
 };
-
-enum class Verdict : std::uint8_t { no, yes, uncertain };
 
 template <int D, int Degree>
 class Advancement {
  public:
   /// `lifetime`: when both objects exist; kept rounded outward, and rounded inward. `near`: the pair can
   /// touch at no other times.
-  [[gnu::flatten]] Advancement(const ContactSet& set, const Setup& setup, const double* row_a,
-                               const double* row_b, const PairLifetime& lifetime,
-                               const Interval<double>& near, CertainScratch& scratch)
-      : certain_(set, setup, row_a, row_b, scratch) {
+  Advancement(const CertainSet<D, Degree>& certain, const PairLifetime& lifetime,
+              const Interval<double>& near)
+      : certain_(certain) {
     constexpr double u = unit_roundoff;
     const double begin = lifetime.dt_start, end = lifetime.dt_end;
     begin_ = std::max(lifetime.start_exact ? begin : begin * (1 - 2 * u), near.begin);

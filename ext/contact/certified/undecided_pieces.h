@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
+#include "contact/certified/pair_tests.h"
 #include "contact/constraint/constraint.h"
 #include "contact/constraint/constraint_union.h"
-#include "contact/pieces/pair_tests.h"
 #include "contact/set/relative_motion.h"
 
 namespace foresee {
@@ -26,7 +26,7 @@ class UndecidedPieces : public ConstraintUnion {
   UndecidedPieces(const Setup& setup, const double* row_a, const double* row_b,
                   const typename Traits::Pieces& a, const typename Traits::Pieces& b,
                   std::span<const PiecePair> pairs, bool grown)
-      : setup_(setup), row_a_(row_a), row_b_(row_b) {
+      : setup_(setup), row_a_(row_a), row_b_(row_b), a_(a) {
     std::vector<int> shared;
     for (const PieceConstraint& constraint : Traits::shared_constraints(setup))
       shared.push_back(add(constraint));
@@ -52,7 +52,7 @@ class UndecidedPieces : public ConstraintUnion {
   Coefficients<T, 4> polynomial(int constraint, const std::array<Coefficients<T, 2>, 3>& x) const {
     Coefficients<T, 4> all{};
     with_polynomial<2>(constraints_[static_cast<std::size_t>(constraint)], x,
-                       Traits::template sizes_of<T>(setup_, row_a_, row_b_),
+                       Traits::template sizes_of<T>(setup_, row_a_, row_b_, a_),
                        [&all](const auto& p) { std::copy(p.begin(), p.end(), all.begin()); });
     return all;
   }
@@ -64,6 +64,7 @@ class UndecidedPieces : public ConstraintUnion {
  private:
   const Setup& setup_;
   const double *row_a_, *row_b_;
+  const typename Traits::Pieces& a_;
   std::vector<PieceConstraint> constraints_;
   std::vector<std::uint32_t> ends_;
 };

@@ -1,4 +1,4 @@
-#include "contact/pieces/uncertain_interval.h"
+#include "contact/certified/uncertain_interval.h"
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 // Contact of one contact set for all pairs: explicit instantiations, compiled alone because they take long.
-#include "contact/set_contact.h"
-
 #include "contact/contact_factories.h"
+#include "contact/set/set_traits.h"
 
 namespace foresee {
 
@@ -10,11 +9,11 @@ std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, in
   return make_typed<SetContact>(setup.a.layout.axes, highest, setup, std::move(set));
 }
 
-template class SetContact<1, 1>;
-template class SetContact<1, 2>;
-template class SetContact<2, 1>;
-template class SetContact<2, 2>;
-template class SetContact<3, 1>;
-template class SetContact<3, 2>;
+template class UnionContact<SetTraits<1, 1>>;
+template class UnionContact<SetTraits<1, 2>>;
+template class UnionContact<SetTraits<2, 1>>;
+template class UnionContact<SetTraits<2, 2>>;
+template class UnionContact<SetTraits<3, 1>>;
+template class UnionContact<SetTraits<3, 2>>;
 
 }  // namespace foresee

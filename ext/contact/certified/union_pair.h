@@ -10,8 +10,8 @@
 // not touch, so it is tested at one instant of each such gap (Containment).
 #pragma once
 
-#include "contact/pieces/endpoint_rounding.h"
-#include "contact/pieces/possible_intervals.h"
+#include "contact/certified/endpoint_rounding.h"
+#include "contact/certified/possible_intervals.h"
 
 namespace foresee {
 
@@ -24,10 +24,7 @@ class UnionPair : public PairIntervals<Traits> {
  public:
   /// See PairIntervals.
   UnionPair(const PairContext<Traits>& context, bool times_wanted, typename Traits::Space& space)
-      : Base(context, times_wanted, space),
-        instants_(context.setup, context.row_a, context.row_b, context.relative, context.sizes,
-                  context.lifetime, context.queried),
-        seen_(space.seen) {}
+      : Base(context, times_wanted, space), instants_(context), seen_(space.seen) {}
 
   /// Whether they touch. Stops at the first certain interval. After `uncertain`, the exact stage needs the
   /// pieces only: no object is inside the other at the start.
@@ -242,7 +239,7 @@ class UnionPair : public PairIntervals<Traits> {
   /// A point that leaves a piece across a cut of its outline, and nowhere else, enters a neighbouring
   /// piece. So an interval that starts then continues the contact, and no comparison is needed.
   bool continues_across_a_cut() {
-    if constexpr (Traits::has_solids) return false;
+    if constexpr (!Traits::has_cuts) return false;
     int ending = 0;
     bool at_a_cut = false;
     double latest_start = -UncertainInterval::inf, earliest_end = UncertainInterval::inf;
@@ -270,7 +267,8 @@ class UnionPair : public PairIntervals<Traits> {
       if (only) return false;
       only = &end;
     }
-    return only && Traits::is_cut(only->constraint);
+    if constexpr (Traits::has_cuts) return only && Traits::is_cut(only->constraint);
+    return false;
   }
 
   Instant latest_end() {

@@ -1,6 +1,6 @@
 // Uncertain intervals against the signs of polynomials at single times: what is certain holds, and what is
 // not possible does not.
-#include "contact/pieces/uncertain_interval.h"
+#include "contact/certified/uncertain_interval.h"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@
 #include <limits>
 #include <vector>
 
-#include "contact/certain/root_bracketing.h"
+#include "contact/certified/root_bracketing.h"
 #include "numbers/coefficients.h"
 
 namespace foresee {

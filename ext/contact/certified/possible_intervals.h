@@ -6,7 +6,8 @@
 //   }
 #pragma once
 
-#include "contact/pieces/pair_context.h"
+#include "contact/certified/pair_context.h"
+#include "contact/certified/pair_tests.h"
 #include "numbers/dyadic.h"
 
 namespace foresee {
@@ -17,10 +18,7 @@ class PairIntervals {
  public:
   /// `times_wanted`: the query wants more than whether they touch.
   PairIntervals(const PairContext<Traits>& context, bool times_wanted, typename Traits::Space& space)
-      : context_(context),
-        containment_(context.setup, context.row_a, context.row_b, context.a, context.b, context.relative,
-                     context.steps),
-        tests_(context.a, context.b, context.relative, context.queried, context.sizes, times_wanted, space) {}
+      : context_(context), containment_(context), tests_(context, times_wanted, space) {}
 
   PairIntervals(const PairIntervals&) = delete;
   PairIntervals& operator=(const PairIntervals&) = delete;

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/pieces/uncertain_interval.h"
+#include "contact/certified/uncertain_interval.h"
 #include "numbers/crossed_root.h"
 
 namespace foresee {

@@ -1,5 +1,5 @@
 // Which pieces a walk gives, and which it leaves out.
-#include "contact/pieces/tree_walk.h"
+#include "contact/certified/tree_walk.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "contact/certain/certain_axis_motion.h"
+#include "contact/certified/certain_axis_motion.h"
 #include "contact/set/relative_motion.h"
 #include "numbers/coefficients.h"
 

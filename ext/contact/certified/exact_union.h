@@ -1,0 +1,166 @@
+// The exact stage of two unions of pieces: exact numbers decide what doubles leave undecided, from the pieces
+// that may touch around a time.
+//
+//   ExactUnion<FlatTraits<2, 1>> exact(context, intervals);
+//   exact.touches();                                       // or contact(), with its times
+//
+// Pieces are taken some at a time, and those that do not matter are dropped. So the memory for a pair of objects
+// is bounded, whatever its number of pieces.
+#pragma once
+
+#include <optional>
+
+#include "contact/certified/possible_intervals.h"
+#include "contact/certified/undecided_pieces.h"
+#include "contact/exact/exact_contact.h"
+
+namespace foresee {
+
+/// `Traits`: what the pieces are (pair_context.h).
+template <class Traits>
+class ExactUnion {
+ public:
+  /// Both must outlive this.
+  ExactUnion(const PairContext<Traits>& context, PairIntervals<Traits>& intervals)
+      : context_(context),
+        intervals_(intervals),
+        queried_(exact_lifetime_of(context.setup, context.row_a, context.row_b)) {}
+
+  /// Whether they touch.
+  [[gnu::noinline]] bool touches() {
+    std::vector<PiecePair> pairs;
+    const auto any_touches = [&] {
+      if (pairs.empty()) return false;
+      Polynomials polynomials = polynomials_of(pairs);
+      polynomials.set_interrupt(context_.steps);
+      return exact_touches(polynomials, queried_);
+    };
+    bool touches = false;
+    intervals_.possible_pairs({-UncertainInterval::inf, UncertainInterval::inf}, [&](const PiecePair& pair) {
+      pairs.push_back(pair);
+      if (pairs.size() < at_a_time()) return true;
+      touches = any_touches();
+      pairs.clear();
+      return !touches;
+    });
+    return touches || any_touches();
+  }
+
+  /// The first contact that ends at `from` or later, exactly. `from` is -infinity, before all contact, or
+  /// a time within a contact or shortly before its end; its start is not computed then. If `contact_by` is
+  /// finite, they touch at that time: the end of a contact that lasts until then is infinite.
+  [[gnu::noinline]] std::optional<ContactTimes> contact(double from,
+                                                        double contact_by = UncertainInterval::inf) {
+    std::optional<ContactTimes> found;  // empty, unless a contact lasts until `from`
+    if (from == -UncertainInterval::inf)
+      from = intervals_.first_possible(from);
+    else
+      found.emplace();
+    double until = -UncertainInterval::inf,
+           exact_until = until;  // the ends of what may touch from `from` on and of what is decided
+    while (from < UncertainInterval::inf && !(queried_.end < Dyadic(from))) {
+      if (exact_until == until)
+        until = contact_by < UncertainInterval::inf ? contact_by : intervals_.possible_until(from);
+      exact_until = until;
+      const auto times = times_between(from, exact_until);
+      const bool is_all = exact_until == until;
+      if (times) {
+        if (!found) found = times;
+        found->t_end = times->t_end, found->dt_end = times->dt_end;
+        if (times->dt_end < UncertainInterval::inf || (contact_by < UncertainInterval::inf && is_all))
+          return found;
+      }
+      from = is_all ? intervals_.first_possible(until) : exact_until;
+      if (!is_all) continue;
+      if (times && !is_inside_between(until, from)) return ended_at(*found, until);
+    }
+    if (found) found->t_end = queried_.rounded.t_end, found->dt_end = queried_.rounded.dt_end;
+    return found;
+  }
+
+ private:
+  /// How many pairs of pieces the exact stage takes at a time: they fit into some megabytes.
+  std::size_t at_a_time() const { return intervals_.is_grown() ? 32 : 256; }
+
+  /// The first contact of the pieces that may touch in [from, until]. Its end is infinite if it lasts until
+  /// `until` and the queried time goes on. If too many pieces are needed, `until` becomes earlier.
+  std::optional<ContactTimes> times_between(double from, double& until) {
+    ExactLifetime lifetime = queried_;
+    start_at(lifetime, from);
+    end_at(lifetime, until);
+    std::vector<PiecePair> pairs;
+    Interval<double> interval{from, until};
+    std::size_t too_many = at_a_time();
+    intervals_.possible_pairs(interval, [&](const PiecePair& pair) {
+      pairs.push_back(pair);
+      if (pairs.size() < too_many) return true;
+      interval.end = std::min(interval.end, keep_needed(lifetime, pairs, too_many / 2));
+      end_at(lifetime, interval.end);
+      too_many = std::max(too_many, 2 * pairs.size());  // more start within one ulp
+      return true;
+    });
+    until = interval.end;
+    Polynomials polynomials = polynomials_of(pairs);
+    polynomials.set_interrupt(context_.steps);
+    if constexpr (Traits::has_solids)
+      return exact_times_of_solids(polynomials, lifetime,
+                                   [this](const Dyadic& time) { return intervals_.is_inside_at(time); });
+    return exact_times(polynomials, lifetime);
+  }
+
+  /// Removes the pairs that do not matter until the time that it returns. At most `limit` pairs are kept,
+  /// unless more start within one ulp.
+  double keep_needed(const ExactLifetime& lifetime, std::vector<PiecePair>& pairs, std::size_t limit) {
+    Polynomials polynomials = polynomials_of(pairs);
+    polynomials.set_interrupt(context_.steps);
+    const NeededPieces needed = needed_pieces(polynomials, lifetime, limit);
+    const std::span<const std::uint32_t> ends = polynomials.constraints().ends();
+    std::size_t kept = 0;
+    for (std::size_t i = 0, piece = 0; i < pairs.size(); ++i) {
+      const std::size_t before = piece;
+      while (piece < needed.pieces.size() && needed.pieces[piece] < ends[i]) ++piece;
+      if (piece > before) pairs[kept++] = pairs[i];
+    }
+    pairs.resize(kept);
+    return needed.until;
+  }
+
+  /// Cuts the lifetime at `from`: these pieces may touch before too, but other pieces decide that time.
+  static void start_at(ExactLifetime& lifetime, double from) {
+    const Dyadic begin(from);
+    if (!(lifetime.begin < begin)) return;
+    lifetime.begin = begin;
+    lifetime.rounded.dt_start = from, lifetime.rounded.t_start = rounded(begin + lifetime.now);
+  }
+  static void end_at(ExactLifetime& lifetime, double until) {
+    const Dyadic end(until);
+    if (!(end < lifetime.end)) return;
+    lifetime.end = end;
+    lifetime.rounded.dt_end = lifetime.rounded.t_end = UncertainInterval::inf;
+  }
+
+  /// Whether one object is inside the other from `until` to `next`, when further pieces may touch.
+  bool is_inside_between(double until, double next) {
+    const Dyadic from(until),
+        to = next < UncertainInterval::inf ? std::min(Dyadic(next), queried_.end) : queried_.end;
+    return from < to && intervals_.is_inside_at(half_of(from + to));
+  }
+
+  ContactTimes ended_at(ContactTimes found, double until) const {
+    found.dt_end = until, found.t_end = rounded(Dyadic(until) + queried_.now);
+    return found;
+  }
+
+  using Polynomials = PolynomialsOf<UndecidedPieces<Traits>>;
+  Polynomials polynomials_of(std::span<const PiecePair> pairs) const {
+    return {context_.setup, context_.row_a, context_.row_b,
+            UndecidedPieces<Traits>(context_.setup, context_.row_a, context_.row_b, context_.a, context_.b,
+                                    pairs, intervals_.is_grown())};
+  }
+
+  const PairContext<Traits>& context_;
+  PairIntervals<Traits>& intervals_;
+  const ExactLifetime queried_;
+};
+
+}  // namespace foresee
