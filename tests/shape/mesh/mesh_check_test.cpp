@@ -64,7 +64,7 @@ TEST(MeshCheck, AnEdgeThatIsNotWeldedIsNamed) {
   std::string text = tetrahedron;
   const std::size_t last = text.rfind("0 0 1");
   EXPECT_EQ(flaw(text.replace(last, 5, "0 0 1.0000000000000002")).substr(0, 48),
-            "edge (1 0 0, 0 0 1) belongs to 1 triangle, and e");
+            "edge (1 0 0, 0 0 1) belongs to 1 triangle, in a ");
 }
 
 TEST(MeshCheck, TrianglesMayTouchAndCross) {

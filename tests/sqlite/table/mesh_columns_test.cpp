@@ -73,7 +73,7 @@ TEST_F(MeshColumns, SayWhatIsWrongAndWhere) {
   EXPECT_EQ(fault("'TIN Z(((0 0 0, 1 1 1, 2 2 2, 0 0 0)))'"),
             "drones.shape of row 7: face 1 (0 0 0, 1 1 1, 2 2 2) has no area: its corners lie on one line");
   EXPECT_EQ(fault("'POLYHEDRALSURFACE Z(((0 0 0, 1 0 0, 0 1 0, 0 0 0)))'").substr(0, 67),
-            "drones.shape of row 7: edge (0 0 0, 1 0 0) belongs to 1 triangle, a");
+            "drones.shape of row 7: edge (0 0 0, 1 0 0) belongs to 1 triangle, i");
   EXPECT_EQ(fault("'" + roof + "'", "361"),
             "drones.heading of row 7 is 361: beyond a full turn; write degrees from -360 to 360");
   EXPECT_EQ(fault("'TIN Z(((0 0 0, 4 0 0, 1 1e-30 0, 0 0 0)))'", "45").substr(0, 59),
