@@ -38,7 +38,7 @@ class Areas:
             yield number, name, text, lambda text=text: [self.edges(ring) for ring in rings_of(text)]
 
     def shapes(self, now):
-        if self.table.place(0.0, 0.0) is None:
+        if self.table.as_degrees() is None or self.table.globe:     # the globe has points and balls alone
             return
         heading = "heading" if "heading" in self.table.columns else "0"
         rows = self.db.execute(f"SELECT {self.columns('shape', heading)}, p.x, p.y FROM {quoted(self.table.name)} JOIN "
@@ -50,8 +50,11 @@ class Areas:
     def placed(self, text, turn, x, y):
         """A shape turned clockwise and moved to its place on the plane."""
         s, c = math.sin(math.radians(turn)), math.cos(math.radians(turn))
-        rings = [[self.table.place(x + u * c + v * s, y - u * s + v * c) for u, v in ring] for ring in rings_of(text)]
+        rings = [[self.degrees(x + u * c + v * s, y - u * s + v * c) for u, v in ring] for ring in rings_of(text)]
         return [[round(value, 6) for lat, lon in ring for value in (lon, lat)] for ring in rings]
+
+    def degrees(self, x, y):
+        return self.db.execute("SELECT lat, lon FROM plane_to_geo(?, ?, 0, 0, ?, ?)", (x, y, *self.table.origin)).fetchone()
 
     def edges(self, ring):
         """The corners of a ring, and those between the ends of long edges. The plane about an edge's start has the geodesic straight."""
