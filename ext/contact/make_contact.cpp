@@ -40,6 +40,10 @@ FormTables<Pieces> tables_of(const Bodies& a, const Bodies& b, const FormRows<Pi
 
 }  // namespace
 
+void Contact::all_contacts(std::span<const Pair>, std::vector<Pair>&, std::vector<ContactTimes>&) {
+  throw Error("contacts = 'all' is not for outlines and meshes: leave it out");
+}
+
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b) {
   require_distance(a.layout, b.layout, question.within_z, name_a, name_b);

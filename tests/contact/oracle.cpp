@@ -90,10 +90,16 @@ struct Found {
   std::optional<TimePoint> time = {};
 };
 
-/// Visits the intervals in order of time and keeps the first contact.
+/// Start and end of one contact.
+struct FoundContact {
+  Found first, last;
+};
+
+/// Visits the intervals in order of time and keeps the first contact, or all.
 class Walk {
  public:
-  Walk(const Rule& rule, const QueriedInterval& queried) : queried_(queried), regions_(rule) {
+  Walk(const Rule& rule, const QueriedInterval& queried, bool all)
+      : queried_(queried), regions_(rule), all_(all) {
     std::size_t border = 0;
     for (const Sturm& sturm : regions_.borders()) {
       for (TimePoint& time : times_between(sturm, queried.begin, queried.end))
@@ -106,7 +112,7 @@ class Walk {
     go();
   }
 
-  Found first, last;
+  std::vector<FoundContact> contacts;
 
  private:
   void add(TimePoint& time, int border) {
@@ -194,18 +200,24 @@ class Walk {
     return region < 0 ? region == always : time.sign_of(regions_.excess(region)) <= 0;
   }
 
-  void gap(bool holds) { over_ = over_ || (!holds && first.where != Found::nothing); }
+  void gap(bool holds) {
+    if (holds) return;
+    inside_ = false;
+    over_ = over_ || (!all_ && !contacts.empty());
+  }
   void point(const Found& where, bool holds) {
     if (!holds) return gap(false);
-    if (first.where == Found::nothing) first = where;
-    last = where;
+    if (!inside_) contacts.push_back({where, where});
+    inside_ = true;
+    contacts.back().last = where;
   }
 
   const QueriedInterval& queried_;
   Regions regions_;
   std::vector<Crossing> crossings_;
   Exact reached_, stretch_sample_;
-  bool over_ = false;
+  const bool all_;
+  bool inside_ = false, over_ = false;
 };
 
 }  // namespace
@@ -235,26 +247,50 @@ QueriedInterval queried_interval(const testing_by_hand::Object& a, const testing
   return queried;
 }
 
-std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
-                  const Horizon& horizon, const std::optional<ContactTimes>& answer) {
-  const QueriedInterval queried = queried_interval(a, b, horizon);
-  if (queried.begin > queried.end) return answer ? "a contact of objects that never exist together" : "";
-  const Walk walk(rule, queried);
-  if (walk.first.where == Found::nothing) return answer ? "an invented contact" : "";
-  if (!answer) return "a missed contact";
+namespace {
 
+/// Compares the answer for one contact with the exact one.
+std::string compared(const FoundContact& exact, const QueriedInterval& queried, double now,
+                     const ContactTimes& answer) {
   auto right = [&](const Found& found, double value, const Exact& offset) {
     return is_nearest(value, [&](const Exact& tie) {
       const Exact x = tie - offset;
       if (found.where == Found::at_start) return (queried.begin - x).sign();
       if (found.where == Found::at_end) return (queried.end - x).sign();
-      return found.time->compare(x);
+      return std::optional<TimePoint>(found.time)->compare(x);
     });
   };
-  if (!right(walk.first, answer->dt, 0.0)) return "dt is not the nearest double";
-  if (!right(walk.last, answer->dt_end, 0.0)) return "dt_end is not the nearest double";
-  if (!right(walk.first, answer->t, horizon.now)) return "t is not the nearest double";
-  if (!right(walk.last, answer->t_end, horizon.now)) return "t_end is not the nearest double";
+  if (!right(exact.first, answer.dt, 0.0)) return "dt is not the nearest double";
+  if (!right(exact.last, answer.dt_end, 0.0)) return "dt_end is not the nearest double";
+  if (!right(exact.first, answer.t, now)) return "t is not the nearest double";
+  if (!right(exact.last, answer.t_end, now)) return "t_end is not the nearest double";
+  return "";
+}
+
+}  // namespace
+
+std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                  const Horizon& horizon, const std::optional<ContactTimes>& answer) {
+  const QueriedInterval queried = queried_interval(a, b, horizon);
+  if (queried.begin > queried.end) return answer ? "a contact of objects that never exist together" : "";
+  const Walk walk(rule, queried, false);
+  if (walk.contacts.empty()) return answer ? "an invented contact" : "";
+  if (!answer) return "a missed contact";
+  return compared(walk.contacts[0], queried, horizon.now, *answer);
+}
+
+std::string judge_all(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                      const Horizon& horizon, std::span<const ContactTimes> answers) {
+  const QueriedInterval queried = queried_interval(a, b, horizon);
+  if (queried.begin > queried.end)
+    return answers.empty() ? "" : "a contact of objects that never exist together";
+  const Walk walk(rule, queried, true);
+  if (walk.contacts.size() != answers.size())
+    return std::to_string(answers.size()) + " contacts in place of " + std::to_string(walk.contacts.size());
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    if (const std::string wrong = compared(walk.contacts[i], queried, horizon.now, answers[i]);
+        !wrong.empty())
+      return "contact " + std::to_string(i + 1) + ": " + wrong;
   return "";
 }
 

@@ -8,6 +8,7 @@
 // visited in order of time.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,5 +42,9 @@ QueriedInterval queried_interval(const testing_by_hand::Object& a, const testing
 /// difference.
 std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                   const Horizon& horizon, const std::optional<ContactTimes>& answer);
+
+/// The same for every contact, in order of time.
+std::string judge_all(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                      const Horizon& horizon, std::span<const ContactTimes> answers);
 
 }  // namespace foresee::oracle

@@ -63,6 +63,21 @@ class UnionContact : public Contact {
     });
   }
 
+  /// Only for convex sets, whose traits say which relative paths are straight: these are inside once at most.
+  void all_contacts(std::span<const Pair> pairs, std::vector<Pair>& hits,
+                    std::vector<ContactTimes>& times) override {
+    if constexpr (requires { &Traits::is_straight; }) {
+      const FloatEnvironment environment;
+      filter_.for_each(pairs, true, [&](const Pair& pair, const Interval<double>& near, bool) {
+        const std::size_t before = times.size();
+        append_contacts(pair, near, times);
+        hits.insert(hits.end(), times.size() - before, pair);
+      });
+    } else {
+      Contact::all_contacts(pairs, hits, times);
+    }
+  }
+
   void closest_approach(std::span<const Pair> hits, std::span<ClosestApproach> out) override {
     const FloatEnvironment environment;
     for (std::size_t i = 0; i < hits.size(); ++i)
@@ -148,6 +163,19 @@ class UnionContact : public Contact {
   /// Not for windows: their bounded boxes may have the largest doubles as faces.
   FilterAnswer filter_answer(const Context& context, bool times_wanted) const {
     return setup_.window ? FilterAnswer{} : Traits::filter_answer(context, times_wanted);
+  }
+
+  /// Appends every contact of the pair.
+  void append_contacts(const Pair& pair, const Interval<double>& near, std::vector<ContactTimes>& times) {
+    const Rows rows = rows_of(pair);
+    if (Traits::is_straight(setup_, rows.a, rows.b)) {
+      if (const auto one = first_contact(pair, near, TimesWanted::both)) times.push_back(*one);
+    } else if (touches(pair, near)) {
+      const PairLifetime lifetime = pair_lifetime_of(setup_, rows.a, rows.b);
+      const Context context(setup_, rows.a, rows.b, a_, b_, lifetime, near, *steps_);
+      const auto all = Exact(context, Staged(context, true, space_)).contacts();
+      times.insert(times.end(), all.begin(), all.end());
+    }
   }
 
   void take_pieces(const Pair& pair) {

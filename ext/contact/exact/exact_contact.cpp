@@ -1,9 +1,7 @@
 #include "contact/exact/exact_contact.h"
 
 #include <algorithm>
-#include <deque>
-#include <limits>
-#include <optional>
+#include <cmath>
 
 #include "numbers/crossed_root.h"
 #include "numbers/time_intervals.h"
@@ -17,17 +15,17 @@ class ExactPair {
       : polynomials_(polynomials), lifetime_(lifetime), begin_(lifetime.begin), end_(lifetime.end) {}
 
   bool touches() {
-    const auto pieces = polynomials_.set().pieces();
-    return std::any_of(pieces.begin(), pieces.end(),
-                       [this](const ConstraintUnion::Piece& piece) { return !held(piece).empty(); });
+    for (const ConstraintUnion::Piece& piece : polynomials_.set().pieces())
+      if (!held(piece).empty()) return true;
+    return false;
   }
 
   NeededPieces needed(std::size_t limit) {
     const std::vector<Held> chain = chain_of(all_held());
-    NeededPieces needed{{}, std::numeric_limits<double>::infinity()};
+    NeededPieces needed{{}, HUGE_VAL};
     std::size_t count = chain.size();
     if (count > limit) {
-      const double until = double_below(chain[limit].interval.first->at);
+      const double until = std::nextafter(chain[limit].interval.first->at.low().rounded(), -HUGE_VAL);
       if (lifetime_.begin < Dyadic(until)) needed.until = until, count = limit;
     }
     for (std::size_t i = 0; i < count; ++i) needed.pieces.push_back(chain[i].piece);
@@ -37,14 +35,9 @@ class ExactPair {
   }
 
   std::optional<ContactTimes> times(const TouchesBetween& between) {
-    std::vector<TimeInterval> intervals;
-    for (const ConstraintUnion::Piece& piece : polynomials_.set().pieces()) {
-      const TimeIntervals held = this->held(piece);
-      intervals.insert(intervals.end(), held.begin(), held.end());
-    }
+    std::vector<TimeInterval> intervals = intervals_of_all();
     if (intervals.empty()) return {};
-    std::iter_swap(intervals.begin(), std::min_element(intervals.begin(), intervals.end(), starts_before));
-    std::size_t joined = joined_to_first(intervals);
+    std::size_t joined = join_first(intervals);
     while (between && goes_on_after(intervals, joined, between)) {
       if (joined == intervals.size()) {
         intervals.push_back({intervals[0].first, &end_}), ++joined;
@@ -56,7 +49,31 @@ class ExactPair {
     return times_of(intervals.data(), joined);
   }
 
+  std::vector<ContactTimes> contacts() {
+    std::vector<ContactTimes> contacts;
+    for (std::vector<TimeInterval> left = intervals_of_all(); !left.empty();) {
+      const std::size_t joined = join_first(left);
+      contacts.push_back(times_of(left.data(), joined));
+      left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(joined));
+    }
+    return contacts;
+  }
+
  private:
+  /// In no order.
+  std::vector<TimeInterval> intervals_of_all() {
+    std::vector<TimeInterval> intervals;
+    for (const ConstraintUnion::Piece& piece : polynomials_.set().pieces())
+      for (const TimeInterval& interval : held(piece)) intervals.push_back(interval);
+    return intervals;
+  }
+
+  /// Moves the earliest interval, and those connected with it, to the front, and returns their number.
+  std::size_t join_first(std::vector<TimeInterval>& intervals) {
+    std::iter_swap(intervals.begin(), std::min_element(intervals.begin(), intervals.end(), starts_before));
+    return joined_to_first(intervals);
+  }
+
   /// One interval in which a piece holds.
   struct Held {
     TimeInterval interval;
@@ -97,9 +114,6 @@ class ExactPair {
   int compared(AlgebraicRoot& a, AlgebraicRoot& b) {
     polynomials_.step();
     return compare(a, b);
-  }
-  static double double_below(const Midrad128& at) {
-    return std::nextafter(at.low().rounded(), -std::numeric_limits<double>::infinity());
   }
 
   Instant instant(AlgebraicRoot& time) const {
@@ -261,16 +275,6 @@ class ExactPair {
 
 }  // namespace
 
-ExactLifetime exact_lifetime_of(const Setup& setup, const double* row_a, const double* row_b) {
-  ExactLifetime lifetime;
-  lifetime.rounded = pair_lifetime_of(setup, row_a, row_b);
-  lifetime.now = Dyadic(setup.horizon.now);
-  const PairLifetime& m = lifetime.rounded;
-  lifetime.begin = Dyadic(m.t_start) - lifetime.now;
-  lifetime.end = m.ends_with_horizon ? Dyadic(setup.horizon.h) : Dyadic(m.t_end) - lifetime.now;
-  return lifetime;
-}
-
 NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactLifetime& lifetime, std::size_t limit) {
   return ExactPair(polynomials, lifetime).needed(limit);
 }
@@ -281,6 +285,10 @@ bool exact_touches(PiecePolynomials& polynomials, const ExactLifetime& lifetime)
 
 std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactLifetime& lifetime) {
   return ExactPair(polynomials, lifetime).times({});
+}
+
+std::vector<ContactTimes> exact_contacts(PiecePolynomials& polynomials, const ExactLifetime& lifetime) {
+  return ExactPair(polynomials, lifetime).contacts();
 }
 
 std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials,

@@ -26,13 +26,24 @@ struct ExactLifetime {
   Dyadic now;
   PairLifetime rounded;
 };
-ExactLifetime exact_lifetime_of(const Setup& setup, const double* row_a, const double* row_b);
+inline ExactLifetime exact_lifetime_of(const Setup& setup, const double* row_a, const double* row_b) {
+  ExactLifetime lifetime;
+  lifetime.rounded = pair_lifetime_of(setup, row_a, row_b);
+  lifetime.now = Dyadic(setup.horizon.now);
+  const PairLifetime& m = lifetime.rounded;
+  lifetime.begin = Dyadic(m.t_start) - lifetime.now;
+  lifetime.end = m.ends_with_horizon ? Dyadic(setup.horizon.h) : Dyadic(m.t_end) - lifetime.now;
+  return lifetime;
+}
 
 /// Whether the pair touches during the lifetime. The polynomials can be used for one answer only.
 bool exact_touches(PiecePolynomials& polynomials, const ExactLifetime& lifetime);
 
 /// Start and end of the first contact; no value if the pair does not touch.
 std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactLifetime& lifetime);
+
+/// Start and end of every contact, in order of time; contacts that touch each other are one.
+std::vector<ContactTimes> exact_contacts(PiecePolynomials& polynomials, const ExactLifetime& lifetime);
 
 /// A subset of the pieces of a set: until a time, one of them holds whenever any piece of the set does.
 struct NeededPieces {

@@ -27,6 +27,7 @@ class ExactSet {
   std::optional<ContactTimes> contact(double /*from*/, double /*contact_by*/ = 0) {
     return exact_times(polynomials_, lifetime_);
   }
+  std::vector<ContactTimes> contacts() { return exact_contacts(polynomials_, lifetime_); }
 
  private:
   PairPolynomials polynomials_;
@@ -51,6 +52,13 @@ struct SetTraits {
     pieces.take(set, setup.a.row(pair.a), setup.b.row(pair.b));
   }
   static FilterAnswer filter_answer(const Context&, bool) { return {}; }
+  /// Whether the relative motion has no acceleration. Sizes grow linearly.
+  static bool is_straight(const Setup& setup, const double* row_a, const double* row_b) {
+    if (Degree < 2) return true;
+    for (int j = 0; j < D; ++j)
+      if (axis_motion(setup.a, row_a, j).a != axis_motion(setup.b, row_b, j).a) return false;
+    return true;
+  }
 };
 
 /// Contact of one contact set for all pairs.
