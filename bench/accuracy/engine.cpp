@@ -6,8 +6,8 @@
 
 #include "contact/certified/chord.h"
 #include "contact/exact/exact_contact.h"
+#include "contact/minkowski/minkowski_sum.h"
 #include "contact/oracle.h"
-#include "contact/set/minkowski_sum.h"
 #include "contact/set/set_pair.h"
 
 namespace foresee::bench {

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "contact/contact.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 
 namespace foresee {
 

@@ -24,8 +24,8 @@
 
 #include "base/axes.h"
 #include "contact/contact.h"
-#include "contact/set/contact_set.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/contact_set.h"
+#include "contact/minkowski/relative_motion.h"
 #include "shape/form_rows.h"
 
 namespace foresee {

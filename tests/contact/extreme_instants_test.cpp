@@ -6,8 +6,8 @@
 #include <random>
 
 #include "contact/exact/exact_contact.h"
+#include "contact/minkowski/minkowski_sum.h"
 #include "contact/pair_by_hand.h"
-#include "contact/set/minkowski_sum.h"
 #include "contact/window_contact.h"
 
 namespace foresee {

@@ -24,11 +24,11 @@ PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
 SEES_SQLITE = {"storage", "sqlite", "hosts"}
 # The modules inside a module: each may include those to its right.
 INSIDE = {
-    "contact": ["clearance", "mesh", "outline", "pieces", "boxes", "exact", "certain", "set", "constraint"],
+    "contact": ["clearance", "mesh", "outline", "boxes", "set", "certified", "exact", "minkowski", "constraint"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
     "shape": ["mesh", "outline"],
-    "query": ["avoid", "watch", "join", "tile", "sweep", "window", "nearest", "position"],
-    "storage": ["watch", "table", "tree", "nodes", "journal", "rows", "format"],
+    "query": ["avoid", "watch", "join", "legs", "tile", "sweep", "window", "nearest", "position"],
+    "storage": ["table", "tree", "nodes", "journal", "rows", "format"],
     "sqlite": ["watch", "functions", "names", "table"],
 }
 # Folders of tests/ that are of no one module, and files that tests read.

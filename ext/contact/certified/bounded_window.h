@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 #include "motion/axis_aligned_box.h"
 #include "shape/shapes.h"
 

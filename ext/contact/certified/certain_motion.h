@@ -6,7 +6,7 @@
 #include <array>
 
 #include "contact/certified/certain_axis_motion.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 #include "numbers/coefficients.h"
 
 namespace foresee {

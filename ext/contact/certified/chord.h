@@ -14,7 +14,7 @@
 
 #include "contact/certified/certain_axis_motion.h"
 #include "contact/certified/root_bracketing.h"
-#include "contact/set/contact_set.h"
+#include "contact/minkowski/contact_set.h"
 
 namespace foresee {
 

@@ -12,7 +12,7 @@
 
 #include "contact/certified/pair_context.h"
 #include "contact/certified/pair_tests.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 
 namespace foresee {
 

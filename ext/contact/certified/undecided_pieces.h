@@ -11,7 +11,7 @@
 #include "contact/certified/pair_tests.h"
 #include "contact/constraint/constraint.h"
 #include "contact/constraint/constraint_union.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 
 namespace foresee {
 

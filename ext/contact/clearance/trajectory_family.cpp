@@ -1,6 +1,6 @@
 #include "contact/clearance/trajectory_family.h"
 
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 #include "numbers/correct_rounding.h"
 
 namespace foresee {

@@ -4,7 +4,7 @@
 //   ConstraintUnion pieces;
 //   pieces.add_piece({.all = {0, 1, 2}});                       // constraints 0, 1 and 2 hold
 //
-// The constraints themselves are those of a contact set (set/primitive.h) or of pieces (constraint.h).
+// The constraints themselves are those of a contact set (minkowski/primitive.h) or of pieces (constraint.h).
 #pragma once
 
 #include <cstdint>

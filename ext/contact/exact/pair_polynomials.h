@@ -14,8 +14,8 @@
 
 #include "base/interrupt_steps.h"
 #include "contact/constraint/constraint_union.h"
-#include "contact/set/contact_set.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/contact_set.h"
+#include "contact/minkowski/relative_motion.h"
 #include "numbers/algebraic_root.h"
 
 namespace foresee {

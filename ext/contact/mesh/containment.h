@@ -14,7 +14,7 @@
 #include "base/interrupt_steps.h"
 #include "contact/certified/certain_motion.h"
 #include "contact/mesh/space_pieces.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 #include "numbers/dyadic.h"
 
 namespace foresee {

@@ -9,7 +9,7 @@
 
 #include "contact/constraint/constraint.h"
 #include "contact/mesh/space_pieces.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 
 namespace foresee {
 

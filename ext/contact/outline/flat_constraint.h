@@ -6,9 +6,9 @@
 #pragma once
 
 #include "contact/constraint/constraint.h"
+#include "contact/minkowski/contact_set.h"
+#include "contact/minkowski/relative_motion.h"
 #include "contact/outline/convex_sum.h"
-#include "contact/set/contact_set.h"
-#include "contact/set/relative_motion.h"
 
 namespace foresee {
 

@@ -24,7 +24,7 @@
 #include "contact/certified/certain_motion.h"
 #include "contact/certified/pair_context.h"
 #include "contact/certified/root_bracketing.h"
-#include "contact/set/contact_set.h"
+#include "contact/minkowski/contact_set.h"
 
 namespace foresee {
 

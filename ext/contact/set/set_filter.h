@@ -12,7 +12,7 @@
 
 #include "base/pair.h"
 #include "contact/certified/root_bracketing.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 #include "contact/set/set_lanes.h"
 
 namespace foresee {

@@ -14,7 +14,7 @@
 #pragma once
 
 #include "base/simd.h"
-#include "contact/set/contact_set.h"
+#include "contact/minkowski/contact_set.h"
 
 namespace foresee {
 

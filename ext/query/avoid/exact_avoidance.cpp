@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "base/axes.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 #include "numbers/dyadic.h"
 #include "query/avoid/intruder_certificate.h"
 #include "query/join/question.h"

@@ -1,6 +1,6 @@
 // Position and velocity of an intruder at the first time of the object, in dyadic numbers.
 #include "base/axes.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/relative_motion.h"
 #include "numbers/dyadic.h"
 #include "query/avoid/exact_avoidance.h"
 

@@ -1,4 +1,4 @@
-#include "contact/set/minkowski_sum.h"
+#include "contact/minkowski/minkowski_sum.h"
 
 #include <bit>
 #include <optional>

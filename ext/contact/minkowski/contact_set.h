@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "contact/constraint/constraint_union.h"
-#include "contact/set/primitive.h"
+#include "contact/minkowski/primitive.h"
 #include "shape/row_layout.h"
 
 namespace foresee {

@@ -1,4 +1,4 @@
-#include "contact/set/contact_set.h"
+#include "contact/minkowski/contact_set.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Primitives against their definition, at times computed in exact arithmetic; and every number type of the
 // stages against the exact one.
-#include "contact/set/primitive.h"
+#include "contact/minkowski/primitive.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // ContactSet with sets that no pair of shapes has today: many pieces, sizes that change with time.
-#include "contact/set/contact_set.h"
+#include "contact/minkowski/contact_set.h"
 
 #include <gtest/gtest.h>
 

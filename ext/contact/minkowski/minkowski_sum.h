@@ -15,8 +15,8 @@
 
 #include <vector>
 
-#include "contact/set/contact_set.h"
-#include "contact/set/relative_motion.h"
+#include "contact/minkowski/contact_set.h"
+#include "contact/minkowski/relative_motion.h"
 
 namespace foresee {
 
