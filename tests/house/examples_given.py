@@ -90,6 +90,8 @@ GIVEN = {
     "bounded.h": {"gap": "Bounded"},
     "probe.h": {"one": "const Scene*", "tree": "NodeSource*", "contact": "Contact*"},
     "sorted_hits.h": {"sorted": "SortedHits&"},
+    "distinct_contacts.h": {"contact": "Contact&", "pairs": "std::span<const Pair>", "hits": "std::vector<Pair>&",
+                            "times": "std::vector<ContactTimes>&"},
     "tile_scenes.h": {"question": "JoinQuestion", "tree": "NodeSource*"},
     "pair_contacts.h": {"tables": "const JoinedTables&", "state": "const WatchState&", "pairs": "std::span<const PairIds>"},
     "settlement.h": {"tables": "const JoinedTables&", "before": "const WatchState&", "pairs": "WatchPairs&", "log": "WatchLog&"},

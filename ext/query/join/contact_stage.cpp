@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "query/distinct_contacts.h"
+
 namespace foresee {
 
 ContactStage::ContactStage(const JoinQuestion& question, Interrupt& interrupt)
@@ -22,6 +24,7 @@ void ContactStage::in_slices(std::size_t count, Work work) {
 
 void ContactStage::query(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
                          Hits& hits) {
+  if (question_.all_contacts) return query_all(batch, slab, hits);
   constexpr double inf = std::numeric_limits<double>::infinity();
   const bool all_times = slab.from == -inf && slab.before == inf && question_.queries_all_times();
   const bool times_matter = !all_times || question_.wants.contact || question_.order != JoinOrder::any;
@@ -43,6 +46,17 @@ void ContactStage::query(const Candidates& candidates, std::vector<Pair>& batch,
   });
   hits.times.resize(hits.pairs.size());
   if (!all_times) keep_queried_times(slab, before, hits);
+}
+
+void ContactStage::query_all(std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits) {
+  const std::size_t before = hits.pairs.size();
+  hits.with_ends = true;
+  keep_queried_pairs(batch);
+  in_slices(batch.size(), [&](std::size_t begin, std::size_t count) {
+    contact_->all_contacts(std::span(batch).subspan(begin, count), hits.pairs, hits.times);
+  });
+  join_equal_contacts(before, hits.pairs, hits.times);
+  keep_queried_times(slab, before, hits);
 }
 
 bool ContactStage::queries_start(const TimeSlab& slab) const {
@@ -109,9 +123,28 @@ void ContactStage::add_ends(Hits& hits) {
   });
 }
 
+void ContactStage::add_all_ends(Hits& hits) {
+  std::swap(sorted_, hits);
+  hits.clear();
+  hits.with_ends = true;
+  Hits all;
+  in_slices(sorted_.pairs.size(), [&](std::size_t begin, std::size_t count) {
+    for (std::size_t i = begin; i < begin + count; ++i) {
+      all.clear();
+      contact_->all_contacts({&sorted_.pairs[i], 1}, all.pairs, all.times);
+      join_equal_contacts(0, all.pairs, all.times);
+      for (const ContactTimes& times : all.times) {
+        if (times.t != sorted_.times[i].t || times.dt != sorted_.times[i].dt) continue;
+        hits.pairs.push_back(sorted_.pairs[i]), hits.times.push_back(times);
+      }
+    }
+  });
+}
+
 void ContactStage::write(Hits& hits, std::vector<JoinRow>& rows) {
   const Scene& a = *question_.a;
   const Scene& b = question_.b ? *question_.b : a;
+  if (question_.all_contacts && !hits.with_ends) add_all_ends(hits);
   if (question_.wants.contact && question_.wants.ends && !hits.with_ends) add_ends(hits);
   if (question_.wants.approach) {
     approaches_.resize(hits.pairs.size());
@@ -132,7 +165,7 @@ void ContactStage::write(Hits& hits, std::vector<JoinRow>& rows) {
 bool ContactStage::would_only_write(const Candidates& candidates) const {
   const bool all_pairs = !question_.only_a && !question_.only_b && question_.b != question_.a;
   const bool no_more_wanted = !question_.wants.ends && !question_.wants.approach;
-  return candidates.touching() && all_pairs && no_more_wanted;
+  return candidates.touching() && all_pairs && no_more_wanted && !question_.all_contacts;
 }
 
 void ContactStage::answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,

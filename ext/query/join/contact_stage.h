@@ -52,6 +52,11 @@ class ContactStage {
   void write_touching(std::span<const Pair> pairs, std::vector<JoinRow>& rows) const;
 
  private:
+  /// query() for all contacts of each pair, with their ends.
+  void query_all(std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
+  /// Computes the ends of hits of query_all() that were sorted: a hit stands for all contacts of its pair with its t
+  /// and dt.
+  void add_all_ends(Hits& hits);
   /// Calls work(begin, count) for slices of [0, count), in order; checks for an interrupt before each.
   template <class Work>
   void in_slices(std::size_t count, Work work);
@@ -71,6 +76,7 @@ class ContactStage {
   std::unique_ptr<Contact> contact_;
   Hits hits_;
   std::vector<Pair> without_ends_;
+  Hits sorted_;
   std::vector<ClosestApproach> approaches_;
 };
 

@@ -16,7 +16,7 @@ namespace foresee {
 /// The state of a join: its query, plan and open slab.
 struct Join::Progress {
   Progress(JoinQuestion whole, Interrupt& interrupt)
-      : question(with_space(with_kinds(in_tile(without_inert(std::move(whole)), interrupt)))),
+      : question(with_contacts(with_space(with_kinds(in_tile(without_inert(std::move(whole)), interrupt))))),
         interrupt(interrupt),
         stage(question, interrupt),
         plan(plan_join(question, stage.reach())),
@@ -31,6 +31,13 @@ struct Join::Progress {
   /// The same query, with a grid space of its own if the caller gives none.
   static JoinQuestion with_space(JoinQuestion question) {
     if (!question.space) question.space = std::make_shared<GridSpace>();
+    return question;
+  }
+
+  /// The same query; for the first contacts if no two paths meet more than once, since all are straight.
+  static JoinQuestion with_contacts(JoinQuestion question) {
+    const auto is_bent = [](const Scene& scene) { return degree_of(scene.layout.law) > 1; };
+    if (!is_bent(*question.a) && !(question.b && is_bent(*question.b))) question.all_contacts = false;
     return question;
   }
 

@@ -5,7 +5,8 @@
 //     for (const JoinRow& row : rows) use(row.a, row.b, row.contact.t);
 //
 // Guarantee: every pair that touches during [now, now + h] comes exactly once, whatever the method; in a
-// self-join a < b. A scene joined with itself as two sides (b == a) gives every such pair in both orders, and
+// self-join a < b. With all_contacts it comes once for each of its contacts that t and t_end tell apart.
+// A scene joined with itself as two sides (b == a) gives every such pair in both orders, and
 // never an object with itself. Columns that `wants` leaves out are not computed.
 //
 // Rows come in the requested order. The grid answers long horizons in time slabs (time_slabs.h). For an

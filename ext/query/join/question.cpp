@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "query/distinct_contacts.h"
 #include "query/input_checks.h"
 
 namespace foresee {
@@ -63,6 +64,10 @@ void require_valid(const JoinQuestion& question) {
     throw Error(axes_of(*question.a) + " and " + axes_of(*question.b) +
                 ": a join takes two tables with the same number of axes");
   if (question.tile) require_valid(*question.tile, question.a);
+  if (question.all_contacts) {
+    require_all_contacts(question.a->layout);
+    if (question.b) require_all_contacts(question.b->layout);
+  }
 }
 
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines) {

@@ -73,6 +73,8 @@ struct JoinQuestion {
       nullptr;  ///< of the tile, by in_tile() (tile_scenes.h); null: all pairs
   std::shared_ptr<const PairKinds> kinds =
       nullptr;  ///< by with_kinds() (pair_kinds.h); null: all pairs may meet
+  bool all_contacts =
+      false;  ///< a row for each contact of a pair, not for outlines and meshes; else for the first
 
   bool queries_all_times() const { return queried_t.are_all() && queried_dt.are_all(); }
 };

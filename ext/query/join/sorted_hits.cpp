@@ -9,6 +9,10 @@ namespace foresee {
 void SortedHits::add(const Hits& hits, Interrupt& interrupt) {
   for (std::size_t i = 0; i < hits.pairs.size(); ++i) {
     const Found found{hits.times[i].t, hits.times[i].dt, hits.pairs[i]};
+    // Contacts of one pair with one t and dt are one hit, which write() expands again.
+    if (question_.all_contacts && i > 0 && hits.pairs[i] == hits.pairs[i - 1] &&
+        found.t == hits.times[i - 1].t && found.dt == hits.times[i - 1].dt)
+      continue;
     if ((cut_ && !precedes(found, last_)) || (after_ && !precedes(*after_, found))) continue;
     found_.push_back(found);
     if (found_.size() / 2 >= room_) keep_first(interrupt);

@@ -49,7 +49,7 @@ class SortedHits {
     double t, dt;
     Pair pair;
   };
-  /// In the requested order. Ids or row numbers break ties, so no two hits are equal.
+  /// In the requested order. dt, ids or row numbers break ties, so no two hits are equal.
   bool precedes(const Found& l, const Found& r) const;
   void keep_first(Interrupt& interrupt);
 

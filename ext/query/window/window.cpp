@@ -8,6 +8,7 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/window_walk.h"
+#include "query/distinct_contacts.h"
 #include "query/input_checks.h"
 
 namespace foresee {
@@ -189,6 +190,10 @@ WindowFaces faces_around(const WindowQuestion& question) {
 
 WindowQuestion checked(WindowQuestion question) {
   if (question.zone) require_only_zone(question);
+  if (question.all_contacts) {
+    require_all_contacts(question.objects.layout());
+    if (question.zone) throw Error("contacts = 'all' is not for zones: leave it out");
+  }
   require_not_negative("h", question.h);
   require_finite("now", question.now);
   for (int axis = 0; axis < 3; ++axis) {
@@ -223,10 +228,14 @@ std::span<const WindowRow> Window::next() {
     for (const std::uint32_t row : batch_.doubtful) pairs_.push_back({0, row});
     take_inside();
     const WindowWants& wants = question_.wants;
-    if (wants.starts || wants.ends)
+    if (question_.all_contacts) {
+      contact_->all_contacts(pairs_, hits_, times_);
+      join_equal_contacts(0, hits_, times_);
+    } else if (wants.starts || wants.ends) {
       contact_->first_contacts(pairs_, wants.ends ? TimesWanted::both : TimesWanted::starts, hits_, times_);
-    else
+    } else {
       contact_->decide(pairs_, hits_);
+    }
     times_.resize(hits_.size());
     for (std::size_t i = 0; i < hits_.size(); ++i) rows_.push_back({candidates_->id(hits_[i].b), times_[i]});
   }
@@ -237,7 +246,7 @@ std::span<const WindowRow> Window::next() {
 void Window::take_inside() {
   const double now = question_.now, nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::uint32_t row : batch_.inside)
-    if (question_.wants.ends)
+    if (question_.wants.ends || question_.all_contacts)
       pairs_.push_back({0, row});
     else
       rows_.push_back({candidates_->id(row), {.t = now, .t_end = nan, .dt = 0, .dt_end = nan}});

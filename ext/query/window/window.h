@@ -7,7 +7,8 @@
 //     for (const WindowRow& row : rows) use(row.id, row.contact.t);
 //
 // Guarantee: every object whose shape touches the closed window during [now, now + h] while it exists comes
-// exactly once. Scene and tree give the same rows. Decision and times are exact (contact/window_contact.h).
+// exactly once; with all_contacts once per contact. Scene and tree give the same rows. Decision and times are exact
+// (contact/window_contact.h).
 // Rows come in no particular order. Times are computed only where `wants` requests them. Cost: a tree reads
 // the nodes that can intersect the window; a scene is scanned. Memory: some hundred rows.
 #pragma once
@@ -70,6 +71,8 @@ struct WindowQuestion {
   std::shared_ptr<const SharedOutline> zone = nullptr;  ///< replaces the faces in x and y; moves with them
   std::optional<std::uint32_t> mask = {};               ///< only objects whose category has a bit of it
   WindowWants wants = {};
+  bool all_contacts =
+      false;  ///< a row for each contact, not for outlines, meshes and zones; else for the first
 };
 
 struct WindowRow {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "query/distinct_contacts.h"
 #include "query/join/probe.h"
 #include "query/join/tile_scenes.h"
 #include "sqlite/names/open_table.h"
@@ -25,7 +26,8 @@ enum Input {
   in_own_x0,
   in_own_x1,
   in_own_y0,
-  in_own_y1
+  in_own_y1,
+  in_contacts
 };
 
 /// Both tables by open_table(), of one frame. Throws Error.
@@ -112,13 +114,19 @@ std::optional<Tile> read_tile(const FunctionCall& call) {
 
 }  // namespace
 
-std::vector<const char*> join_input_names() {
-  return {"h",        "tbl",    "within", "other",  "now",    "method",
-          "within_z", "schema", "own_x0", "own_x1", "own_y0", "own_y1"};
+std::vector<const char*> join_input_names(bool with_contacts) {
+  std::vector<const char*> names{"h",        "tbl",    "within", "other",  "now",    "method",
+                                 "within_z", "schema", "own_x0", "own_x1", "own_y0", "own_y1"};
+  if (with_contacts) names.push_back("contacts");
+  return names;
 }
 
-JoinInputs read_join_inputs(const FunctionCall& call) {
+JoinInputs read_join_inputs(const FunctionCall& call, bool with_contacts) {
   JoinInputs inputs;
+  if (with_contacts) {
+    inputs.all_contacts = wants_all_contacts(call.text(in_contacts, "'first' or 'all'").value_or("first"));
+    call.used(in_contacts, "first");
+  }
   inputs.h = call.required_number(in_h);
   inputs.within = call.number(in_within).value_or(inputs.within);
   inputs.within_z = call.number(in_within_z);
@@ -142,6 +150,7 @@ JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, c
   question.within_z = inputs.within_z;
   question.method = inputs.method;
   question.tile = inputs.tile;
+  question.all_contacts = inputs.all_contacts;
   call.used(in_tbl, open.a.table), call.used(in_schema, open.a.schema);
   call.used(in_now, question.now), call.used(in_within, question.within), call.used(in_method, "auto");
   const bool by_tree = question.method == JoinMethod::automatic || question.method == JoinMethod::tree;

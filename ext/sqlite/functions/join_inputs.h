@@ -25,14 +25,15 @@ struct JoinInputs {
   std::optional<double> now = {};         ///< nothing: the newest t stored
   JoinMethod method = {};                 ///< by default automatic
   std::optional<double> within_z = {};
+  bool all_contacts = false;
   std::optional<Tile> tile = {};  ///< own_x0, own_x1, own_y0, own_y1; nothing: all pairs
 };
 
-/// The inputs' SQL names in call order.
-std::vector<const char*> join_input_names();
+/// The inputs' SQL names in call order; `contacts` is the last one, of predictive_join alone.
+std::vector<const char*> join_input_names(bool with_contacts = false);
 
 /// Throws Error if an input is missing or of the wrong kind.
-JoinInputs read_join_inputs(const FunctionCall& call);
+JoinInputs read_join_inputs(const FunctionCall& call, bool with_contacts = false);
 
 /// The ids that the query requires in columns a and b.
 struct QueriedIds {

@@ -66,7 +66,8 @@ QueriedTimes queried(const FunctionCall::Bounds& bounds) {
 }
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
-  JoinQuestion question = join_question(call, read_join_inputs(call), {call.only(out_a), call.only(out_b)});
+  JoinQuestion question =
+      join_question(call, read_join_inputs(call, true), {call.only(out_a), call.only(out_b)});
   question.queried_t = queried(call.bounds(out_t)), question.queried_dt = queried(call.bounds(out_dt));
   question.order = order_of(call.order());
   question.likely_rows = call.limit().total().value_or(all_rows);
@@ -84,8 +85,8 @@ const TableFunction& predictive_join() {
       .name = "predictive_join",
       .outputs = {"a INTEGER", "b INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL", "t_cpa REAL",
                   "dt_cpa REAL", "d_cpa REAL"},
-      .inputs = join_input_names(),
-      .key = "a, b",
+      .inputs = join_input_names(true),
+      .key = "a, b, t, t_end",
       .hinted = 1u << out_a | 1u << out_b | 1u << out_t | 1u << out_dt,
       .estimate = estimate_join,
       .start = start,

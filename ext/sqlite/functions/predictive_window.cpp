@@ -1,5 +1,6 @@
 // predictive_window(h, …) in SQL: reads the inputs, opens the table, and returns the rows.
 #include "geography/zone.h"
+#include "query/distinct_contacts.h"
 #include "query/window/window.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"
@@ -19,7 +20,8 @@ enum WindowInput {
   in_method = in_wvx + 3,
   in_schema,
   in_zone,
-  in_mask
+  in_mask,
+  in_contacts
 };
 
 class WindowRows final : public FunctionRows {
@@ -94,6 +96,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     call.used(in_wvx + axis, 0.0);
   }
   question.mask = call.bits(in_mask);
+  question.all_contacts = wants_all_contacts(call.text(in_contacts, "'first' or 'all'").value_or("first"));
+  call.used(in_contacts, "first");
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
   if (table.frame.on_globe() && call.text(in_zone))
     throw Error("zone is for tables on a plane, " + table.objects.name +
@@ -113,8 +117,8 @@ const TableFunction& predictive_window() {
       .name = "predictive_window",
       .outputs = {"id INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL"},
       .inputs = {"h", "tbl", "x0", "x1", "y0", "y1", "z0", "z1", "now", "wvx", "wvy", "wvz", "method",
-                 "schema", "zone", "mask"},
-      .key = "id",
+                 "schema", "zone", "mask", "contacts"},
+      .key = "id, t, t_end",
       .hinted = 0,
       .estimate = estimate_window,
       .start = start};

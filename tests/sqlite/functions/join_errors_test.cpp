@@ -11,7 +11,7 @@ struct JoinErrors : Harbour {
 TEST_F(JoinErrors, NameTheMissingHorizon) {
   const char* missing =
       "predictive_join: h is missing or NULL: write predictive_join(h, tbl, within, other, now, method, "
-      "within_z, schema, own_x0, own_x1, own_y0, own_y1)";
+      "within_z, schema, own_x0, own_x1, own_y0, own_y1, contacts)";
   EXPECT_EQ(error("predictive_join"), missing);
   EXPECT_EQ(error("predictive_join(NULL, 'ships')"), missing);
   EXPECT_EQ(error("predictive_join WHERE tbl = 'ships'"), missing);
@@ -51,8 +51,8 @@ TEST_F(JoinErrors, QuoteTheWrongInput) {
 }
 
 TEST_F(JoinErrors, RefuseExtraInputs) {
-  EXPECT_EQ(error("predictive_join(1, 'ships', 0, NULL, 0, 'auto', 0, 'main', 1, 2, 3, 4, 9)"),
-            "too many arguments on predictive_join() - max 12");
+  EXPECT_EQ(error("predictive_join(1, 'ships', 0, NULL, 0, 'auto', 0, 'main', 1, 2, 3, 4, 'all', 9)"),
+            "too many arguments on predictive_join() - max 13");
 }
 
 TEST_F(JoinErrors, NameBothTablesOfDifferentAxes) {

@@ -88,7 +88,7 @@ TEST_F(WindowInSql, SaysWhatToWrite) {
   EXPECT_EQ(
       error(name),
       "predictive_window: h is missing or NULL: write predictive_window(h, tbl, x0, x1, y0, y1, z0, z1, "
-      "now, wvx, wvy, wvz, method, schema, zone, mask)");
+      "now, wvx, wvy, wvz, method, schema, zone, mask, contacts)");
   EXPECT_EQ(error(name + "(-1)"), "predictive_window: h must be a finite number >= 0, not -1");
   EXPECT_EQ(error(name + "(1, 'boats')"),
             "predictive_window: no such table: 'boats' (moving_objects tables here: 'ships')");
