@@ -59,21 +59,26 @@ int check_all_contacts(std::span<const Family> families, Shapes shapes, std::ini
   return several;
 }
 
+/// A sanitizer build has few cases, of which none may have several contacts.
+constexpr int more_than(int count) {
+  return sanitized ? -1 : count;
+}
+
 TEST(AllContacts, OfBoxes) {
-  EXPECT_GT(check_all_contacts(ordinary_families(), Shapes::boxes, {1, 2, 3}, 150), 20);
+  EXPECT_GT(check_all_contacts(ordinary_families(), Shapes::boxes, {1, 2, 3}, 150), more_than(20));
   check_all_contacts(extreme_families(), Shapes::boxes, {1, 2, 3}, 30);
 }
 TEST(AllContacts, OfBalls) {
-  EXPECT_GT(check_all_contacts(ordinary_families(), Shapes::balls, {1, 2, 3}, 50), 5);
+  EXPECT_GT(check_all_contacts(ordinary_families(), Shapes::balls, {1, 2, 3}, 50), more_than(5));
   check_all_contacts(extreme_families(), Shapes::balls, {2, 3}, 20);
 }
 TEST(AllContacts, OfBoxAndBall) {
-  EXPECT_GT(check_all_contacts(ordinary_families(), Shapes::box_and_ball, {1, 2, 3}, 30), 2);
+  EXPECT_GT(check_all_contacts(ordinary_families(), Shapes::box_and_ball, {1, 2, 3}, 30), more_than(2));
 }
 TEST(AllContacts, OfCylindersAndPoints) {
   check_all_contacts(ordinary_families(), Shapes::cylinders, {3}, 80);
   check_all_contacts(ordinary_families(), Shapes::cylinder_and_box, {3}, 30);
-  EXPECT_GT(check_all_contacts(ordinary_families(), Shapes::points_within, {1, 2, 3}, 20), 1);
+  EXPECT_GT(check_all_contacts(ordinary_families(), Shapes::points_within, {1, 2, 3}, 20), more_than(1));
 }
 TEST(AllContacts, OfShapesThatGrow) {
   check_all_contacts(growing_families(), Shapes::boxes, {1, 2, 3}, 30);
