@@ -115,7 +115,7 @@ class UnionContact : public Contact {
     if (plain.at_start && wanted != TimesWanted::both)
       return ContactTimes{lifetime.t_start, lifetime.t_start, lifetime.dt_start, lifetime.dt_start};
     Staged staged(context, true, space_);
-    Instant begin;
+    Instant begin = unknown_instant();
     const Verdict touches = staged.first_contact(begin);
     if (touches == Verdict::no) return {};
     if (touches == Verdict::uncertain) {

@@ -76,7 +76,9 @@ TEST(Arc, LegsAreWithinTheError) {
     ASSERT_LE(away, Long(error)) << turn.t << ' ' << turn.rate << ' ' << turn.duration << ' ' << error;
     if (plan.legs.size() > 4) tightest = std::max(tightest, Long(away / error));
   }
-  if (!testing::sanitized) EXPECT_GT(tightest, 0.95);  // few cases then
+  if (!testing::sanitized) {  // few cases then
+    EXPECT_GT(tightest, 0.95);
+  }
 }
 
 /// Errors close to what doubles can prove.
