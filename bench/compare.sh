@@ -2,7 +2,7 @@
 # foresee beside other ways to join moving objects: GPCD, TPR-trees, R-trees, DuckDB, brute force, time stepping. On the
 # same scenes of 10^3 to 10^6 objects, and on real ships: build, join, report and memory apart (Debian).
 #
-#   bash bench/compare.sh            # half an hour; figures into docs/developers/benchmarks/, README.md and the pages
+#   bash bench/compare.sh            # ten minutes; figures into docs/developers/benchmarks/, README.md and the pages
 #   bash bench/compare.sh --quick    # less than two minutes once built, to 10^5, into build/benchmarks/: docs/ stays as it is
 #
 # A way that takes more than 60 s for one join (--quick: 10) stops at that size. bench/compare.cpp says what is measured;
