@@ -25,7 +25,7 @@ constexpr double u = 0x1p-53, unbounded = __builtin_inf();
 constexpr double shortest_part = 1.0 / 64;  // of the horizon; the box of a shorter life does not move
 constexpr std::size_t block = 8;            // lanes per step: those of the widest register
 
-/// Computes from, to, reach, parts, begin and end from t and until, as life_of() of life_interval.h does.
+/// Computes from, to, reach, parts, begin and end from t and until, as life_of() of swept_box.h does.
 template <int D>
 void find_lives(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
   const double unit = h > 0 ? h : 1, min_end = h > 0 ? 0 : 1;

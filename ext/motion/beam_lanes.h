@@ -26,7 +26,7 @@ struct BeamLanes {
 /// The loops over lanes, compiled once per instruction set.
 template <int D>
 struct BeamKernels {
-  /// Computes from, to, reach, parts, begin and end from t and until, as life_of() of life_interval.h does.
+  /// Computes from, to, reach, parts, begin and end from t and until, as life_of() of swept_box.h does.
   void (*find_lives)(BeamLanes<D>& lanes, std::size_t count, double now, double h);
   /// Computes lower, upper and travel from lives and motions without acceleration.
   void (*find_beams)(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]);

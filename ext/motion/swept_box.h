@@ -6,10 +6,33 @@
 // Bounds that no double holds are infinite. Cost: some tens of flops per axis.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "motion/axis_aligned_box.h"
-#include "motion/life_interval.h"
+#include "motion/motion.h"
 
 namespace foresee {
+
+// The part of a horizon during which an object exists.
+
+/// The intersection of an object's [t, until] with the horizon, as time since t.
+struct LifeInterval {
+  double begin, end;
+  double reach;  ///< upper bound of the distance in time between the object's t and any time of the horizon
+  bool none;
+};
+
+inline LifeInterval life_of(double t, double until, const Horizon& horizon) {
+  const double since = horizon.now - t;
+  LifeInterval life;
+  life.begin = std::max(since, 0.0);
+  life.end = std::min(since + horizon.h, until - t);
+  life.reach = std::abs(since) + horizon.h;
+  // Rounding keeps order: if t - now, rounded, exceeds the double h, then so does the exact difference.
+  life.none = t - horizon.now > horizon.h || until < horizon.now;
+  return life;
+}
 
 /// The range of x + v s + a s^2 / 2 on one axis for all s of `life`, grown by `below` and `above`.
 Ends swept_axis(double x, double v, double a, const LifeInterval& life, double below, double above);

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "numbers/interval_newton.h"
-#include "numbers/quadratic_formula.h"
 #include "numbers/quadratic_root.h"
 
 namespace foresee {

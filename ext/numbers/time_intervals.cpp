@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "numbers/interval_newton.h"
-#include "numbers/quadratic_formula.h"
+#include "numbers/quadratic_root.h"
 
 namespace foresee {
 namespace {

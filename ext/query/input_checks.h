@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "query/search_target.h"
+#include "query/scene.h"
 
 namespace foresee {
 

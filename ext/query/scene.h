@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "index/pages.h"
 #include "index/tpr_tree/search/tree_join.h"
 #include "shape/bodies.h"
 #include "shape/turned_forms.h"
@@ -40,6 +41,21 @@ struct Scene {
     forms = std::make_unique<RowForms>();
     forms->assign(bodies(), *source, interrupt);
   }
+};
+
+// The objects that a query searches: all objects of a scene, or a snapshot of a tree.
+//
+//   SearchTarget ships{"ships", scene, nullptr};             // every object is tested
+//   SearchTarget quays{"quays", nullptr, snapshot};          // nodes are read as the query needs them
+//
+// Both give the same rows. Exactly one of the two is set.
+
+struct SearchTarget {
+  std::string name;  ///< of the table, for messages
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<NodeSource> tree;
+
+  const Layout& layout() const { return scene ? scene->layout : tree->layout(); }
 };
 
 }  // namespace foresee

@@ -174,7 +174,7 @@ struct OutlineShape {
 // A mesh of triangles in space, a surface or a solid; r inflates it on all sides. An object without a mesh is
 // a point or a ball of its radius.
 //
-// A row has the number of its mesh and the bounding box of the rotated mesh (mesh/turned_mesh.h), so that box
+// A row has the number of its mesh and the bounding box of the rotated mesh (mesh/mesh.h), so that box
 // tests need no look-up of meshes.
 struct MeshShape {
   static constexpr Shape shape = Shape::mesh;

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "base/float_environment.h"
-#include "motion/life_interval.h"
+#include "motion/swept_box.h"
 
 namespace foresee {
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/error.h"
+#include "shape/mesh/mesh.h"
 #include "shape/mesh/mesh_check.h"
 #include "shape/mesh/mesh_text.h"
 #include "shape/mesh/triangle_tree.h"
-#include "shape/mesh/turned_mesh.h"
 #include "storage/format/mesh_blob.h"
 #include "wkt.h"
 

@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "motion/plan/chunks.h"
 #include "motion/plan/packed_legs.h"
-#include "motion/plan/plan_edit.h"
 #include "motion/plan/plan_legs.h"
 #include "motion/plan/plan_text.h"
 #include "wkt.h"

@@ -2,8 +2,8 @@
 
     sources(ROOT)        # (the text of one source with all examples, how many headers have one)
 
-An example is made of the comment lines before `#pragma once` that are indented by three or more spaces. It becomes a function in
-the namespace of its header. What an example uses and does not declare are parameters: those of GIVEN[name of the header], then of
+An example is made of the lines of a header's comments, at the head or before a part, that are indented by three or more spaces. It
+becomes a function in the namespace of its header. What an example uses and does not declare are parameters: those of GIVEN[name of the header], then of
 COMMON, and each other value is of a type that converts to all others.
 A line without `;` at its end is an expression; so are the parts of a line with four spaces between them. `…` stands for what a
 reader fills in: a value after `=`, `(` or `,`, else statements. Errors of the compiler name the header and line (#line).
@@ -36,9 +36,9 @@ def without_comment(line):
 
 
 def blocks_of(text):
-    """The blocks of indented lines at the head of a header, as [(number of its first line, lines)]."""
+    """The blocks of indented lines in the comments of a header, as [(number of its first line, lines)]."""
     blocks, last = [], 0
-    for number, line in enumerate(text.split("#pragma once")[0].splitlines(), 1):
+    for number, line in enumerate(text.splitlines(), 1):
         if match := LINE.match(line):
             if last != number - 1:
                 blocks.append((number, []))

@@ -17,7 +17,7 @@ from house import ROOT, main
 from prose import split_code_line, without_raw_pages
 
 LIMITS = {
-    "C++ files of ext/": 600,
+    "C++ files of ext/": 550,
     "private headers": 32,
     "private headers without a reason": 0,
     "files over 300 lines": 0,
@@ -39,7 +39,6 @@ PRIVATE = {
     "storage/table/tree_snapshot.h": "a class of its own; store_transactions.cpp would have over 300 lines",
     "contact/boxes/box_lanes_kernel.h": "one file with its kernel has 320 lines: it settles meetings, the kernel settles ends",
     "contact/certified/certain_slope.h": "one file with closest_approach.cpp has 310 lines; a subject of its own, signs of the slope",
-    "contact/clearance/bent_separation.h": "the interface of bent_separation.cpp; both with separation_increase.cpp have 528 lines",
     "contact/mesh/containment.h": "the interface of ray tests, which compile apart from mesh_contact.cpp",
     "contact/mesh/disc_tests.h": "node tests by bounding discs, which compile apart from mesh_contact.cpp",
     "contact/mesh/space_tests.h": "with mesh_contact.cpp it would have 337 lines",

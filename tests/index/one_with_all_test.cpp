@@ -1,7 +1,7 @@
 // Candidates of one row: its pairs with every row of the other side, each once.
-#include "index/one_with_all.h"
-
 #include <gtest/gtest.h>
+
+#include "index/all_pairs.h"
 
 namespace foresee {
 namespace {

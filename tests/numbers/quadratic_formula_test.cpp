@@ -1,9 +1,8 @@
 // Roots of quadratics by the formula without cancellation, in 128 bits and in more: enclosed, and narrowly.
-#include "numbers/quadratic_formula.h"
-
 #include <gtest/gtest.h>
 
 #include "numbers/factors.h"
+#include "numbers/quadratic_root.h"
 #include "numbers/wide_numbers.h"
 
 namespace foresee {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "query/join_cases.h"
-#include "query/search_target.h"
+#include "query/scene.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee::testing {

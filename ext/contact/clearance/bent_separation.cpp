@@ -1,10 +1,9 @@
-#include "contact/clearance/bent_separation.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
+#include "contact/clearance/separation.h"
 #include "contact/clearance/separation_case.h"
 #include "contact/clearance/spread_of_changes.h"
 

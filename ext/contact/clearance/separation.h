@@ -35,4 +35,41 @@ template <int D>
 ClearanceVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
                                    std::uint64_t& evaluations);
 
+// Certificate that an object separates from another one that it touches, on bent paths, for every change of a
+// range.
+//
+//   // a proof for every change of the range
+//   certify_bent_separation<2>(encounter, family, evaluations) == ClearanceVerdict::clear
+//
+// Two proofs join at an instant soon after the middle change of the range has left the other object. Until
+// then the distance of the centres never decreases: its slope is a polynomial of degree 3 in time, and each
+// coefficient is an interval over the range. From then on planes separate the two (separation_case.h). Boxes
+// and cylinders are left per axis, and on the round axes together. On each of these the object is inside
+// first, and then at an increasing distance. Cost: some microseconds.
+
+/// Requires: the two touch at the change; no extents grow, and none is a sum of pieces.
+template <int D>
+ClearanceVerdict certify_bent_separation(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
+                                         std::uint64_t& evaluations);
+
+// Certificate that an object separates from one that it touches when it changes its motion, for every change
+// of a range. If no path is bent, the slope of the distance increases with time, so its sign at the change
+// decides. On bent paths intervals bound the slope (separation.h).
+
+/// Certifies a range of changes for two objects that touch at the change. A change is clear if the distance of
+/// the centres never decreases while they touch, and they do not touch again (separation.h). Convex sets
+/// never touch again if no path is bent. If extents grow, the gap must not decrease. Bent paths of growing
+/// extents or of pieces are blocked. `evaluations`: as for certify_clearance().
+template <int D>
+ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
+                                              const TrajectoryFamily<D>& family, std::uint64_t& evaluations);
+
+/// The same for one of several pieces, or for a piece that rotates: whether it touches at the change is not
+/// known. A change that never touches it is clear too. If doubles cannot decide whether it touches at first,
+/// the two must move apart along every line that may separate them.
+template <int D>
+ClearanceVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
+                                                    const TrajectoryFamily<D>& family,
+                                                    std::uint64_t& evaluations);
+
 }  // namespace foresee

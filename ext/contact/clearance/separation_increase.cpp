@@ -1,11 +1,9 @@
-#include "contact/clearance/separation_increase.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "contact/clearance/bent_separation.h"
+#include "contact/clearance/separation.h"
 #include "contact/clearance/separation_case.h"
 
 namespace foresee {

@@ -5,7 +5,6 @@
 #include "base/float_environment.h"
 #include "contact/contact.h"
 #include "index/paper_grid/thread_clock.h"
-#include "index/paper_grid/time_interval.h"
 #include "index/paper_grid/trajectory.h"
 
 namespace foresee {

@@ -7,7 +7,7 @@
 //   a  projection overlap       the swept boxes meet on every axis
 //   b  centre point             the centres coincide at some time while both exist: an immediate hit, which
 //                               skips the other tests; decided exactly
-//   c  time interval            time_interval.h
+//   c  time interval            trajectory.h
 //   d  trajectory intersection  trajectory.h
 //
 // Guarantee: no pair that touches within the margins of both is lost. Hits of the centre point test count as

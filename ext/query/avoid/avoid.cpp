@@ -7,7 +7,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "motion/life_interval.h"
+#include "motion/swept_box.h"
 #include "query/avoid/clear_ranges.h"
 #include "query/avoid/initial_state.h"
 #include "query/avoid/intruders.h"

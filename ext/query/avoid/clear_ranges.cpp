@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "contact/clearance/blocked_range_end.h"
-#include "contact/clearance/separation_increase.h"
+#include "contact/clearance/separation.h"
 
 namespace foresee {
 namespace {

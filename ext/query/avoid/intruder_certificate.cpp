@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "contact/clearance/departure.h"
-#include "contact/clearance/separation_increase.h"
+#include "contact/clearance/separation.h"
 
 namespace foresee {
 namespace {

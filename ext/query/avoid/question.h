@@ -8,7 +8,6 @@
 
 #include "motion/manoeuvre.h"
 #include "query/scene.h"
-#include "query/search_target.h"
 
 namespace foresee {
 

@@ -6,7 +6,6 @@
 #include "base/float_environment.h"
 #include "index/all_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
-#include "index/one_with_all.h"
 #include "index/paper_grid/paper_candidates.h"
 #include "index/tpr_tree/search/tree_join.h"
 #include "query/join/pair_kinds.h"

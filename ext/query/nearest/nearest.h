@@ -17,7 +17,7 @@
 
 #include "base/error.h"
 #include "contact/contact.h"
-#include "query/search_target.h"
+#include "query/scene.h"
 
 namespace foresee {
 

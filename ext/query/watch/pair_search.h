@@ -12,7 +12,7 @@
 #include <functional>
 #include <span>
 
-#include "index/one_with_all.h"
+#include "index/all_pairs.h"
 #include "query/join/question.h"
 #include "query/table_source.h"
 

@@ -27,7 +27,6 @@
 #include <vector>
 
 #include "query/watch/pair_search.h"
-#include "query/watch/watch_pairs.h"
 #include "query/watch/watch_state.h"
 
 namespace foresee {

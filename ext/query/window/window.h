@@ -19,7 +19,7 @@
 
 #include "base/error.h"
 #include "contact/window_contact.h"
-#include "query/search_target.h"
+#include "query/scene.h"
 #include "shape/kinds.h"
 
 namespace foresee {

@@ -9,10 +9,10 @@
 
 #include <mutex>
 
+#include "shape/mesh/mesh.h"
 #include "shape/mesh/mesh_check.h"
 #include "shape/mesh/mesh_text.h"
 #include "shape/mesh/triangle_tree.h"
-#include "shape/mesh/turned_mesh.h"
 #include "shape/shared_form.h"
 
 namespace foresee {
@@ -29,7 +29,7 @@ class SharedMesh final : public Form {
     std::call_once(cut_, [this] { pieces_ = TriangleTree(mesh_); });
     return pieces_;
   }
-  /// The mesh rotated by `heading` degrees (turned_mesh.h). Throws Error if the result is not a valid mesh,
+  /// The mesh rotated by `heading` degrees (mesh.h). Throws Error if the result is not a valid mesh,
   /// or beyond the largest double. Requires: -360 <= heading <= 360.
   Mesh rotated(double heading) const {
     if (heading == 0) return mesh_;

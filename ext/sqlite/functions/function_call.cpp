@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "base/integer_of.h"
-#include "sqlite/date_text.h"
 #include "sqlite/functions/table_function.h"
 #include "storage/rows/value_text.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geography/frame.h"
-#include "query/search_target.h"
+#include "query/scene.h"
 #include "sqlite/functions/function_call.h"
 
 namespace foresee {

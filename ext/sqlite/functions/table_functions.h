@@ -20,4 +20,9 @@ const TableFunction& predictive_sweep();     // predictive_sweep.cpp
 const TableFunction& predictive_track();     // predictive_track.cpp
 const TableFunction& predictive_window();    // predictive_window.cpp
 
+// The table-valued functions about watches, one file each.
+
+const TableFunction& predictive_changes();  // predictive_changes.cpp
+const TableFunction& predictive_watches();  // predictive_watches.cpp
+
 }  // namespace foresee

@@ -7,7 +7,6 @@
 #include "sqlite/modules.h"
 #include "sqlite/table/moving_objects_table.h"
 #include "sqlite/table/row_write.h"
-#include "sqlite/table/table_commands.h"
 #include "sqlite/table/table_cursor.h"
 #include "sqlite/table/table_declaration.h"
 #include "sqlite/table/table_plan.h"

@@ -11,7 +11,6 @@
 #include "shape/kinds.h"
 #include "shape/outline/shared_outline.h"
 #include "sqlite/callback.h"
-#include "sqlite/date_text.h"
 #include "storage/rows/value_text.h"
 
 namespace foresee {

@@ -2,15 +2,17 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "sqlite/callback.h"
-#include "sqlite/table/table_commands.h"
 #include "sqlite/table/table_cursor.h"
 #include "sqlite/table/table_declaration.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
+
 namespace {
 
 /// The arguments of an xUpdate call that inserts or updates a row, by name.
@@ -142,6 +144,30 @@ void write_table(MovingObjectsTable& table, int count, sqlite3_value** arguments
     *rowid = insert_row(table, NewRow(table, arguments));
   } else {
     update_row(table, sqlite3_value_int64(arguments[0]), NewRow(table, arguments));
+  }
+}
+
+void require_integrity(MovingObjectsTable& table) {
+  constexpr std::size_t limit = 5;
+  const std::vector<std::string> findings = table.store().integrity_check(table.connection->interrupt());
+  if (findings.empty()) return;
+  std::string text;
+  for (std::size_t i = 0; i < findings.size() && i < limit; ++i) text += (i == 0 ? "" : "; ") + findings[i];
+  if (findings.size() > limit) text += "; and " + std::to_string(findings.size() - limit) + " more";
+  throw StoreError(SQLITE_CORRUPT_VTAB, table.name + ": " + text);
+}
+
+void run_command(MovingObjectsTable& table, sqlite3_value* command) {
+  const std::string word = sqlite3_value_type(command) == SQLITE_TEXT ? text_of(command) : "";
+  if (word == "rebuild") {
+    table.store().rebuild(table.connection->interrupt());
+  } else if (word == "optimize") {
+    table.store().optimize(table.connection->interrupt());
+  } else if (word == "integrity-check") {
+    require_integrity(table);
+  } else {
+    throw Error(table.name + ": no command " + shown(command) +
+                "; known are 'rebuild', 'optimize' and 'integrity-check'");
   }
 }
 

@@ -1,10 +1,10 @@
 // predictive_changes(watch, since, schema) in SQL: the changes that a watch has logged since a position.
 #include "sqlite/callback.h"
 #include "sqlite/functions/table_function.h"
+#include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
-#include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watches.h"
 
 namespace foresee {

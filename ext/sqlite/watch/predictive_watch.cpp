@@ -5,10 +5,10 @@
 
 #include "query/watch/pair_contacts.h"
 #include "sqlite/callback.h"
+#include "sqlite/functions/table_functions.h"
 #include "sqlite/modules.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/watch/declare_watch.h"
-#include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watch_table.h"
 #include "storage/rows/value_text.h"
 

@@ -1,9 +1,9 @@
 // predictive_watches in SQL: every watch that the connection sees, with its declaration, clock and position.
 #include <algorithm>
 
+#include "sqlite/functions/table_functions.h"
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
-#include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watch_table.h"
 #include "sqlite/watch/watches.h"
 

@@ -14,7 +14,6 @@
 #include <string_view>
 #include <vector>
 
-#include "query/watch/watch_pairs.h"
 #include "query/watch/watch_state.h"
 #include "storage/rows/shadow_tables.h"
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "storage/rows/sqlite_api.h"
@@ -25,5 +26,10 @@ std::string without_nul(std::string text);
 
 /// The value as a message shows it: 1.5, 'text' (cut off if it is long), a blob of 2 bytes, NULL.
 std::string shown(sqlite3_value* value);
+
+// Recognizes date texts. Times are numbers, so the error message for a date says how to convert it.
+
+/// "unixepoch('2026-11-21 12:00')" for a text that starts with a date, or is 'now'; nothing for another value.
+std::optional<std::string> as_unixepoch(sqlite3_value* value);
 
 }  // namespace foresee

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "contact/clearance/blocked_range_end.h"
-#include "contact/clearance/separation_increase.h"
 #include "contact/clearance/straight_approach.h"
 #include "scenes.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "contact/mesh/draw_mesh.h"
-#include "shape/mesh/turned_mesh.h"
+#include "shape/mesh/mesh.h"
 
 namespace foresee::testing_by_hand {
 namespace {

@@ -3,7 +3,6 @@
 
 #include "contact/contact.h"
 #include "index/candidate_pairs.h"
-#include "index/paper_grid/time_interval.h"
 #include "index/paper_grid/trajectory.h"
 
 namespace foresee {

@@ -1,5 +1,3 @@
-#include "motion/plan/plan_edit.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "index/paper_grid/time_interval.h"
 #include "index/paper_grid/trajectory.h"
 #include "query/join_cases.h"
 #include "sanitized.h"

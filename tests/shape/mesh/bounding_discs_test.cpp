@@ -5,8 +5,8 @@
 
 #include <random>
 
+#include "shape/mesh/mesh.h"
 #include "shape/mesh/triangle_tree.h"
-#include "shape/mesh/turned_mesh.h"
 
 namespace foresee {
 namespace {

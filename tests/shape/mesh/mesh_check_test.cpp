@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "shape/mesh/mesh.h"
 #include "shape/mesh/mesh_text.h"
 #include "shape/mesh/test_meshes.h"
-#include "shape/mesh/turned_mesh.h"
 
 namespace foresee {
 namespace {

@@ -4,7 +4,6 @@
 #include "base/float_environment.h"
 #include "geography/plane.h"
 #include "sqlite/functions/geo/geo_inputs.h"
-#include "sqlite/functions/one_row.h"
 #include "sqlite/functions/table_functions.h"
 
 namespace foresee {

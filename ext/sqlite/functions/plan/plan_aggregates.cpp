@@ -11,7 +11,6 @@
 #include "base/number_text.h"
 #include "motion/plan/plan_legs.h"
 #include "sqlite/functions/plan/plan_functions.h"
-#include "sqlite/functions/plan/plan_value.h"
 #include "storage/rows/statement.h"
 #include "storage/rows/value_text.h"
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "motion/plan/plan.h"
 #include "sqlite/callback.h"
 #include "storage/rows/sqlite_api.h"
 
@@ -35,5 +36,17 @@ void report_by_name(sqlite3_context* context, const char* name, Body&& body) noe
   if (rc == SQLITE_INTERRUPT) sqlite3_result_error_code(context, rc);
   sqlite3_free(message);
 }
+
+// Plans as SQL values: well-known text or a blob, in and out.
+//
+//   const std::optional<Plan> plan = plan_of(value);             // nothing for NULL and ''
+//   if (plan) result_plan(context, *plan, sqlite3_value_type(value) == SQLITE_TEXT);
+//
+// Throws Error for a value that is no plan; the message says what to write instead.
+
+std::optional<Plan> plan_of(sqlite3_value* value);
+
+/// Requires for a text: PlanKind::knots on two or three axes, as plan_of() reads from one.
+void result_plan(sqlite3_context* context, const Plan& plan, bool as_text);
 
 }  // namespace foresee

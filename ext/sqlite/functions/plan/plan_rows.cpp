@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "motion/plan/plan_legs.h"
-#include "sqlite/functions/plan/plan_value.h"
+#include "sqlite/functions/plan/plan_functions.h"
 #include "sqlite/functions/table_functions.h"
 
 namespace foresee {
