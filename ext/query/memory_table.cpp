@@ -58,13 +58,9 @@ std::shared_ptr<const Scene> MemoryTable::objects(std::span<const std::int64_t> 
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = std::make_shared<Scene>();
   scene->name = name_, scene->layout = layout();
-  const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
   for (const std::int64_t id : ids) {
     const auto found = records_.find(id);
-    if (found == records_.end()) continue;
-    scene->ids.push_back(id);
-    scene->rows.resize(scene->rows.size() + row_size);
-    row_from_record(scene->layout, found->second.data(), scene->rows.data() + scene->rows.size() - row_size);
+    if (found != records_.end()) scene->add(id, found->second.data());
   }
   return scene;
 }

@@ -35,6 +35,14 @@ struct Scene {
     if (forms) forms->attach_to(bodies);
     return bodies;
   }
+  /// Appends an object; its outline or mesh is not read. Requires: FloatEnvironment, because an acceleration is
+  /// computed from the record.
+  void add(std::int64_t id, const double* record) {
+    const auto row_size = static_cast<std::size_t>(row_offsets(layout).size);
+    ids.push_back(id);
+    rows.resize(rows.size() + row_size);
+    row_from_record(layout, record, rows.data() + rows.size() - row_size);
+  }
   /// Requires: all rows are in the scene. `source`: null for a layout without outlines and meshes.
   void take_forms(FormSource* source, Interrupt& interrupt) {
     if (!source) return;

@@ -115,11 +115,7 @@ std::shared_ptr<Scene> Connection::load_object(const OpenTable& table, std::int6
   scene->name = table.table;
   scene->layout = table.store->declaration().layout;
   const FloatEnvironment environment;  // accelerations are computed on loading
-  if (const auto record = table.store->read(id)) {
-    scene->ids = {id};
-    scene->rows.resize(static_cast<std::size_t>(row_offsets(scene->layout).size));
-    row_from_record(scene->layout, record->data(), scene->rows.data());
-  }
+  if (const auto record = table.store->read(id)) scene->add(id, record->data());
   return scene;
 }
 

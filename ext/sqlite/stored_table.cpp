@@ -23,14 +23,10 @@ std::shared_ptr<const Scene> StoredTable::objects(std::span<const std::int64_t> 
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = std::make_shared<Scene>();
   scene->name = name(), scene->layout = layout();
-  const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
   StatementReadState statement_state;
   for (const std::int64_t id : ids) {
     const std::span<const double> record = table_.store->find(id, statement_state);
-    if (record.empty()) continue;
-    scene->ids.push_back(id);
-    scene->rows.resize(scene->rows.size() + row_size);
-    row_from_record(scene->layout, record.data(), scene->rows.data() + scene->rows.size() - row_size);
+    if (!record.empty()) scene->add(id, record.data());
   }
   scene->take_forms(table_.store->forms(), connection_.interrupt());
   return scene;

@@ -55,25 +55,16 @@ MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, co
   return moving_box<D>(bounds, base.t, span_between(begin, end, horizon), horizon);
 }
 
-void append_row(Scene& near, const double* row, std::int64_t id) {
-  near.ids.push_back(id);
-  near.rows.insert(near.rows.end(), row, row + row_offsets(near.layout).size);
-}
-
 template <int D>
 void walk_tree(NodeSource& tree, const MovingBox<D>& box, const Horizon& horizon,
                std::optional<std::int64_t> itself, const KindTest& partners, Interrupt& interrupt,
                Scene& near) {
   WindowWalk<D> walk(tree, box, horizon, Vec<D>::Zero(), interrupt, partners);
   const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
-  std::vector<double> row(static_cast<std::size_t>(row_offsets(near.layout).size));
   for (LeafHits hits; walk.next(hits);)
-    for (const std::uint32_t slot : hits.slots) {
-      const std::int64_t id = hits.leaf->keys[slot];
-      if (id == itself) continue;
-      row_from_record(near.layout, hits.leaf->values.data() + slot * record_size, row.data());
-      append_row(near, row.data(), id);
-    }
+    for (const std::uint32_t slot : hits.slots)
+      if (const std::int64_t id = hits.leaf->keys[slot]; id != itself)
+        near.add(id, hits.leaf->values.data() + slot * record_size);
 }
 
 /// The same objects as from a tree: those whose boxes meet the box.
@@ -89,8 +80,9 @@ void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
     if (!partners.accepts(kinds_of(bodies.row(i), bodies.at))) continue;
     const MovingBox<D> other = moving_box<D>(bodies, i, horizon, Vec<D>::Zero());
     SharedInterval span = shared_span(other, box);
-    if (all.ids[i] != itself && !span.is_empty() && narrow_to_contact(other, box, span))
-      append_row(near, bodies.row(i), all.ids[i]);
+    if (all.ids[i] == itself || span.is_empty() || !narrow_to_contact(other, box, span)) continue;
+    near.ids.push_back(all.ids[i]);
+    near.rows.insert(near.rows.end(), bodies.row(i), bodies.row(i) + bodies.at.size);
   }
 }
 

@@ -9,15 +9,6 @@
 namespace foresee {
 namespace {
 
-void take(Scene& near, const Node& leaf, std::uint32_t slot) {
-  const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
-  const auto row_size = static_cast<std::size_t>(row_offsets(near.layout).size);
-  near.ids.push_back(leaf.keys[slot]);
-  near.rows.resize(near.rows.size() + row_size);
-  row_from_record(near.layout, leaf.values.data() + slot * record_size,
-                  near.rows.data() + near.rows.size() - row_size);
-}
-
 /// Accepts what may meet the object; nothing if all may.
 std::optional<KindTest> partners_of(const Scene& one, const Layout& others) {
   if (!has_kinds(one.layout) && !has_kinds(others)) return {};
@@ -33,9 +24,11 @@ void walk(const Scene& one, NodeSource& tree, const Horizon& horizon, const Cont
   const Vec<D> margin = margin_of<D>(reach);
   WindowWalk<D> found(tree, moving_box<D>(body, 0, horizon, margin), horizon, margin, interrupt,
                       partners_of(one, tree.layout()));
+  const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
   for (LeafHits hits; found.next(hits);)
     for (const std::uint32_t slot : hits.slots)
-      if (keep(hits.leaf->keys[slot])) take(near, *hits.leaf, slot);
+      if (const std::int64_t id = hits.leaf->keys[slot]; keep(id))
+        near.add(id, hits.leaf->values.data() + slot * record_size);
 }
 
 }  // namespace

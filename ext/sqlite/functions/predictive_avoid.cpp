@@ -239,8 +239,13 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     newest = std::max(newest, read_newest_t(*question.also->tree));
   }
   question.now = given_now.value_or(newest), question.now_given = given_now.has_value();
-  if (auto record = table.store->read(id)) question.record = std::move(*record);
-  const auto own = Connection::load_object(table, id);
+  const auto own = std::make_shared<Scene>();
+  own->name = table.table, own->layout = table.store->declaration().layout;
+  if (auto record = table.store->read(id)) {
+    const FloatEnvironment environment;
+    own->add(id, record->data());
+    question.record = std::move(*record);
+  }
   FormSource* const forms = table.store->forms();
   own->take_forms(forms, connection.interrupt());
   question.own = own;
