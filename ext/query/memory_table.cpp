@@ -1,6 +1,7 @@
 #include "query/memory_table.h"
 
 #include "base/float_environment.h"
+#include "index/tpr_tree/node.h"
 #include "index/tpr_tree/search/tree_join.h"
 
 namespace foresee {
@@ -16,13 +17,11 @@ void MemoryTable::changed(std::int64_t id) {
 
 void MemoryTable::put(std::int64_t id, std::span<const double> record) {
   if (!tree_->update(id, record)) tree_->insert(id, record);
-  records_[id].assign(record.begin(), record.end());
   changed(id);
 }
 
 bool MemoryTable::erase(std::int64_t id) {
   if (!tree_->erase(id)) return false;
-  records_.erase(id);
   changed(id);
   return true;
 }
@@ -36,32 +35,31 @@ double MemoryTable::newest_t() {
   return read_newest_t(pages_);
 }
 
-std::shared_ptr<const Scene> MemoryTable::all(bool with_levels) {
-  if (all_ && (!with_levels || all_->levels)) return all_;
-  std::shared_ptr<Scene> scene;
-  if (with_levels) {
-    NeverInterrupt never;
-    const FloatEnvironment environment;
-    TreeScene tree = read_tree(pages_, never);
-    scene = std::make_shared<Scene>();
-    scene->name = name_, scene->layout = layout();
-    scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
-    scene->levels = std::move(tree.levels);
-    return all_ = scene;
-  }
-  std::vector<std::int64_t> ids;
-  for (const auto& [id, record] : records_) ids.push_back(id);
-  return all_ = objects(ids);
+std::shared_ptr<const Scene> MemoryTable::all(bool) {
+  if (all_) return all_;
+  NeverInterrupt never;
+  const FloatEnvironment environment;  // accelerations are computed on loading
+  TreeScene tree = read_tree(pages_, never);
+  auto scene = std::make_shared<Scene>();
+  scene->name = name_, scene->layout = layout();
+  scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
+  scene->levels = std::move(tree.levels);
+  return all_ = scene;
+}
+
+const double* MemoryTable::find(std::int64_t id) {
+  const auto number = pages_.find_leaf(id);
+  if (!number) return nullptr;
+  const std::shared_ptr<const Node> leaf = pages_.read(*number);  // the pages keep it
+  return leaf->values.data() + slot_of(*leaf, id) * static_cast<std::size_t>(record_offsets(layout()).size);
 }
 
 std::shared_ptr<const Scene> MemoryTable::objects(std::span<const std::int64_t> ids) {
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = std::make_shared<Scene>();
   scene->name = name_, scene->layout = layout();
-  for (const std::int64_t id : ids) {
-    const auto found = records_.find(id);
-    if (found != records_.end()) scene->add(id, found->second.data());
-  }
+  for (const std::int64_t id : ids)
+    if (const double* record = find(id)) scene->add(id, record);
   return scene;
 }
 
@@ -72,9 +70,8 @@ ChangedObjects MemoryTable::changes_since(const std::optional<std::int64_t>& sta
   const int t = record_offsets(layout()).t;
   for (const std::int64_t id : changed_ids_) {
     changed.ids.push_back(id);
-    const auto found = records_.find(id);
-    if (found != records_.end() && t >= 0)
-      changed.instants.push_back(found->second[static_cast<std::size_t>(t)]);
+    const double* record = find(id);
+    if (record && t >= 0) changed.instants.push_back(record[t]);
   }
   return changed;
 }

@@ -9,7 +9,6 @@
 // change. Outlines and meshes are not kept: a layout with `shape` needs a database.
 #pragma once
 
-#include <map>
 #include <set>
 
 #include "index/memory_pages.h"
@@ -31,7 +30,7 @@ class MemoryTable final : public TableSource {
 
   const std::string& name() const override { return name_; }
   const Layout& layout() const override { return pages_.layout(); }
-  double likely_objects() const override { return static_cast<double>(records_.size()); }
+  double likely_objects() const override { return static_cast<double>(pages_.object_count()); }
   double newest_t() override;
   std::shared_ptr<const Scene> all(bool with_levels = false) override;
   bool is_loaded() override { return all_ != nullptr; }
@@ -43,11 +42,12 @@ class MemoryTable final : public TableSource {
 
  private:
   void changed(std::int64_t id);
+  /// Valid until the next change; null if the object does not exist.
+  const double* find(std::int64_t id);
 
   std::string name_;
   MemoryPages pages_;
   std::unique_ptr<TprTree> tree_;
-  std::map<std::int64_t, std::vector<double>> records_;
   std::shared_ptr<const Scene> all_ = nullptr;  ///< of the current contents, once they are read
   std::set<std::int64_t> changed_ids_;          ///< since the last commit
   std::int64_t stamp_ = 0, committed_ = 0;

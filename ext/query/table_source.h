@@ -52,7 +52,7 @@ class TableSource {
 
   /// Equal stamps: equal contents.
   virtual std::optional<std::int64_t> stamp() = 0;
-  /// The objects that differ from the contents of this stamp, in order of ids.
+  /// The objects that were written since this stamp, which perhaps differ; in order of ids.
   virtual ChangedObjects changes_since(const std::optional<std::int64_t>& stamp) = 0;
 };
 
