@@ -6,7 +6,8 @@
 
 namespace foresee {
 
-ChangedObjects changed_objects(Store& store, const std::optional<std::int64_t>& stamp) {
+ChangedObjects StoredTable::changes_since(const std::optional<std::int64_t>& stamp) {
+  Store& store = *table_.store;
   ChangedObjects changed;
   changed.reported = stamp && stamp == store.stamp_before_changes();
   if (!changed.reported) return changed;

@@ -14,9 +14,6 @@
 
 namespace foresee {
 
-/// The objects that this transaction has changed, if its changes start from this stamp.
-ChangedObjects changed_objects(Store& store, const std::optional<std::int64_t>& stamp);
-
 class StoredTable final : public TableSource {
  public:
   /// Requires: the connection outlives this.
@@ -36,9 +33,8 @@ class StoredTable final : public TableSource {
 
   /// That of the stored rows: with an open savepoint, memory may also have nodes that are written already.
   std::optional<std::int64_t> stamp() override { return table_.store->stored_stamp(); }
-  ChangedObjects changes_since(const std::optional<std::int64_t>& stamp) override {
-    return changed_objects(*table_.store, stamp);
-  }
+  /// Those that this transaction has changed, if its changes start from this stamp.
+  ChangedObjects changes_since(const std::optional<std::int64_t>& stamp) override;
 
  private:
   Connection& connection_;

@@ -13,6 +13,17 @@ constexpr double few = 32, share_of_few = 1.0 / 50, many = 64, share_of_many = 0
 
 }  // namespace
 
+ChangedSides changes_since(const JoinedTables& tables, const WatchState& state) {
+  ChangedSides changed{.a = tables.a->changes_since(state.stamp), .b = {}};
+  changed.b = tables.is_within_one() ? changed.a : tables.b->changes_since(state.other_stamp);
+  return changed;
+}
+
+bool any_object(const JoinedTables& tables) {
+  return tables.a->tree()->find_root() != 0 ||
+         (!tables.is_within_one() && tables.b->tree()->find_root() != 0);
+}
+
 bool is_majority(const ChangedObjects& changed, const TableSource& table) {
   return static_cast<double>(changed.ids.size()) > std::max(many, share_of_many * table.likely_objects());
 }

@@ -1,8 +1,8 @@
 // Search for the objects that a transaction has changed, and for their current pairs.
 //
-//   const ChangedObjects changed = tables.a->changes_since(state.stamp);
+//   const ChangedSides changed = changes_since(tables, state);
 //   PairSearch search(tables, question_of(tables, state, {clock, h}), resources);
-//   search.pairs_of(Side::a, changed.ids, [&](std::span<const JoinRow> rows) { … });
+//   search.pairs_of(Side::a, changed.a.ids, [&](std::span<const JoinRow> rows) { … });
 //
 // Guarantee: reports every pair of these objects that is in contact within the horizon, once for each of its
 // changed objects. Within one table a pair may have either order. Cost: a probe of the other side's tree per
@@ -15,8 +15,18 @@
 #include "index/all_pairs.h"
 #include "query/join/question.h"
 #include "query/table_source.h"
+#include "query/watch/watch_state.h"
 
 namespace foresee {
+
+/// The objects that differ, perhaps, from those of a watch's rows.
+struct ChangedSides {
+  ChangedObjects a, b;  ///< equal within one table
+};
+ChangedSides changes_since(const JoinedTables& tables, const WatchState& state);
+
+/// Whether either table has an object. Cost: a node per table.
+bool any_object(const JoinedTables& tables);
 
 /// Whether the objects are so many that a join of all is cheaper than reading their old and new pairs.
 bool is_majority(const ChangedObjects& changed, const TableSource& table);

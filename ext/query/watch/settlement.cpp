@@ -41,11 +41,7 @@ std::optional<WatchState> Settlement::settle(Log log) {
   const bool same_contents = state_.stamp == before_.stamp && state_.other_stamp == before_.other_stamp;
   if (same_contents && !before_.asked && !before_.anew) return std::nullopt;
   logs_ = log == Log::changes;
-  changed_a_ = tables_.a->changes_since(before_.stamp);
-  if (tables_.are_one())
-    changed_b_ = changed_a_;
-  else if (tables_.b)
-    changed_b_ = tables_.b->changes_since(before_.other_stamp);
+  changed_ = changes_since(tables_, before_);
   move_clock();
   if (must_recompute())
     recompute();
@@ -91,11 +87,8 @@ void Settlement::read_old_pairs() {
   const auto add = [&](const std::vector<WatchedPair>& pairs) {
     old_.insert(old_.end(), pairs.begin(), pairs.end());
   };
-  for (const std::int64_t id : changed_a_.ids) {
-    add(rows_.pairs_of_a(id));
-    if (!tables_.b) add(rows_.pairs_of_b(id));
-  }
-  for (const std::int64_t id : changed_b_.ids) add(rows_.pairs_of_b(id));
+  for (const std::int64_t id : changed_.a.ids) add(rows_.pairs_of_a(id));
+  for (const std::int64_t id : changed_.b.ids) add(rows_.pairs_of_b(id));
 }
 
 /// Reads the due pairs whose objects have not changed. A waiting pair that enters the horizon keeps its
@@ -103,7 +96,7 @@ void Settlement::read_old_pairs() {
 void Settlement::query_due_pairs() {
   std::vector<PairIds> uncertain;
   const auto is_changed = [&](const WatchedPair& pair) {
-    return changed_a_.holds(pair.a) || (tables_.b ? changed_b_ : changed_a_).holds(pair.b);
+    return changed_.a.holds(pair.a) || changed_.b.holds(pair.b);
   };
   const auto read_pair = [&](const WatchedPair& pair) {
     if (is_changed(pair)) return;
@@ -119,11 +112,11 @@ void Settlement::query_due_pairs() {
 }
 
 void Settlement::search_changed() {
-  if (changed_a_.ids.empty() && changed_b_.ids.empty()) return;
+  if (changed_.a.ids.empty() && changed_.b.ids.empty()) return;
   PairSearch search(tables_, question(queried_horizon()), resources_);
   const auto take_all = [&](std::span<const JoinRow> rows) { take(rows); };
-  search.pairs_of(Side::a, changed_a_.ids, take_all);
-  if (tables_.b) search.pairs_of(Side::b, changed_b_.ids, take_all);
+  search.pairs_of(Side::a, changed_.a.ids, take_all);
+  if (tables_.b) search.pairs_of(Side::b, changed_.b.ids, take_all);
 }
 
 /// Adds the contacts that start at or after `from`, and those whose end is within reach only now.

@@ -54,7 +54,6 @@ class Settlement {
  private:
   void follow_reports();
   std::vector<double> reported_times() const;
-  bool any_object() const;
   void move_clock();
   bool must_recompute() const;
   void extend_look_ahead();
@@ -86,7 +85,7 @@ class Settlement {
   WatchLog& log_;
   JoinResources resources_;
   WatchState before_, state_;
-  ChangedObjects changed_a_, changed_b_;
+  ChangedSides changed_;
   double clock_ = 0;        ///< new value
   double horizon_end_ = 0;  ///< clock + horizon, rounded
   double reach_ = 0;        ///< length of the contact queries, from the clock

@@ -18,16 +18,12 @@ void append_times(const Scene& scene, std::vector<double>& instants) {
 
 }  // namespace
 
-bool Settlement::any_object() const {
-  return tables_.a->tree()->find_root() != 0 || tables_.last().tree()->find_root() != 0;
-}
-
 void Settlement::move_clock() {
   if (state_.asked) state_.clock = state_.asked;
   state_.asked.reset();
   if (!state_.manual && state_.ahead)
     follow_reports();
-  else if ((!state_.manual || !state_.clock) && any_object()) {
+  else if ((!state_.manual || !state_.clock) && any_object(tables_)) {
     const double newest = tables_.newest_t();
     state_.clock = std::max(newest, state_.clock.value_or(newest));
   }
@@ -49,8 +45,8 @@ std::vector<double> Settlement::reported_times() const {
     else
       append_times(*table.all(), instants);
   };
-  add(changed_a_, *tables_.a);
-  if (tables_.b && !tables_.are_one()) add(changed_b_, *tables_.b);
+  add(changed_.a, *tables_.a);
+  if (!tables_.is_within_one()) add(changed_.b, *tables_.b);
   std::sort(instants.begin(), instants.end());
   return instants;
 }
@@ -59,7 +55,7 @@ std::vector<double> Settlement::reported_times() const {
 /// have no clock to compare with: it starts at their median, since most times are right.
 void Settlement::follow_reports() {
   const std::vector<double> instants = reported_times();
-  const bool counts = !state_.clock || (changed_a_.reported && changed_b_.reported);
+  const bool counts = !state_.clock || (changed_.a.reported && changed_.b.reported);
   if (!state_.clock && !instants.empty()) state_.clock = instants[(instants.size() - 1) / 2];
   for (const double t : instants) {
     if (t > *state_.clock + *state_.ahead)
@@ -70,9 +66,9 @@ void Settlement::follow_reports() {
 }
 
 bool Settlement::must_recompute() const {
-  if (!changed_a_.reported || !changed_b_.reported || before_.anew || !before_.clock) return true;
+  if (!changed_.a.reported || !changed_.b.reported || before_.anew || !before_.clock) return true;
   if (clock_ < *before_.clock || clock_ > before_.known_to) return true;
-  return is_majority(changed_a_, *tables_.a) || (tables_.b && is_majority(changed_b_, *tables_.b));
+  return is_majority(changed_.a, *tables_.a) || is_majority(changed_.b, tables_.last());
 }
 
 /// Doubles or halves the look-ahead. A search costs about a hundred nanoseconds per object at any length.

@@ -200,7 +200,7 @@ int watch_rename(sqlite3_vtab* base, const char* new_name) noexcept {
     WatchTable& table = table_of(base);
     Connection& connection = *table.connection;
     const WatchState state = table.rows()->read_state();
-    const bool settled = is_settled(state, watched_tables(connection, table.name.schema, state));
+    const bool settled = is_settled(connection, state, watched_tables(connection, table.name.schema, state));
     parse_watch(new_name, {"ships", "horizon = 0"});  // throws for a name that a watch cannot have
     table.watches().remove_from_tables(connection, table.name, state);
     table.watches().forget(table.name);

@@ -40,12 +40,13 @@ struct ListedWatch {
 };
 
 /// Whether the next commit must recompute the watch. Changes of an open transaction are not a reason.
-bool is_lost(const WatchState& state, const OpenTables& tables) {
-  if (is_settled(state, tables)) return false;
-  ChangedSides changed{.a = changed_objects(*tables.a.store, state.stamp), .b = {}};
-  if (tables.b && !tables.are_one()) changed.b = changed_objects(*tables.b->store, state.other_stamp);
+bool is_lost(Connection& connection, const WatchState& state, const OpenTables& tables) {
+  if (is_settled(connection, state, tables)) return false;
+  const JoinedTables sources = sources_of(connection, tables);
+  const ChangedSides changed = changes_since(sources, state);
   if (state.anew || !changed.a.reported || !changed.b.reported) return true;
-  return changed.a.ids.empty() && changed.b.ids.empty() && lacks_clock(state, tables);
+  // Objects without a clock: it is lost, unless this transaction has added them.
+  return changed.a.ids.empty() && changed.b.ids.empty() && !state.clock && any_object(sources);
 }
 
 /// Throws Error if the table's _meta does not list the watch. A table settles only the watches of that list.
@@ -67,7 +68,7 @@ ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool c
     const OpenTables tables = watched_tables(connection, name.schema, watch.state);
     require_listed(tables.a, name.table);
     if (tables.b) require_listed(*tables.b, name.table);
-    if (is_lost(watch.state, tables))
+    if (is_lost(connection, watch.state, tables))
       watch.fault = "not up to date: read by the join, and recomputed at the next commit";
   } catch (const StoreError& error) {
     const int code = error.code & 0xff;

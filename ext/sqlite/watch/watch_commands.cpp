@@ -45,7 +45,7 @@ std::string watch_fault(WatchTable& table) {
   const WatchState state = rows->read_state();
   if (!rows->indexes_agree()) return "the indexes of " + table.name.table + "_pair do not hold its rows";
   const OpenTables tables = watched_tables(connection, table.name.schema, state);
-  if (!is_settled(state, tables)) return "";
+  if (!is_settled(connection, state, tables)) return "";
   std::vector<ShownPair> held;
   for (const WatchedPair& pair : rows->pairs())
     if (pair.held) held.push_back({pair.a, pair.b, std::max(pair.t, state.now())});

@@ -28,19 +28,13 @@ void result_key(sqlite3_context* context, const JoinRow& row) {
 
 }  // namespace
 
-bool is_settled(const WatchState& state, const OpenTables& tables) {
+bool is_settled(Connection& connection, const WatchState& state, const OpenTables& tables) {
   const auto holds = [](const Connection::OpenTable& table, const std::optional<std::int64_t>& stamp) {
     return stamp && table.store->settled_stamp() == stamp;
   };
   return !state.anew && !state.asked && holds(tables.a, state.stamp) &&
-         (!tables.b || holds(*tables.b, state.other_stamp)) && !lacks_clock(state, tables);
-}
-
-bool lacks_clock(const WatchState& state, const OpenTables& tables) {
-  const auto has_any = [](const Connection::OpenTable& table) {
-    return table.store->take_snapshot()->find_root() != 0;
-  };
-  return !state.clock && (has_any(tables.a) || (tables.b && has_any(*tables.b)));
+         (!tables.b || holds(*tables.b, state.other_stamp)) &&
+         (state.clock || !any_object(sources_of(connection, tables)));
 }
 
 void WatchCursor::filter(int plan, sqlite3_value** arguments) {
@@ -59,7 +53,7 @@ void WatchCursor::filter(int plan, sqlite3_value** arguments) {
   const WatchState state = rows->read_state();
   const OpenTables tables = watched_tables(connection, table_.name.schema, state);
   now_ = state.now();
-  if (is_settled(state, tables)) {
+  if (is_settled(connection, state, tables)) {
     give(kept_pairs(*rows, {}), state, tables);
   } else if (!read_changed(*rows, state, tables)) {
     rows->pair(0, 0);  // throws if the table of pairs is missing
@@ -82,8 +76,7 @@ std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSid
 bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const OpenTables& tables) {
   if (state.anew || state.asked || !state.clock) return false;
   const JoinedTables sources = sources_of(*table_.connection, tables);
-  ChangedSides changed{.a = sources.a->changes_since(state.stamp), .b = {}};
-  changed.b = sources.is_within_one() ? changed.a : sources.b->changes_since(state.other_stamp);
+  const ChangedSides changed = changes_since(sources, state);
   if (!changed.a.reported || !changed.b.reported || is_majority(changed.a, *sources.a)) return false;
   if (is_majority(changed.b, sources.last())) return false;
   // For one object, all its pairs are recomputed, however many other objects have changed.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "query/join/join.h"
+#include "query/watch/pair_search.h"
 #include "sqlite/watch/watches.h"
 
 namespace foresee {
@@ -50,11 +51,6 @@ struct WatchPlan {
   enum Bits : int { by_a = 1, by_b = 2, times = 4, approach = 8 };
 };
 
-/// What the open transaction has changed on each side; equal for a watch within one table.
-struct ChangedSides {
-  ChangedObjects a, b;
-};
-
 /// A pair with the time that readers see: its contact's start, clipped to the clock.
 struct ShownPair {
   std::int64_t a, b;
@@ -96,9 +92,6 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
 std::string watch_fault(WatchTable& table);
 
 /// Whether the rows match the tables as this connection sees them, at the time of the watch's clock.
-bool is_settled(const WatchState& state, const OpenTables& tables);
-
-/// Whether objects exist but no clock: the clock is lost, unless the open transaction has added the objects.
-bool lacks_clock(const WatchState& state, const OpenTables& tables);
+bool is_settled(Connection& connection, const WatchState& state, const OpenTables& tables);
 
 }  // namespace foresee
