@@ -67,4 +67,13 @@ int code_of_exception(char** message) noexcept {
   }
 }
 
+void result_error(sqlite3_context* context, int rc, char* message) noexcept {
+  if (rc == SQLITE_NOMEM || (message == nullptr && rc != SQLITE_INTERRUPT))
+    sqlite3_result_error_nomem(context);
+  else if (message != nullptr)
+    sqlite3_result_error(context, message, -1);
+  if (rc == SQLITE_INTERRUPT) sqlite3_result_error_code(context, rc);
+  sqlite3_free(message);
+}
+
 }  // namespace foresee

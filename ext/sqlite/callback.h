@@ -9,6 +9,7 @@
 
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "base/error.h"
 #include "storage/rows/sqlite_api.h"
@@ -40,6 +41,18 @@ int guarded(char** message, Body&& body) noexcept {
   } catch (...) {
     return code_of_exception(message);
   }
+}
+
+/// Gives a scalar or aggregate function the error of guarded(), and frees `message`.
+void result_error(sqlite3_context* context, int rc, char* message) noexcept;
+
+/// Runs the body of such a function; an exception becomes its error, with the function's name in front.
+template <class Body>
+void report_by_name(sqlite3_context* context, const char* name, Body&& body) noexcept {
+  char* message = nullptr;
+  const int rc = guarded(&message, std::forward<Body>(body));
+  if (message != nullptr) message = sqlite3_mprintf("%s: %z", name, message);
+  if (rc != SQLITE_OK) result_error(context, rc, message);
 }
 
 }  // namespace foresee

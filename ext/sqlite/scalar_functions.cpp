@@ -46,9 +46,7 @@ void geo_distance(sqlite3_context* context, int, sqlite3_value** values) {
     const Geodesic line = geodesic_between({numbers[0], numbers[1]}, {numbers[2], numbers[3]});
     sqlite3_result_double(context, line.distance);
   });
-  if (rc == SQLITE_NOMEM) sqlite3_result_error_nomem(context);
-  if (rc == SQLITE_ERROR) sqlite3_result_error(context, message, -1);
-  sqlite3_free(message);
+  if (rc != SQLITE_OK) result_error(context, rc, message);
 }
 
 }  // namespace

@@ -77,10 +77,8 @@ std::optional<double> FunctionCall::number(int input) const {
   if (!value) return std::nullopt;
   const int type = sqlite3_value_numeric_type(value);
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, "a number");
-  const double number = sqlite3_value_double(value);
-  if (type == SQLITE_INTEGER && integer_of(number) != sqlite3_value_int64(value))
-    reject(input, "a number that a double holds exactly");
-  return number;
+  if (is_inexact(value)) reject(input, "a number that a double holds exactly");
+  return sqlite3_value_double(value);
 }
 
 double FunctionCall::required_number(int input) const {
@@ -133,8 +131,7 @@ FunctionCall::Bounds FunctionCall::bounds(int output) const {
     const int type = sqlite3_value_numeric_type(hint.value);
     if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) continue;
     const double number = sqlite3_value_double(hint.value);
-    // An integer that no double equals may be on either side of its nearest double.
-    const bool exact = type == SQLITE_FLOAT || integer_of(number) == sqlite3_value_int64(hint.value);
+    const bool exact = !is_inexact(hint.value);  // else it may be on either side of its nearest double
     const double below = std::nextafter(number, -inf), above = std::nextafter(number, inf);
     if (hint.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.min = std::max(bounds.min, exact ? above : below);
     if (hint.op == SQLITE_INDEX_CONSTRAINT_GE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)

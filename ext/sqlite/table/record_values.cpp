@@ -165,7 +165,7 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
                    : "not a number; write a finite number");
   }
   const double number = sqlite3_value_double(value);
-  if (type == SQLITE_INTEGER && integer_of(number) != sqlite3_value_int64(value))
+  if (is_inexact(value))
     refuse(column.name, id, shown(value),
            "no double holds this integer; write " + shown(number) + " for the nearest that one does");
   if (!std::isfinite(number)) refuse(column.name, id, shown(value), rule_for_infinity(quantity));

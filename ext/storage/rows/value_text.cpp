@@ -4,6 +4,7 @@
 #include <new>
 #include <string_view>
 
+#include "base/integer_of.h"
 #include "base/number_text.h"
 
 namespace foresee {
@@ -68,6 +69,11 @@ std::string shown(sqlite3_value* value) {
       return std::string("'").append(prefix(text, limit)).append("...'");
     }
   }
+}
+
+bool is_inexact(sqlite3_value* value) {
+  return sqlite3_value_numeric_type(value) == SQLITE_INTEGER &&
+         integer_of(sqlite3_value_double(value)) != sqlite3_value_int64(value);
 }
 
 std::optional<std::string> as_unixepoch(sqlite3_value* value) {

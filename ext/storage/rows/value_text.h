@@ -21,6 +21,9 @@ std::string text_of(sqlite3_stmt* row, int column, std::size_t limit = std::stri
 /// True for NULL and for an empty text, which both mean that a value was left out.
 bool is_null_or_empty(sqlite3_value* value);
 
+/// True for an integer that no double equals, such as 2^53 + 1, and for the text of one.
+bool is_inexact(sqlite3_value* value);
+
 /// For messages, which a NUL would end: replaces each NUL by \0.
 std::string without_nul(std::string text);
 

@@ -39,6 +39,23 @@ TEST(Text, IsAsLongAsItIs) {
   EXPECT_EQ(reading.text, "1.5");
 }
 
+void test_exactness(sqlite3_context* context, int, sqlite3_value** arguments) {
+  sqlite3_result_int(context, is_inexact(arguments[0]));
+}
+
+TEST(Values, AreInexactIfNoDoubleHoldsTheInteger) {
+  Database db;
+  sqlite3_create_function(db, "is_inexact", 1, SQLITE_UTF8, nullptr, test_exactness, nullptr, nullptr);
+  const auto is_inexact = [&](const std::string& value) {
+    return db.number("SELECT is_inexact(" + value + ")");
+  };
+  for (const char* value : {"9007199254740993", "'9007199254740993'", "9223372036854775807"})
+    EXPECT_EQ(is_inexact(value), 1) << value;
+  for (const char* value :
+       {"9007199254740992", "-9223372036854775808", "0.1", "1e300", "'east'", "NULL", "x'00'"})
+    EXPECT_EQ(is_inexact(value), 0) << value;
+}
+
 void show_argument(sqlite3_context* context, int, sqlite3_value** arguments) {
   *static_cast<std::string*>(sqlite3_user_data(context)) = shown(arguments[0]);
 }

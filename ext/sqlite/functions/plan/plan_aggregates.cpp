@@ -10,6 +10,7 @@
 #include "base/interrupt_steps.h"
 #include "base/number_text.h"
 #include "motion/plan/plan_legs.h"
+#include "sqlite/callback.h"
 #include "sqlite/functions/plan/plan_functions.h"
 #include "storage/rows/statement.h"
 #include "storage/rows/value_text.h"

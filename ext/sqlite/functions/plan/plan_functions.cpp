@@ -7,7 +7,6 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/integer_of.h"
 #include "base/number_text.h"
 #include "motion/plan/arc.h"
 #include "motion/plan/packed_legs.h"
@@ -23,10 +22,9 @@ std::optional<double> plan_number(sqlite3_value* value, const char* name) {
   const int type = sqlite3_value_numeric_type(value);
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT)
     throw Error(std::string(name) + " must be a number, not " + shown(value));
-  const double number = sqlite3_value_double(value);
-  if (type == SQLITE_INTEGER && integer_of(number) != sqlite3_value_int64(value))
+  if (is_inexact(value))
     throw Error(std::string(name) + " must be a number that a double holds exactly, not " + shown(value));
-  return number;
+  return sqlite3_value_double(value);
 }
 
 namespace {
