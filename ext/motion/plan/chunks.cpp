@@ -13,13 +13,10 @@
 #include <cmath>
 
 #include "base/float_environment.h"
-#include "motion/position.h"
 #include "motion/swept_box.h"
 
 namespace foresee {
 namespace {
-
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// The position at the end of a leg, up to rounding. Requires: the leg ends.
 double end_of(const Leg& leg, std::size_t axis) {
@@ -52,7 +49,7 @@ Ends range_around(const ChunkBox& box, const Leg& leg, std::size_t axis) {
   const double pad =
       16 * u * (std::abs(x) + std::abs(bx) + std::abs(bv) * since + std::abs(v) * s) + (s + 4) * 0x1p-1020;
   const Ends range = swept_axis(offset, v, a, life, pad, pad);
-  return std::isnan(range.lower + range.upper) ? Ends{-unbounded, unbounded} : range;
+  return std::isnan(range.lower + range.upper) ? Ends{-no_end, no_end} : range;
 }
 
 Ends hull(const Ends& a, const Ends& b) {

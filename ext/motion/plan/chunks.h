@@ -1,4 +1,5 @@
 // Chunks of a plan: runs of at most 16 legs, each inside one moving box, which is what an index stores of a plan.
+// No query calls this yet; those of plans as a column will.
 //
 //   const std::vector<ChunkRange> ranges = cut_into_chunks(legs);
 //   const ChunkBox box = chunk_box(legs.subspan(ranges[0].first, ranges[0].count), 2);

@@ -19,13 +19,8 @@ std::size_t numbers_per_item(PlanKind kind, std::size_t axes) {
   return kind == PlanKind::knots ? 1 + axes : 2 + axes * (kind == PlanKind::uniform ? 2 : 3);
 }
 
-/// A double in little-endian order on every processor.
-std::uint64_t little_endian(std::uint64_t bits) {
-  if constexpr (std::endian::native == std::endian::little) return bits;
-  std::uint64_t turned = 0;
-  for (int i = 0; i < 8; ++i) turned = turned << 8 | (bits >> (8 * i) & 0xff);
-  return turned;
-}
+static_assert(std::endian::native == std::endian::little,
+              "plans are stored in the byte order of a little-endian CPU");
 
 class Writer {
  public:
@@ -37,9 +32,8 @@ class Writer {
   }
 
   void put(double number) {
-    const std::uint64_t bits = little_endian(std::bit_cast<std::uint64_t>(number));
-    const auto* first = reinterpret_cast<const std::byte*>(&bits);
-    bytes_.insert(bytes_.end(), first, first + sizeof bits);
+    const auto* first = reinterpret_cast<const std::byte*>(&number);
+    bytes_.insert(bytes_.end(), first, first + sizeof number);
   }
   void put(const std::array<double, 3>& vector) {
     for (std::size_t j = 0; j < axes_; ++j) put(vector[j]);
@@ -77,10 +71,10 @@ class Reader {
 
  private:
   double number() {
-    std::uint64_t bits;
-    std::memcpy(&bits, &bytes_[at_], sizeof bits);
-    at_ += sizeof bits;
-    return std::bit_cast<double>(little_endian(bits));
+    double value;
+    std::memcpy(&value, &bytes_[at_], sizeof value);
+    at_ += sizeof value;
+    return value;
   }
   [[noreturn]] void refuse() const {
     throw Error("byte " + std::to_string(at_ - sizeof(double)) + ": not a finite number");

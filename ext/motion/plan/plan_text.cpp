@@ -1,8 +1,7 @@
 #include "motion/plan/plan_text.h"
 
-#include <charconv>
-
 #include "base/float_environment.h"
+#include "base/number_text.h"
 #include "motion/plan/plan_legs.h"
 
 namespace foresee {
@@ -101,20 +100,12 @@ class PlanReader : WktLexer {
   Plan plan_;
 };
 
-void write_number(double number, std::string& text) {
-  char digits[32];
-  text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
-}
-
 /// "(0 0 0, 10 0 5)"
 void write_part(const Plan& plan, std::size_t part, std::string& text) {
   for (std::size_t i = plan.part_starts[part]; i < plan.part_end(part); ++i) {
     text += i == plan.part_starts[part] ? "(" : ", ";
-    for (int j = 0; j < plan.axes; ++j) {
-      write_number(plan.knots[i].x[static_cast<std::size_t>(j)], text);
-      text += ' ';
-    }
-    write_number(plan.knots[i].t, text);
+    for (int j = 0; j < plan.axes; ++j) text += shown(plan.knots[i].x[static_cast<std::size_t>(j)]) + ' ';
+    text += shown(plan.knots[i].t);
   }
   text += ')';
 }

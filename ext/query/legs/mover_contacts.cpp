@@ -78,10 +78,4 @@ std::vector<ContactTimes> mover_contacts(std::vector<LegContact>& contacts) {
   return found;
 }
 
-std::optional<ContactTimes> first_mover_contact(std::vector<LegContact>& contacts) {
-  const std::vector<ContactTimes> all = mover_contacts(contacts);
-  if (all.empty()) return std::nullopt;
-  return all.front();
-}
-
 }  // namespace foresee

@@ -1,18 +1,17 @@
-// Contacts of two movers from the contacts of their legs: those that meet in time are one.
+// Contacts of two movers from the contacts of their legs: those that meet in time are one. No query calls this yet;
+// those of plans as a column will.
 //
 //   std::vector<LegContact> found = …;             // of all pairs of legs, each by Contact::all_contacts()
 //   const std::vector<ContactTimes> all = mover_contacts(found);
-//   const std::optional<ContactTimes> first = first_mover_contact(found);
 //
 // A mover is the union of its legs (motion/plan/plan.h), and a leg ends within rounding of the start of the next one.
 // So contacts of different pairs of legs whose [t, t_end] meet, as doubles, are one contact: from the smallest t to the
 // largest t_end, and the same for dt. Contacts of one pair of legs are never joined directly, only by a third contact
-// that meets both. The first contact has the smallest t, and of equal ones the smallest t_end.
+// that meets both. The result is in order of t, and of equal ones in order of t_end.
 // Cost: n log n, and a test for each of the contacts that last at one time.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "contact/contact.h"
@@ -25,10 +24,7 @@ struct LegContact {
   ContactTimes times;
 };
 
-/// All contacts of the two movers, in order of time. `contacts`: in any order; it is sorted.
+/// All contacts of the two movers. `contacts`: in any order; it is sorted.
 std::vector<ContactTimes> mover_contacts(std::vector<LegContact>& contacts);
-
-/// Nothing without contacts.
-std::optional<ContactTimes> first_mover_contact(std::vector<LegContact>& contacts);
 
 }  // namespace foresee

@@ -63,8 +63,6 @@ class NodeHistory {
   bool has_snapshot_since(std::size_t position) const {
     return has_snapshots() && snapshots_.back().position >= position;
   }
-  /// The oldest position that a snapshot needs. Requires: one exists.
-  std::size_t oldest_snapshot() const { return snapshots_.front().position; }
   void break_snapshots() noexcept {
     for (NodeSnapshot& snapshot : snapshots_) snapshot.broken = true;
   }
