@@ -109,9 +109,8 @@ double rounded_root(const Dyadic& square) {
 }
 
 SineCosine<double> quick_sine_cosine(double degrees) {
-  constexpr double radians_of_degree = 0.017453292519943295;
   const Angle angle = angle_of(degrees);
-  const double x = angle.rest * radians_of_degree, square = x * x;
+  const double x = angle.rest * radians_per_degree, square = x * x;
   double sine = 1, cosine = 1;
   for (std::size_t i = 0; i < series_terms; ++i) {
     sine = 1 - square * sine_factors[i] * sine;
@@ -121,6 +120,20 @@ SineCosine<double> quick_sine_cosine(double degrees) {
   // A quarter turn makes (sine, cosine) into (cosine, -sine).
   turn_quarters(sine, cosine, angle.quarters);
   return {sine, cosine};
+}
+
+// By Taylor's series below 1, where the quotient of a rounded sine would not do.
+double quick_sinc(double degrees) {
+  const double x = degrees * radians_per_degree;
+  if (std::abs(x) >= 1) return quick_sine_cosine(std::fmod(degrees, 360)).sine / x;
+  double sum = 1;
+  for (int n = 20; n >= 2; n -= 2) sum = 1 - x * x / (n * (n + 1)) * sum;
+  return sum;
+}
+
+Turned quick_turned(double x, double y, double degrees) {
+  const SineCosine<double> at = quick_sine_cosine(std::fmod(degrees, 360));
+  return {x * at.cosine + y * at.sine, y * at.cosine - x * at.sine};
 }
 
 }  // namespace foresee

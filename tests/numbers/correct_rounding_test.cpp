@@ -83,5 +83,30 @@ TEST(QuickSineCosine, IsWithinItsErrorBound) {
   }
 }
 
+TEST(QuickSinc, IsWithinItsErrorBound) {
+  EXPECT_EQ(quick_sinc(0), 1);
+  EXPECT_EQ(quick_sinc(180), 0);
+  Random random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const double degrees = random.in(0.001, 1) * std::exp2(i % 12);
+    const Turned exact = turned_clockwise(0, 1, std::fmod(degrees, 360));  // (sine, cosine), each rounded
+    EXPECT_NEAR(quick_sinc(degrees), exact.x / (degrees * radians_per_degree), 2 * quick_sine_error)
+        << degrees;
+    EXPECT_EQ(quick_sinc(-degrees), quick_sinc(degrees)) << degrees;
+  }
+}
+
+TEST(QuickTurned, IsNearTheExactVectorAtAnyAngle) {
+  EXPECT_EQ(quick_turned(0, 5, 90 + 360 * 1000.0).x, 5);
+  Random random(6);
+  for (int i = 0; i < 2000; ++i) {
+    const double x = random.in(-9, 9), y = random.in(-9, 9), degrees = random.in(-5000, 5000);
+    const Turned quick = quick_turned(x, y, degrees), exact = turned_clockwise(x, y, std::fmod(degrees, 360));
+    const double error = 2 * quick_sine_error * (std::abs(x) + std::abs(y));
+    EXPECT_NEAR(quick.x, exact.x, error) << degrees;
+    EXPECT_NEAR(quick.y, exact.y, error) << degrees;
+  }
+}
+
 }  // namespace
 }  // namespace foresee

@@ -27,22 +27,7 @@
 namespace foresee {
 namespace {
 
-constexpr double radians_per_degree = 0x1.1df46a2529d39p-6;
 constexpr double max_angle = 0x1p40;  ///< degrees
-
-/// By Taylor's series below 1, where the quotient of a rounded sine would not do.
-double sinc(double degrees) {
-  const double x = degrees * radians_per_degree;
-  if (std::abs(x) >= 1) return quick_sine_cosine(std::fmod(degrees, 360)).sine / x;
-  double sum = 1;
-  for (int n = 20; n >= 2; n -= 2) sum = 1 - x * x / (n * (n + 1)) * sum;
-  return sum;
-}
-
-std::array<double, 2> turned(const std::array<double, 2>& v, double degrees) {
-  const SineCosine<double> at = quick_sine_cosine(std::fmod(degrees, 360));
-  return {v[0] * at.cosine + v[1] * at.sine, v[1] * at.cosine - v[0] * at.sine};
-}
 
 /// The proof for one turn: bounds that hold for every leg.
 class TurnBounds {
@@ -128,25 +113,27 @@ Plan turn_plan(const TurnManoeuvre& turn, double error) {
   const double straight = TurnBounds(exact).straight(turn.until - end);
   const double legs = legs_within(TurnBounds(exact), straight, error);
   const auto time = [&](double k) { return k == legs ? end : turn.t + (end - turn.t) * (k / legs); };
+  const auto turned = [&](double degrees) { return quick_turned(turn.v[0], turn.v[1], degrees); };
   const auto place = [&](double tau) {
-    const double half = turn.rate * tau * 0.5, chord = tau * sinc(half);
-    const std::array<double, 2> e = turned(turn.v, half);
-    return std::array<double, 3>{turn.x[0] + chord * e[0], turn.x[1] + chord * e[1], 0};
+    const double half = turn.rate * tau * 0.5, chord = tau * quick_sinc(half);
+    const Turned e = turned(half);
+    return std::array<double, 3>{turn.x[0] + chord * e.x, turn.x[1] + chord * e.y, 0};
   };
 
   for (double k = 0; k < legs; ++k) {
     Leg& leg = plan.legs.emplace_back();
     leg.t = time(k), leg.until = time(k + 1);
     const double tau = leg.t - turn.t, duration = leg.until - leg.t, angle = turn.rate * duration;
-    const double bend = sinc(angle * 0.25), rate = turn.rate * radians_per_degree * bend * bend;
-    const std::array<double, 2> e = turned(turn.v, turn.rate * (tau + 0.5 * duration));
+    const double bend = quick_sinc(angle * 0.25), rate = turn.rate * radians_per_degree * bend * bend;
+    const Turned e = turned(turn.rate * (tau + 0.5 * duration));
+    const double chord = quick_sinc(angle * 0.5);
     leg.x = place(tau);
-    leg.a = {rate * e[1] + 0.0, rate * -e[0] + 0.0, 0};
-    for (std::size_t j = 0; j < 2; ++j) leg.v[j] = sinc(angle * 0.5) * e[j] - leg.a[j] * (0.5 * duration);
+    leg.a = {rate * e.y + 0.0, rate * -e.x + 0.0, 0};
+    leg.v = {chord * e.x - leg.a[0] * (0.5 * duration), chord * e.y - leg.a[1] * (0.5 * duration), 0};
   }
   if (turn.until > end) {
-    const std::array<double, 2> v = turned(turn.v, turn.rate * (end - turn.t));
-    plan.legs.push_back({end, turn.until, place(end - turn.t), {v[0], v[1], 0}, {}});
+    const Turned v = turned(turn.rate * (end - turn.t));
+    plan.legs.push_back({end, turn.until, place(end - turn.t), {v.x, v.y, 0}, {}});
   }
   return plan;
 }
