@@ -65,14 +65,14 @@ bool Journal::rewind(Mark mark) {
 }
 
 // The older position of a participant holds for both marks.
-void Journal::pass_on(const Joined& passed) noexcept {
-  Level& older = levels_[depth_ - 1];
+void Journal::pass_on(const Joined& passed, std::size_t depth) noexcept {
+  Level& older = levels_[depth - 1];
   const auto same = std::find_if(older.joined.begin(), older.joined.end(), [&](const Joined& other) {
     return other.participant == passed.participant;
   });
   if (same != older.joined.end())
     passed.participant->merge(same->position, passed.position);
-  else if (depth_ > 1 || passed.participant->scope_ == Participant::Scope::transaction)
+  else if (depth > 1 || passed.participant->scope_ == Participant::Scope::transaction)
     older.joined.push_back(passed);
   else
     passed.participant->forget();
@@ -82,7 +82,7 @@ void Journal::forget(Mark mark) noexcept {
   while (depth_ > mark && depth_ > 1) {
     std::vector<Joined>& forgotten = levels_[depth_ - 1].joined;
     newest_ = levels_[--depth_ - 1].number;
-    for (const Joined& joined : forgotten) pass_on(joined);
+    for (const Joined& joined : forgotten) pass_on(joined, depth_);
     forgotten.clear();
   }
 }
@@ -98,9 +98,7 @@ void Journal::abandon(Participant& participant) {
   if (joined == level.joined.end()) return;
   const Joined passed = *joined;
   level.joined.erase(joined);
-  --depth_;
-  pass_on(passed);
-  ++depth_;
+  pass_on(passed, depth_ - 1);
 }
 
 void Journal::end(Ended how) noexcept {

@@ -47,9 +47,8 @@ class Journal {
     }
     /// True if a change may be rewound: then a log is kept.
     bool is_marked() const {
-      const std::size_t others = scope_ == Scope::transaction ? 0 : 1,
-                        abandoned = abandoned_ == journal_.newest_;
-      return journal_.depth_ > others + abandoned;
+      const bool keeps_start = scope_ == Scope::transaction, keeps_newest = abandoned_ != journal_.newest_;
+      return journal_.depth_ > (keeps_start ? 0u : 1u) + (keeps_newest ? 0u : 1u);
     }
     /// The newest mark can restore this state no more, because rows were written: what it keeps is passed on.
     void abandon_newest_mark() { journal_.abandon(*this); }
@@ -77,8 +76,8 @@ class Journal {
 
     Journal& journal_;
     Scope scope_;
-    std::uint64_t joined_ = 0;                        ///< number of the mark that it has joined last
-    std::uint64_t abandoned_ = std::uint64_t(0) - 1;  ///< … that it has abandoned
+    std::uint64_t joined_ = 0;     ///< number of the mark that it has joined last; 0: none
+    std::uint64_t abandoned_ = 0;  ///< … that it has abandoned last
   };
 
   /// A transaction starts. Requires: none is open.
@@ -112,14 +111,14 @@ class Journal {
   void join(Participant& participant);
   void abandon(Participant& participant);
   bool rewind_level(Level& level);
-  /// A mark is forgotten that was set next to the newest one of now.
-  void pass_on(const Joined& joined) noexcept;
+  /// The mark above `depth` marks no longer restores this participant: the newest of those takes its position.
+  void pass_on(const Joined& passed, std::size_t depth) noexcept;
 
   std::vector<Participant*> participants_;
   std::vector<Level> levels_;  ///< those from depth_ on are unused, and keep their memory
   std::size_t depth_ = 0;
   std::uint64_t newest_ = 0;  ///< number of the newest mark; 0: no transaction
-  std::uint64_t last_ = 0;    ///< the last number given
+  std::uint64_t last_ = 0;    ///< the last number given; the first is 1
 };
 
 /// A small value that rollbacks restore: at each mark after which it changes, it is copied once.
