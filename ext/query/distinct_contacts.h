@@ -8,11 +8,8 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "base/error.h"
 #include "contact/contact.h"
 
 namespace foresee {
@@ -31,19 +28,6 @@ inline void join_equal_contacts(std::size_t first, std::vector<Pair>& pairs,
     ++kept;
   }
   pairs.resize(kept), times.resize(kept);
-}
-
-/// The input `contacts` in SQL: true for 'all'. Throws Error for any other text than 'first'.
-inline bool wants_all_contacts(std::string_view text) {
-  if (text == "all") return true;
-  if (text == "first") return false;
-  throw Error("contacts must be 'first' or 'all', not '" + std::string(text) + "'");
-}
-
-/// Throws Error for objects that may have several contacts on straight paths.
-inline void require_all_contacts(const Layout& layout) {
-  if (is_stored_apart(layout.shape))
-    throw Error("contacts = 'all' is not for outlines and meshes: leave it out");
 }
 
 }  // namespace foresee

@@ -45,6 +45,17 @@ void require_order(const char* lower_name, double lower, const char* upper_name,
               " is " + shown(lower) + ", " + upper_name + " is " + shown(upper));
 }
 
+bool wants_all_contacts(std::string_view text) {
+  if (text == "all") return true;
+  if (text == "first") return false;
+  throw Error("contacts must be 'first' or 'all', not '" + std::string(text) + "'");
+}
+
+void refuse_all_contacts_of_forms(const Layout& layout) {
+  if (is_stored_apart(layout.shape))
+    throw Error("contacts = 'all' is not for outlines and meshes: leave it out");
+}
+
 void reject_axis(const SearchTarget& objects, const std::string& given) {
   throw Error(axes_in_words(objects) + ": leave out " + given);
 }

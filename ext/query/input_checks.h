@@ -1,7 +1,8 @@
-// Checks of the numbers that a query is given; each throws an Error that states the rule and the value.
+// Checks of the inputs of a query; each throws an Error that states the rule and the value.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "query/scene.h"
 
@@ -23,6 +24,12 @@ void require_upper_bound(const char* name, double value);
 
 /// "x0 must not be greater than x1: x0 is 5, x1 is 3"
 void require_order(const char* lower_name, double lower, const char* upper_name, double upper);
+
+/// The input `contacts`: true for 'all', false for 'first'. Throws Error for any other text.
+bool wants_all_contacts(std::string_view text);
+
+/// "contacts = 'all' is not for outlines and meshes: leave it out"
+void refuse_all_contacts_of_forms(const Layout& layout);
 
 /// "ships has 2 axes (x, y): leave out z0"
 [[noreturn]] void reject_axis(const SearchTarget& objects, const std::string& given);

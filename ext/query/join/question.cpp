@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "query/distinct_contacts.h"
 #include "query/input_checks.h"
 
 namespace foresee {
@@ -65,8 +64,8 @@ void require_valid(const JoinQuestion& question) {
                 ": a join takes two tables with the same number of axes");
   if (question.tile) require_valid(*question.tile, question.a);
   if (question.all_contacts) {
-    require_all_contacts(question.a->layout);
-    if (question.b) require_all_contacts(question.b->layout);
+    refuse_all_contacts_of_forms(question.a->layout);
+    if (question.b) refuse_all_contacts_of_forms(question.b->layout);
   }
 }
 

@@ -191,7 +191,7 @@ WindowFaces faces_around(const WindowQuestion& question) {
 WindowQuestion checked(WindowQuestion question) {
   if (question.zone) require_only_zone(question);
   if (question.all_contacts) {
-    require_all_contacts(question.objects.layout());
+    refuse_all_contacts_of_forms(question.objects.layout());
     if (question.zone) throw Error("contacts = 'all' is not for zones: leave it out");
   }
   require_not_negative("h", question.h);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "query/distinct_contacts.h"
+#include "query/input_checks.h"
 #include "query/join/probe.h"
 #include "query/join/tile_scenes.h"
 #include "sqlite/names/open_table.h"
@@ -121,12 +121,15 @@ std::vector<const char*> join_input_names(bool with_contacts) {
   return names;
 }
 
+bool all_contacts_input(const FunctionCall& call, int contacts) {
+  const bool all = wants_all_contacts(call.text(contacts, "'first' or 'all'").value_or("first"));
+  call.used(contacts, "first");
+  return all;
+}
+
 JoinInputs read_join_inputs(const FunctionCall& call, bool with_contacts) {
   JoinInputs inputs;
-  if (with_contacts) {
-    inputs.all_contacts = wants_all_contacts(call.text(in_contacts, "'first' or 'all'").value_or("first"));
-    call.used(in_contacts, "first");
-  }
+  if (with_contacts) inputs.all_contacts = all_contacts_input(call, in_contacts);
   inputs.h = call.required_number(in_h);
   inputs.within = call.number(in_within).value_or(inputs.within);
   inputs.within_z = call.number(in_within_z);

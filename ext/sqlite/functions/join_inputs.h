@@ -32,6 +32,9 @@ struct JoinInputs {
 /// The inputs' SQL names in call order; `contacts` is the last one, of predictive_join alone.
 std::vector<const char*> join_input_names(bool with_contacts = false);
 
+/// The input `contacts` of this number: true for 'all'. Throws Error for any other text than 'first', the default.
+bool all_contacts_input(const FunctionCall& call, int contacts);
+
 /// Throws Error if an input is missing or of the wrong kind.
 JoinInputs read_join_inputs(const FunctionCall& call, bool with_contacts = false);
 

@@ -1,9 +1,9 @@
 // predictive_window(h, …) in SQL: reads the inputs, opens the table, and returns the rows.
 #include "geography/zone.h"
-#include "query/distinct_contacts.h"
 #include "query/window/window.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"
+#include "sqlite/functions/join_inputs.h"
 #include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"
 
@@ -96,8 +96,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     call.used(in_wvx + axis, 0.0);
   }
   question.mask = call.bits(in_mask);
-  question.all_contacts = wants_all_contacts(call.text(in_contacts, "'first' or 'all'").value_or("first"));
-  call.used(in_contacts, "first");
+  question.all_contacts = all_contacts_input(call, in_contacts);
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
   if (table.frame.on_globe() && call.text(in_zone))
     throw Error("zone is for tables on a plane, " + table.objects.name +
