@@ -31,7 +31,7 @@ class StoredTable final : public TableSource {
   std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) override;
   std::shared_ptr<NodeSource> tree() override { return table_.store->take_snapshot(); }
 
-  /// That of the stored rows: with an open savepoint, memory may also have nodes that are written already.
+  /// The stamp in the file. Changes in memory that are not written yet do not alter it.
   std::optional<std::int64_t> stamp() override { return table_.store->stored_stamp(); }
   /// Those that this transaction has changed, if its changes start from this stamp.
   ChangedObjects changes_since(const std::optional<std::int64_t>& stamp) override;

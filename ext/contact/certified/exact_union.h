@@ -56,8 +56,8 @@ class ExactUnion {
       from = intervals_.first_possible(from);
     else
       found.emplace();
-    double until = -UncertainInterval::inf,
-           exact_until = until;  // the ends of what may touch from `from` on and of what is decided
+    // `until`: the end of the pieces that may touch from `from` on; `exact_until`: how far exact numbers have decided.
+    double until = -UncertainInterval::inf, exact_until = until;
     while (from < UncertainInterval::inf && !(queried_.end < Dyadic(from))) {
       if (exact_until == until)
         until = contact_by < UncertainInterval::inf ? contact_by : intervals_.possible_until(from);

@@ -1,5 +1,5 @@
-// First contact of a pair by one contact set, as far as doubles and DoubleDouble certify it. It is what
-// certified/union_pair.h is for pieces under trees, with the early exits of conservative advancement.
+// First contact of a pair by one contact set, as far as doubles and DoubleDouble certify it. It works as
+// certified/union_pair.h, for a set instead of pieces under trees, with the early exits of conservative advancement.
 //
 //   SetPair<2, 1> pair(context, true, space);
 //   if (pair.first_contact(begin) == Verdict::yes) end = pair.end_of_contact(false);

@@ -87,7 +87,7 @@ class VisitCost {
             ends(times) ? weight : 1};
   }
 
-  /// How far apart in time the objects beneath are: that they live together costs nothing.
+  /// Spread in time of the objects beneath; a time that they share adds no cost.
   static double spread(const Times& times) {
     return std::min(std::max(times.t_max - times.t_min, times.until_max - times.t_max), 1e100);
   }

@@ -67,7 +67,7 @@ class WatchPairs {
   virtual std::vector<WatchedPair> due_pairs(bool held, double until) = 0;
   virtual std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) = 0;
 
-  /// `with_told`: otherwise `told` is t and needs no room.
+  /// `with_told`: otherwise `told` equals t and is not stored.
   virtual void write_pair(const WatchedPair& pair, PairWrite how, bool with_told) = 0;
   virtual void erase_pair(std::int64_t a, std::int64_t b) = 0;
   virtual void erase_all_pairs() = 0;

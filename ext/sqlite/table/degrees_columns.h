@@ -1,7 +1,7 @@
 // Columns lat, lon, speed and course of a stored record, on the globe also z and vz, as a table in degrees shows them.
 //
 //   const Flight report = shown_report(store, 42, record);         // one geodesic
-//   shown_number(GeoColumn::course, report)                        // nothing: it lies still
+//   shown_number(GeoColumn::course, report)                        // nothing: it is at rest
 //
 // Throws StoreError (SQLITE_CORRUPT_VTAB) for a place or speed that no report has, and without an origin.
 #pragma once

@@ -96,7 +96,7 @@ std::optional<Course> Values::course_of_row(std::int64_t id, const std::optional
                                             const std::optional<double>& course, sqlite3_value* given) const {
   if (!speed) return std::nullopt;
   if (course) return Course{*speed, *course};
-  if (to_mps(*speed, frame_.unit) <= half_a_knot) return std::nullopt;  // it lies still
+  if (to_mps(*speed, frame_.unit) <= half_a_knot) return std::nullopt;  // it is at rest
   const std::string needs =
       "a speed of " + foresee::shown(*speed) + " needs a course; write it, or NULL for the speed if ";
   if (is_null_or_empty(given)) refuse("course", id, "NULL", needs + "it is unknown");
