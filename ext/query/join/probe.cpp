@@ -47,4 +47,24 @@ std::shared_ptr<const Scene> objects_near(const Scene& one, NodeSource& tree, co
   return near;
 }
 
+void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, JoinQuestion& question,
+                          Interrupt& interrupt) {
+  const bool by_a = ids.a.has_value();
+  const std::int64_t id = by_a ? *ids.a : *ids.b;
+  TableSource &one = by_a ? *tables.a : tables.last(), &others = by_a ? tables.last() : *tables.a;
+  std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
+                        &near = by_a ? question.b : question.a;
+  object = one.objects(std::span(&id, 1));
+  near = empty_scene(others);
+  require_valid(question);
+  const auto keep = [&](std::int64_t other) {
+    if (tables.are_one()) return other != id;
+    return tables.b != nullptr || (by_a ? id < other : other < id);
+  };
+  near = objects_near(*object, *others.tree(), others.name(), {question.now, question.h},
+                      contact_of(question)->reach(), interrupt, keep);
+  question.method = JoinMethod::scan;
+  if (by_a) question.only_b = ids.b;
+}
+
 }  // namespace foresee

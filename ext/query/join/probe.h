@@ -11,12 +11,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/error.h"
 #include "contact/contact.h"
 #include "index/pages.h"
-#include "query/scene.h"
+#include "query/join/question.h"
+#include "query/table_source.h"
 
 namespace foresee {
 
@@ -24,5 +26,15 @@ std::shared_ptr<const Scene> objects_near(const Scene& one, NodeSource& tree, co
                                           const Horizon& horizon, const Contact::Reach& reach,
                                           Interrupt& interrupt,
                                           const std::function<bool(std::int64_t)>& keep);
+
+/// The ids that a query requires in columns a and b.
+struct QueriedIds {
+  std::optional<std::int64_t> a = {}, b = {};
+};
+
+/// Sets one side to the queried object and the other to the objects that may touch it. Requires: an id.
+/// Throws Error as require_valid() does.
+void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, JoinQuestion& question,
+                          Interrupt& interrupt);
 
 }  // namespace foresee

@@ -136,7 +136,39 @@ void mark(JoinQuestion& question, Interrupt& interrupt) {
   question.own = std::move(ownership);
 }
 
+/// Throws Error for a `JoinQuestion` that is invalid for any objects.
+void require_valid_between(const JoinedTables& tables, JoinQuestion question) {
+  question.a = empty_scene(*tables.a);
+  if (tables.b) question.b = empty_scene(*tables.b);
+  require_valid(question);
+}
+
+// Shares of all objects: above them the whole scene costs less than the nodes of a tile, read one by one.
+constexpr double max_share = 0.5, max_share_if_cached = 0.1;
+
+/// A scene of at least the objects that the tile needs, read through the tree. Null if the tile covers most
+/// of the table: the caller then loads the whole scene, which stays cached for the next query.
+std::shared_ptr<const Scene> scene_by_tree(TableSource& table, const JoinQuestion& question,
+                                           Interrupt& interrupt) {
+  const auto tree = table.tree();
+  const double share = share_in_tile(*tree, question, interrupt);
+  if (share > (table.is_loaded() ? max_share_if_cached : max_share)) return nullptr;
+  return scene_of_tile(*tree, table.name(), question, interrupt);
+}
+
 }  // namespace
+
+void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt) {
+  const bool with_levels = question.method == JoinMethod::tree;
+  const auto scene = [&](TableSource& table) {
+    std::shared_ptr<const Scene> in_tile;
+    if (question.tile && !with_levels) in_tile = scene_by_tree(table, question, interrupt);
+    return in_tile ? in_tile : table.all(with_levels);
+  };
+  if (question.tile) require_valid_between(tables, question);
+  question.a = scene(*tables.a);
+  if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);
+}
 
 std::shared_ptr<const Scene> scene_of_tile(NodeSource& tree, const std::string& name,
                                            const JoinQuestion& question, Interrupt& interrupt) {

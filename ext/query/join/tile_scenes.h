@@ -1,5 +1,6 @@
-// Scenes of a tile: the objects that a tile of a join needs, read from the tree or selected from a scene.
+// Scenes of a join: all objects, or those that a tile needs, read from the tree or selected from a scene.
 //
+//   take_scenes(tables, question, interrupt);                             // question.a and question.b
 //   auto ships = scene_of_tile(*tree, "ships", question, interrupt);      // the nodes that meet the tile
 //   question = in_tile(std::move(question), interrupt);                   // and the ownership of pairs
 //
@@ -12,8 +13,14 @@
 #include "base/error.h"
 #include "index/pages.h"
 #include "query/join/question.h"
+#include "query/table_source.h"
 
 namespace foresee {
+
+/// Sets both sides to scenes of all current objects, with the tree's levels for the method `tree`. With a
+/// tile, a scene may hold only the objects that the tile needs. The same table on both sides is one scene.
+/// Throws Error as require_valid() does, if there is a tile.
+void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt);
 
 /// Every object of the tree that `question.tile` needs. Requires: `question` is valid and has a tile; its
 /// scenes are not read.

@@ -1,10 +1,8 @@
 #include "sqlite/functions/join_inputs.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "query/input_checks.h"
-#include "query/join/probe.h"
 #include "query/join/tile_scenes.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/stored_table.h"
@@ -37,61 +35,6 @@ OpenTables open_tables(Connection& connection, const JoinInputs& inputs) {
   if (tables.b) require_one_frame(tables.a, *tables.b);
   require_upright(tables.a, inputs.within_z);
   return tables;
-}
-
-/// Throws Error for a `JoinQuestion` that is invalid for any objects.
-void require_valid_between(const JoinedTables& tables, JoinQuestion question) {
-  question.a = empty_scene(*tables.a);
-  if (tables.b) question.b = empty_scene(*tables.b);
-  require_valid(question);
-}
-
-// Shares of all objects: above them the whole scene costs less than the nodes of a tile, read one by one.
-constexpr double max_share = 0.5, max_share_if_cached = 0.1;
-
-/// A scene of at least the objects that the tile needs, read through the tree. Null if the tile covers most
-/// of the table: the caller then loads the whole scene, which stays cached for the next query.
-std::shared_ptr<const Scene> scene_by_tree(TableSource& table, const JoinQuestion& question,
-                                           Interrupt& interrupt) {
-  const auto tree = table.tree();
-  const double share = share_in_tile(*tree, question, interrupt);
-  if (share > (table.is_loaded() ? max_share_if_cached : max_share)) return nullptr;
-  return scene_of_tile(*tree, table.name(), question, interrupt);
-}
-
-/// Sets both sides to scenes of all current objects, with the tree's levels for the method `tree`. With a
-/// tile, a scene may hold only the objects that the tile needs. The same table on both sides is one scene.
-void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt) {
-  const bool with_levels = question.method == JoinMethod::tree;
-  const auto scene = [&](TableSource& table) {
-    std::shared_ptr<const Scene> in_tile;
-    if (question.tile && !with_levels) in_tile = scene_by_tree(table, question, interrupt);
-    return in_tile ? in_tile : table.all(with_levels);
-  };
-  if (question.tile) require_valid_between(tables, question);
-  question.a = scene(*tables.a);
-  if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);
-}
-
-/// Sets one side to the queried object and the other to the objects that may touch it.
-void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, JoinQuestion& question,
-                          Interrupt& interrupt) {
-  const bool by_a = ids.a.has_value();
-  const std::int64_t id = by_a ? *ids.a : *ids.b;
-  TableSource &one = by_a ? *tables.a : tables.last(), &others = by_a ? tables.last() : *tables.a;
-  std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
-                        &near = by_a ? question.b : question.a;
-  object = one.objects(std::span(&id, 1));
-  near = empty_scene(others);
-  require_valid(question);
-  const auto keep = [&](std::int64_t other) {
-    if (tables.are_one()) return other != id;
-    return tables.b != nullptr || (by_a ? id < other : other < id);
-  };
-  near = objects_near(*object, *others.tree(), others.name(), {question.now, question.h},
-                      contact_of(question)->reach(), interrupt, keep);
-  question.method = JoinMethod::scan;
-  if (by_a) question.only_b = ids.b;
 }
 
 /// The tile that the inputs own_x0 to own_y1 bound; nothing without a bound. An infinity is not a bound.

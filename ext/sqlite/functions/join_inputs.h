@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "query/join/question.h"
+#include "query/join/probe.h"
 #include "sqlite/functions/function_call.h"
 
 namespace foresee {
@@ -37,11 +37,6 @@ bool all_contacts_input(const FunctionCall& call, int contacts);
 
 /// Throws Error if an input is missing or of the wrong kind.
 JoinInputs read_join_inputs(const FunctionCall& call, bool with_contacts = false);
-
-/// The ids that the query requires in columns a and b.
-struct QueriedIds {
-  std::optional<std::int64_t> a = {}, b = {};
-};
 
 /// The JoinQuestion of these inputs, with current scenes, and with the newest t as `now` if that was left
 /// out. The caller adds order, times and outputs. For a query about one id it holds that object and the

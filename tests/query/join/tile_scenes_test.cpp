@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <set>
 
 #include "base/axes.h"
 #include "never_interrupt.h"
+#include "query/join/probe.h"
 #include "query/join/tilings.h"
 #include "query/join_cases.h"
+#include "query/memory_table.h"
 
 namespace foresee {
 namespace {
@@ -195,6 +198,45 @@ TEST(Tiles, LeaveNoTraceWhereTheyOwnAll) {
   const JoinQuestion half = in_tile(question, testing::never);
   EXPECT_NE(half.own, nullptr);
   EXPECT_LT(half.a->size(), 400u);
+}
+
+/// A thousand ships in a row, ten apart.
+std::shared_ptr<MemoryTable> row_of_ships() {
+  auto ships =
+      std::make_shared<MemoryTable>("ships", Layout{.axes = 2, .law = Law::uniform, .shape = Shape::ball});
+  for (int i = 0; i < 1000; ++i) ships->put(i, std::vector<double>{10.0 * i, 0, 0, 0, 1});
+  return ships;
+}
+
+TEST(TakenScenes, HoldWhatATileNeedsAndElseAllObjects) {
+  NeverInterrupt never;
+  const JoinedTables within_one{row_of_ships()}, with_itself{within_one.a, within_one.a};
+  JoinQuestion question;
+  question.h = 1, question.within = 9, question.tile = Tile{.x0 = 95, .x1 = 205};
+  take_scenes(within_one, question, never);
+  EXPECT_EQ(question.b, nullptr);
+  EXPECT_LT(question.a->size(), 200u);
+  EXPECT_EQ(rows_of(question).size(), 11u);  // the pairs with ship 11 to ship 21 as the second one
+  question.tile.reset();
+  take_scenes(with_itself, question, never);
+  EXPECT_EQ(question.a, question.b);
+  EXPECT_EQ(question.a->size(), 1000u);
+  question.tile = Tile{}, question.h = -1;
+  EXPECT_THROW(take_scenes(within_one, question, never), Error);
+}
+
+TEST(TakenScenes, HoldAnObjectAndThoseNearIt) {
+  NeverInterrupt never;
+  const JoinedTables within_one{row_of_ships()}, with_itself{within_one.a, within_one.a};
+  JoinQuestion question;
+  question.h = 1, question.within = 9;
+  take_object_and_near(within_one, {.b = 7}, question, never);  // pairs once, the smaller id first
+  EXPECT_EQ(question.a->ids, std::vector<std::int64_t>{6});
+  EXPECT_EQ(question.b->ids, std::vector<std::int64_t>{7});
+  EXPECT_EQ(question.method, JoinMethod::scan);
+  take_object_and_near(with_itself, {.a = 7}, question, never);
+  EXPECT_EQ(question.a->ids, std::vector<std::int64_t>{7});
+  EXPECT_EQ(std::set(question.b->ids.begin(), question.b->ids.end()), (std::set<std::int64_t>{6, 8}));
 }
 
 }  // namespace
