@@ -1,4 +1,4 @@
-// foresee beside other ways to join moving objects, from 10^3 to 10^6 of them: what each costs to build, to
+// foresee beside other methods that join moving objects, from 10^3 to 10^6 of them: what each costs to build, to
 // keep up to date, to join, and in memory.
 //
 //   bench_compare [--quick] [--csv FILE] [--export FOLDER] [--ships FILE] [objects ...]
@@ -7,11 +7,12 @@
 // --ships, real ships within half a nautical mile in ten minutes. Contestants: compare/contestant.h.
 //
 //   build    from objects in an array to an index or a table that can be joined
-//   join     all pairs (a, b, t); a median. At the first size at which it takes more than 60 seconds
-//            (--quick: 10) a contestant stops
-//   report   100,000 random objects, at most every one, move by up to half a unit: one transaction. A
-//            contestant for which they take longer than that gets fewer
-//   memory   the most that build and join add to a process with the objects
+//   join     all pairs (a, b, t); a median of joins of a table that has been read. At the first size at which
+//            it takes more than 60 seconds (--quick: 10) a contestant stops
+//   report   100,000 random objects, at most every one, get another position and velocity, up to half a unit
+//            away on each axis: one transaction. A contestant for which they take longer than that gets fewer
+//   after    the first join after the reports
+//   memory   what build and join add to a process with the objects, at most
 //
 // Processor time of one thread, each contestant and scene in a process of its own. The program fails if
 // contestants differ in a pair, before or after the reports; time stepping may miss pairs, and none else.
@@ -35,7 +36,11 @@ constexpr std::size_t max_reports = 100000;
 
 struct Move {
   std::uint32_t row;
-  double dx, dy;
+  double dx, dy, dvx, dvy;
+
+  Report of(const double* row_of_scene) const {
+    return {row_of_scene[0] + dx, row_of_scene[1] + dy, row_of_scene[2] + dvx, row_of_scene[3] + dvy};
+  }
 };
 
 /// At most one report per object.
@@ -46,17 +51,18 @@ std::vector<Move> moves_of(const Workload& w) {
   const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
   for (std::size_t i = 0; i < w.count; ++i) {
     std::swap(moves[i], moves[i + random() % (w.count - i)]);
-    moves[i].dx = unit() - 0.5, moves[i].dy = unit() - 0.5;
+    Move& move = moves[i];
+    for (double* const by : {&move.dx, &move.dy, &move.dvx, &move.dvy}) *by = unit() - 0.5;
   }
   moves.resize(std::min(w.count, max_reports));
   return moves;
 }
 
 struct Measured {
-  double build = 0, join = 0, report = 0, bytes = 0;  ///< seconds; report: per report
-  bool stopped = false;                               ///< the join took too long
-  bool compared_after = false;                        ///< all reports are in
-  Answer before = {}, after = {};                     ///< of the join, and of that after the reports
+  double build = 0, join = 0, report = 0, join_after = 0, bytes = 0;  ///< seconds; report: per report
+  bool stopped = false;                                               ///< the join took too long
+  bool compared_after = false;                                        ///< all reports are in
+  Answer before = {}, after = {};  ///< of the join, and of that after the reports
 };
 
 /// The median of some joins; the first only warms up if it is short.
@@ -88,18 +94,18 @@ void measure(const ContestantKind& kind, const Workload& scene, double limit, Me
       },
       limit);
   if (!kind.takes_reports) return;
+  if (!out.stopped) contestant->join();  // the reports come to a table that has been read
   std::size_t reported = 0;
   const double begin = cpu_seconds();
   contestant->begin();
   for (; reported < moves.size() && (reported % 64 != 0 || cpu_seconds() - begin < limit); ++reported) {
     const Move& move = moves[reported];
-    const double* const at = objects.bodies().row(move.row);
-    contestant->report(move.row, at[0] + move.dx, at[1] + move.dy);
+    contestant->report(move.row, move.of(objects.bodies().row(move.row)));
   }
   contestant->commit();
   out.report = (cpu_seconds() - begin) / static_cast<double>(reported);
   out.compared_after = !out.stopped && reported == moves.size();
-  if (out.compared_after) out.after = contestant->join();
+  if (out.compared_after) out.join_after = seconds_of([&] { out.after = contestant->join(); });
 }
 
 /// Throws Error if `found` is not what a contestant of this kind must find.
@@ -114,7 +120,9 @@ class Table {
   Table(const std::optional<std::string>& path, double limit)
       : csv_(path ? std::fopen(path->c_str(), "w") : nullptr), limit_(limit) {
     if (csv_)
-      std::fprintf(csv_, "scene,objects,method,build_s,join_s,over_s,report_s,memory_bytes,pairs,missed\n");
+      std::fprintf(
+          csv_,
+          "scene,objects,method,build_s,join_s,over_s,report_s,join_after_s,memory_bytes,pairs,missed\n");
   }
   ~Table() {
     if (csv_) std::fclose(csv_);
@@ -131,6 +139,7 @@ class Table {
     m.stopped ? std::printf("   join   too long   ") : std::printf("   join %10.3f ms", 1e3 * m.join);
     const bool updated = kind.keeps_index && kind.takes_reports;
     updated ? std::printf("   report %9.3f µs", 1e6 * m.report) : std::printf("   report         –   ");
+    if (m.compared_after) std::printf("   then join %10.3f ms", 1e3 * m.join_after);
     std::printf("   memory %8.2f MB", m.bytes / 1e6);
     if (kind.misses_pairs) std::printf("   misses %.2f %%", 100 * missed);
     std::printf("\n");
@@ -144,6 +153,7 @@ class Table {
     cell(!m.stopped, m.join);
     cell(m.stopped, limit_);
     cell(updated, m.report);
+    cell(m.compared_after, m.join_after);
     std::fprintf(csv_, "%.0f,", std::max(0.0, m.bytes));
     m.stopped ? std::fprintf(csv_, ",\n") : std::fprintf(csv_, "%zu,%.6g\n", m.before.pairs, missed);
     std::fflush(csv_);
@@ -154,7 +164,7 @@ class Table {
   double limit_;
 };
 
-/// Three tables of a scene: objects (id and numbers), reports (id, x, y), and the pairs and checksums to find.
+/// Three tables of a scene: objects (id and numbers), reports (id, x, y, vx, vy), and the pairs and checksums to find.
 void export_scene(const std::string& folder, const Workload& scene, const Measured& m) {
   const std::filesystem::path path = std::filesystem::path(folder) / scene.name;
   std::filesystem::create_directories(path);
@@ -171,10 +181,10 @@ void export_scene(const std::string& folder, const Workload& scene, const Measur
     for (int k = 0; k < scene.bodies().at.size; ++k) objects << ',' << scene.bodies().row(i)[k];
     objects << '\n';
   }
-  reports << "id,x,y\n";
+  reports << "id,x,y,vx,vy\n";
   for (const Move& move : moves_of(scene)) {
-    const double* const at = scene.bodies().row(move.row);
-    reports << move.row << ',' << at[0] + move.dx << ',' << at[1] + move.dy << '\n';
+    const auto [x, y, vx, vy] = move.of(scene.bodies().row(move.row));
+    reports << move.row << ',' << x << ',' << y << ',' << vx << ',' << vy << '\n';
   }
   expected << "h,pairs,sum,pairs_after,sum_after,join_s\n"
            << scene.h << ',' << m.before.pairs << ',' << m.before.sum << ',' << m.after.pairs << ','

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# foresee beside other ways to join moving objects: GPCD, TPR-trees, R-trees, DuckDB, brute force, time stepping. On the
+# foresee beside other methods that join moving objects: GPCD, TPR-trees, R-trees, DuckDB, brute force, time stepping. On the
 # same scenes of 10^3 to 10^6 objects, and on real ships: build, join, report and memory apart (Debian).
 #
 #   bash bench/compare.sh            # ten minutes; figures into docs/developers/benchmarks/, README.md and the pages
 #   bash bench/compare.sh --quick    # less than two minutes once built, to 10^5, into build/benchmarks/: docs/ stays as it is
 #
-# A way that takes more than 60 s for one join (--quick: 10) stops at that size. bench/compare.cpp says what is measured;
+# A method that takes more than 60 s for one join (--quick: 10) stops at that size. bench/compare.cpp says what is measured;
 # docs/developers/benchmarks.md explains what comes out. DuckDB comes by npm; without a registry it is left out.
 set -euo pipefail
 cd "$(dirname "$0")/.."

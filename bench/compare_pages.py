@@ -76,25 +76,29 @@ def power(size):
 
 
 def compare_table(figures):
-    """Joins by size; build, report and memory at the largest size that a method has."""
+    """Joins by scene; build, report, the join after the reports, and memory at the largest size that a method has."""
     sizes = [size for size in SIZES if size <= figures.largest("foresee grid")]
-    yield "| | " + " | ".join(f"join, {power(size)}" for size in sizes) + " | build | report | memory |"
-    yield "|---" * (len(sizes) + 4) + "|"
+    ships = figures.rows["ships", "foresee grid"]["objects"]
+    yield (f"| | join, {ships} ships | " + " | ".join(f"join, {power(size)}" for size in sizes) +
+           " | build | report | join after reports | memory |")
+    yield "|---" * (len(sizes) + 6) + "|"
     for method, name in METHODS.items():
         if not figures.known(method):
             continue
-        cells, last = [], None
+        ships = figures.of("ships", method, "join_s")
+        cells, last = ["–" if ships is None else time(ships)], None
         for size in sizes:
             scene, seconds = f"U-{size}", figures.of(f"U-{size}", method, "join_s")
             if (scene, method) in figures.rows:
                 last = scene
             over = figures.over(scene, method)
             cells.append(time(seconds) if seconds is not None else f"over {over:g} s" if over else "")
-        build, report = (figures.of(last, method, column) for column in ("build_s", "report_s"))
         size = int(last.split("-")[1])
         at = "" if size == sizes[-1] else f" ({power(size)})"
-        cells += ["–" if build is None else time(build) + at, "–" if report is None else time(report) + at,
-                  f"{number(figures.of(last, method, 'memory_bytes') / 1e6)} MB{at}"]
+        for column in ("build_s", "report_s", "join_after_s"):
+            value = figures.of(last, method, column)
+            cells.append("–" if value is None else time(value) + at)
+        cells.append(f"{number(figures.of(last, method, 'memory_bytes') / 1e6)} MB{at}")
         yield f"| {name} | " + " | ".join(cells) + " |"
 
 
@@ -129,7 +133,7 @@ def numbers_table(figures):
               "within half a nautical mile in the next 10 minutes", "ships", "join_s", time)
     yield row(f"{count(size)} moving boxes: all {count(figures.of(scene, 'foresee in SQL', 'pairs'))} pairs that touch, with times",
               scene, "join_s", time)
-    yield row("position reports stored in one transaction, per second", scene, "report_s", per_second)
+    yield row("reports (x, y, vx, vy) stored in one transaction, in memory, per second", scene, "report_s", per_second)
 
 
 def choosing_table(figures):
@@ -141,7 +145,7 @@ def choosing_table(figures):
     yield "|---" * (len(rivals) + 2) + "|"
     for what, scene, column in (("join of 237 real ships", "ships", "join_s"), ("join of 1,000 boxes", "U-1000", "join_s"),
                                 (f"join of {count(size)} boxes", scene, "join_s"), (f"load of {count(size)} boxes", scene, "build_s"),
-                                ("one report of a batch", scene, "report_s")):
+                                ("one report (x, y, vx, vy) of a batch, in memory", scene, "report_s")):
         ours = figures.of(scene, "foresee in SQL", column)
         cells = []
         for name in rivals:

@@ -42,26 +42,23 @@ void Rival::load() {
   db_.run("COMMIT");
 }
 
-void Rival::store(Statement& object, Statement& box, std::size_t row, double x, double y,
-                  const Box<2>& swept) {
-  const auto id = static_cast<std::int64_t>(row + 1);
-  object.bind(1, x);
-  object.bind(2, y);
-  object.bind(3, id);
-  object.step();
+void Rival::store_box(Statement& box, std::size_t row, const Box<2>& swept) {
   for (int axis = 0; axis < 2; ++axis) {
     box.bind(1 + 2 * axis, swept.lower[axis]);
     box.bind(2 + 2 * axis, swept.upper[axis]);
   }
-  box.bind(5, id);
+  box.bind(5, static_cast<std::int64_t>(row + 1));
   box.step();
 }
 
 void Rival::move(Statement& object, Statement& box, std::size_t row, double dx, double dy) {
   const double* const position = workload_.bodies().row(row);
   const Vec<2> by(dx, dy);
-  store(object, box, row, position[0] + dx, position[1] + dy,
-        {boxes_[row].lower + by, boxes_[row].upper + by});
+  object.bind(1, position[0] + dx);
+  object.bind(2, position[1] + dy);
+  object.bind(3, static_cast<std::int64_t>(row + 1));
+  object.step();
+  store_box(box, row, {boxes_[row].lower + by, boxes_[row].upper + by});
 }
 
 // LIMIT -1 keeps SQLite from flattening the subquery, which would call the function twice for every hit.

@@ -25,10 +25,9 @@ class Rival {
   /// Single-row INSERTs into both tables, in one transaction. The swept boxes are ready.
   void load();
 
-  /// The object of this row at (x, y), in both tables.
-  static void store(Statement& object, Statement& box, std::size_t row, double x, double y,
-                    const Box<2>& swept);
-  /// The same, moved on by (dx, dy) from where the workload has it.
+  /// The swept box of the object of this row.
+  static void store_box(Statement& box, std::size_t row, const Box<2>& swept);
+  /// The object of this row in both tables, moved on by (dx, dy) from where the workload has it.
   void move(Statement& object, Statement& box, std::size_t row, double dx, double dy);
   static constexpr const char* move_object_sql = "UPDATE base SET x = ?, y = ? WHERE id = ?";
   static constexpr const char* move_box_sql = "UPDATE boxes SET x0 = ?, x1 = ?, y0 = ?, y1 = ? WHERE id = ?";

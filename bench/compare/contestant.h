@@ -1,10 +1,10 @@
-// A way to join the moving objects of a plane, whose costs are measured apart: to build what it keeps, to take
-// reports, to join.
+// A method that joins the moving objects of a plane, whose costs are measured apart: to build what it keeps, to
+// take reports, to join.
 //
 //   for (const ContestantKind& kind : contestant_kinds()) {
 //     const auto contestant = kind.make(objects);
 //     contestant->build();
-//     contestant->report(7, x, y);
+//     contestant->report(7, {x, y, vx, vy});
 //     const Answer answer = contestant->join();
 //   }
 //
@@ -21,6 +21,10 @@
 
 namespace foresee::bench {
 
+struct Report {
+  double x, y, vx, vy;
+};
+
 class Contestant {
  public:
   /// Reads and moves `objects`, which must outlive the contestant.
@@ -33,14 +37,14 @@ class Contestant {
   /// Reports come in one transaction.
   virtual void begin() {}
   virtual void commit() {}
-  /// The object of this row is at (x, y) now; its speed stays.
-  virtual void report(std::uint32_t row, double x, double y) { move(row, x, y); }
+  /// The position and velocity of the object of this row now.
+  virtual void report(std::uint32_t row, const Report& report) { write(row, report); }
   virtual Answer join() = 0;
 
  protected:
-  void move(std::uint32_t row, double x, double y) {
+  void write(std::uint32_t row, const Report& report) {
     double* const numbers = row_of(row);
-    numbers[0] = x, numbers[1] = y;
+    numbers[0] = report.x, numbers[1] = report.y, numbers[2] = report.vx, numbers[3] = report.vy;
   }
   double* row_of(std::uint32_t row) {
     return objects_.rows.data() + row * static_cast<std::size_t>(objects_.bodies().at.size);

@@ -60,8 +60,8 @@ class TreeContestant final : public Contestant {
     for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<std::int64_t>(i);
     tree_->bulk_load(ids, objects_.rows, never);
   }
-  void report(std::uint32_t row, double x, double y) override {
-    move(row, x, y);
+  void report(std::uint32_t row, const Report& report) override {
+    write(row, report);
     tree_->update(row, {row_of(row), static_cast<std::size_t>(objects_.bodies().at.size)});
   }
   Answer join() override {
@@ -81,8 +81,8 @@ class BoostContestant final : public Contestant {
  public:
   using Contestant::Contestant;
   void build() override { tree_ = std::make_unique<BoostTree<2>>(objects_); }
-  void report(std::uint32_t row, double x, double y) override {
-    move(row, x, y);
+  void report(std::uint32_t row, const Report& report) override {
+    write(row, report);
     tree_->move(row, swept_box<2>(objects_.bodies(), row, {0, objects_.h}, no_margin));
   }
   Answer join() override {

@@ -22,6 +22,16 @@ class SqlContestant : public Contestant {
     return answer;
   }
 
+  static std::string update_of(const std::string& table) {
+    return "UPDATE " + table + " SET x = ?, y = ?, vx = ?, vy = ? WHERE id = ?";
+  }
+  static void store(Statement& update, std::uint32_t row, const Report& report) {
+    const double numbers[] = {report.x, report.y, report.vx, report.vy};
+    for (int k = 0; k < 4; ++k) update.bind(1 + k, numbers[k]);
+    update.bind(5, static_cast<std::int64_t>(row) + 1);
+    update.step();
+  }
+
   Database db_{":memory:"};
 };
 
@@ -30,13 +40,10 @@ class ForeseeTable final : public SqlContestant {
   explicit ForeseeTable(Workload& objects) : SqlContestant(objects) { create_ours(db_, objects); }
 
   void build() override { load_ours(db_, objects_); }
-  void report(std::uint32_t row, double x, double y) override {
-    move(row, x, y);
-    if (!update_) update_ = std::make_unique<Statement>(db_, "UPDATE ships SET x = ?, y = ? WHERE id = ?");
-    update_->bind(1, x);
-    update_->bind(2, y);
-    update_->bind(3, static_cast<std::int64_t>(row) + 1);
-    update_->step();
+  void report(std::uint32_t row, const Report& report) override {
+    write(row, report);
+    if (!update_) update_ = std::make_unique<Statement>(db_, update_of("ships"));
+    store(*update_, row, report);
   }
   Answer join() override {
     return pairs_of("SELECT a, b, t FROM predictive_join(" + std::to_string(objects_.h) + ")");
@@ -52,14 +59,14 @@ class RtreeTable final : public SqlContestant {
   explicit RtreeTable(Workload& objects) : SqlContestant(objects), rival_(db_, objects) {}
 
   void build() override { rival_.load(); }
-  void report(std::uint32_t row, double x, double y) override {
+  void report(std::uint32_t row, const Report& report) override {
     if (!object_) {
-      object_ = std::make_unique<Statement>(db_, Rival::move_object_sql);
+      object_ = std::make_unique<Statement>(db_, update_of("base"));
       box_ = std::make_unique<Statement>(db_, Rival::move_box_sql);
     }
-    move(row, x, y);
-    rival_.store(*object_, *box_, row, x, y,
-                 swept_box<2>(objects_.bodies(), row, {0, objects_.h}, Vec<2>::Zero()));
+    write(row, report);
+    store(*object_, row, report);
+    rival_.store_box(*box_, row, swept_box<2>(objects_.bodies(), row, {0, objects_.h}, Vec<2>::Zero()));
   }
   Answer join() override { return pairs_of(rival_.join_sql()); }
 

@@ -55,16 +55,19 @@ class Figures(unittest.TestCase):
     def test_a_table_says_what_stopped_and_what_does_not_exist(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "compare.csv"
-            path.write_text("scene,objects,method,build_s,join_s,over_s,report_s,memory_bytes,pairs,missed\n"
-                            "U-1000,1000,foresee grid,,4.9e-05,,,1600000,973,0\n"
-                            "U-1000,1000,brute force,,0.00226,,,400000,973,0\n"
-                            "U-1000,1000,Boost R-tree,0.00017,0.00046,,2.2e-06,700000,973,0\n"
-                            "U-10000,10000,foresee grid,,0.00056,,,2200000,9669,0\n"
-                            "U-10000,10000,brute force,,,60,,400000,,\n")
-            _, _, grid, boost, brute = compare_pages.compare_table(compare_pages.Figures(path))
-        self.assertEqual(grid, "| **foresee: production grid** | 49 µs | 560 µs | – | – | 2.2 MB |")
-        self.assertEqual(boost, "| Boost: R-tree | 460 µs |  | 170 µs (10<sup>3</sup>) | 2.2 µs (10<sup>3</sup>) | 0.7 MB (10<sup>3</sup>) |")
-        self.assertEqual(brute, "| brute force | 2.26 ms | over 60 s | – | – | 0.4 MB |")
+            path.write_text("scene,objects,method,build_s,join_s,over_s,report_s,join_after_s,memory_bytes,pairs,missed\n"
+                            "ships,237,foresee grid,,6.2e-05,,,7e-05,1800000,530,0\n"
+                            "ships,237,Boost R-tree,4.8e-05,2.04e-05,,1.8e-06,2.1e-05,600000,530,0\n"
+                            "U-1000,1000,foresee grid,,4.9e-05,,,5.1e-05,1600000,973,0\n"
+                            "U-1000,1000,brute force,,0.00226,,,0.00231,400000,973,0\n"
+                            "U-1000,1000,Boost R-tree,0.00017,0.00046,,2.2e-06,0.00047,700000,973,0\n"
+                            "U-10000,10000,foresee grid,,0.00056,,,0.00061,2200000,9669,0\n"
+                            "U-10000,10000,brute force,,,60,,,400000,,\n")
+            header, _, grid, boost, brute = compare_pages.compare_table(compare_pages.Figures(path))
+        self.assertEqual(header, "| | join, 237 ships | join, 10<sup>3</sup> | join, 10<sup>4</sup> | build | report | join after reports | memory |")
+        self.assertEqual(grid, "| **foresee: production grid** | 62 µs | 49 µs | 560 µs | – | – | 610 µs | 2.2 MB |")
+        self.assertEqual(boost, "| Boost: R-tree | 20.4 µs | 460 µs |  | 170 µs (10<sup>3</sup>) | 2.2 µs (10<sup>3</sup>) | 470 µs (10<sup>3</sup>) | 0.7 MB (10<sup>3</sup>) |")
+        self.assertEqual(brute, "| brute force | – | 2.26 ms | over 60 s | – | – | – | 0.4 MB |")
 
     def test_three_digits_and_a_unit(self):
         self.assertEqual([compare_pages.time(value) for value in (1.234e-7, 4.9e-5, 0.00123, 0.0999, 1.5, 61.2)],
