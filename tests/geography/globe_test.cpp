@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <regex>
 
 #include "base/error.h"
 #include "geography/geodesic_by_steps.h"
@@ -51,6 +53,59 @@ TEST(Globe, AStraightCourseIsCloseToItsGeodesic) {
   for (int k = 0; k < 3; ++k) {
     EXPECT_LT(farthest[k], allowed[k]);
     EXPECT_GT(farthest[k], allowed[k] / 2);
+  }
+}
+
+/// The cells of the table of degrees.md whose rows start with a number of minutes or hours.
+std::vector<std::array<std::string, 4>> drift_of_the_page() {
+  std::ifstream page(FORESEE_SOURCE_DIR "/docs/reference/degrees.md");
+  const std::regex row(R"(\| (\d+ (?:minutes?|hours?)) \| ([^|]+) \| ([^|]+) \| ([^|]+) \|)");
+  std::vector<std::array<std::string, 4>> rows;
+  std::smatch cells;
+  for (std::string line; std::getline(page, line);)
+    if (std::regex_match(line, cells, row)) rows.push_back({cells[1], cells[2], cells[3], cells[4]});
+  return rows;
+}
+
+/// "5.7 m" in metres, and half a unit of its last digit that is not 0, up to the second digit.
+std::pair<double, double> printed(const std::string& text) {
+  const std::size_t space = text.find(' ');
+  const std::string digits = text.substr(0, space), unit = text.substr(space + 1);
+  const double scale = unit == "mm" ? 1e-3 : unit == "km" ? 1e3 : 1, value = std::stod(digits);
+  const std::size_t point = digits.find('.');
+  const double last = point == std::string::npos ? 1 : std::pow(10, -double(digits.size() - point - 1));
+  return {value * scale, std::max(last, std::pow(10, std::floor(std::log10(value)) - 1)) / 2 * scale};
+}
+
+/// The largest distance of some straight paths from their geodesics after `t`, and the largest height.
+std::pair<double, double> drift(double speed, double t) {
+  Random random(4);
+  double distance = 0, height = 0;
+  for (int i = 0; i < 40; ++i) {
+    const LatLon place{random.in(-85, 85), random.in(-180, 180)};
+    const double course = random.in(0, 360);
+    const OnGlobe point = to_globe({{place, Course{speed, course}}});
+    std::array<double, 3> then;
+    for (std::size_t j = 0; j < 3; ++j)
+      then[j] = point.x[j] + t * point.motion->v[j] + t * t / 2 * point.motion->a[j];
+    distance = std::max(distance, off(then, on_ellipsoid(walked(place, course, speed * t).place)));
+    height = std::max(height, from_globe({then, {}}).height);
+  }
+  return {distance, height};
+}
+
+TEST(Globe, APathLeavesItsGeodesicAsThePageSays) {
+  const auto rows = drift_of_the_page();
+  ASSERT_EQ(rows.size(), 5U);
+  for (const auto& [after, ship, flight, height] : rows) {
+    const double t = std::stod(after) * (after.find("hour") == std::string::npos ? 60 : 3600);
+    const auto [flight_drift, flight_height] = drift(250, t);
+    const std::pair<std::string, double> cells[] = {
+        {ship, drift(20 * 1852.0 / 3600, t).first}, {flight, flight_drift}, {height, flight_height}};
+    for (const auto& [text, measured] : cells) {
+      const auto [value, half_a_unit] = printed(text);
+      EXPECT_NEAR(measured, value, half_a_unit) << after << ": " << text;
+    }
   }
 }
 
