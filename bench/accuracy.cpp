@@ -4,8 +4,8 @@
 //   bench_accuracy FOLDER [--quick]
 //
 // Writes FOLDER/accuracy.csv (a row per family and method) and FOLDER/stages.csv (which stage of the exact
-// engine decided). docs/explanation/accuracy.md explains them; accuracy.sh runs this and draws the pictures. Fails if the
-// exact engine is wrong anywhere.
+// engine decided). docs/explanation/accuracy.md explains them; accuracy.sh runs this and draws the pictures.
+// Fails if the exact engine is wrong anywhere.
 #include <algorithm>
 #include <bit>
 #include <chrono>

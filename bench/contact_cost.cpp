@@ -96,7 +96,7 @@ void compare(const Workload& w, int repetitions) {
       exact_ns.push_back(exact.whole * 1e9 / static_cast<double>(w.objects()));
     }
     std::printf(
-        "    %-8s plain %7.0f ns, exact %7.0f ns an object: %5.2fx; contact alone %5.2fx; pairs %zu, %zu\n",
+        "    %-8s plain %7.0f ns, exact %7.0f ns per object: %5.2fx; contact alone %5.2fx; pairs %zu, %zu\n",
         with_times ? "a, b, t" : "count", median(plain_ns), median(exact_ns), median(whole), median(contact),
         plain.pairs, exact.pairs);
   }

@@ -149,7 +149,7 @@ void print(const Workload& w, const std::vector<Method>& methods, const Stages& 
         method.kind != Method::misses_pairs || ours.pairs == 0
             ? 0
             : 1 - static_cast<double>(method.answer.pairs) / static_cast<double>(ours.pairs);
-    std::printf("    %-14s %9.0f ns an object %8.2fx", method.name, ns, ratio);
+    std::printf("    %-14s %9.0f ns per object %8.2fx", method.name, ns, ratio);
     if (method.kind == Method::misses_pairs) std::printf("   misses %.2f %% of the pairs", 100 * missed);
     std::printf("\n");
     if (csv)

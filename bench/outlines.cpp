@@ -120,9 +120,9 @@ int main_of(const Options& options) {
   const auto next_heading = [&] { return heading = std::fmod(heading + 1.618, 360); };
   const double object = median_of(repetitions, [&] { turn = Turn(next_heading()); });
   const double corner = median_of(repetitions, [&] { sum += turn({3.7, next_heading()}).x; });
-  std::printf("a turn: %.0f ns an object, %.0f ns a corner\n\n", object * 1e9, corner * 1e9);
+  std::printf("a turn: %.0f ns per object, %.0f ns per corner\n\n", object * 1e9, corner * 1e9);
   if (!std::isfinite(sum)) return 1;
-  std::printf("nanoseconds a corner\n%-14s %6s %7s %9s %9s %9s %9s %9s %9s %14s\n", "outline", "corners",
+  std::printf("nanoseconds per corner\n%-14s %6s %7s %9s %9s %9s %9s %9s %9s %14s\n", "outline", "corners",
               "pieces", "read", "check", "cut", "turn", "re-check", "re-cut", "insert, us");
   measure("ship", ship(), repetitions);
   for (const int corners : {100, 10'000, 65'536}) measure("star", star(corners), repetitions);

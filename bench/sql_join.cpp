@@ -100,7 +100,7 @@ class Report {
   void print(const Workload& w, const char* question, const Comparison& c) {
     const double per_object = 1e9 / static_cast<double>(w.count);
     const double ours = median(c.ours) * per_object, rival = median(c.rivals) * per_object;
-    std::printf("%-12s %-6s foresee %8.0f   R*Tree in SQL %9.0f ns an object   %8.2fx\n", w.name.c_str(),
+    std::printf("%-12s %-6s foresee %8.0f   R*Tree in SQL %9.0f ns per object   %8.2fx\n", w.name.c_str(),
                 question, ours, rival, median(c.ratios));
     std::fflush(stdout);
     if (csv_)
@@ -140,7 +140,7 @@ void print_memory(const Files& files, const std::string& sql) {
   };
   const double idle = peak_of([&] { run("SELECT id FROM ships WHERE id = 1"); });
   const double queried = peak_of([&] { run(sql); });
-  std::printf("%-12s memory %.0f bytes an object, beyond a process that has opened the file\n",
+  std::printf("%-12s memory %.0f bytes per object, beyond a process that has opened the file\n",
               files.workload.name.c_str(), (queried - idle) / static_cast<double>(files.workload.count));
 }
 
@@ -183,7 +183,7 @@ bool compare(const Workload& w, bool quick, Report& report) {
   }
   report.print(w, "cold", cold);
   const double core = core_seconds(w, 5);
-  std::printf("%-12s core   foresee %8.0f ns an object\n", w.name.c_str(),
+  std::printf("%-12s core   foresee %8.0f ns per object\n", w.name.c_str(),
               core * 1e9 / static_cast<double>(w.count));
   return agree;
 }

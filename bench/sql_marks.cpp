@@ -42,7 +42,7 @@ std::vector<Row> rows_of(Statement& statement) {
 /// Medians of both times and of their ratio.
 void print(const std::string& what, const Comparison& times, std::size_t count, double mark) {
   const double per_object = 1e9 / static_cast<double>(count);
-  std::printf("%-24s foresee %7.0f   rival %7.0f ns an object   %6.2fx (mark: %gx)\n", what.c_str(),
+  std::printf("%-24s foresee %7.0f   rival %7.0f ns per object   %6.2fx (mark: %gx)\n", what.c_str(),
               median(times.ours) * per_object, median(times.rivals) * per_object, median(times.ratios), mark);
   std::fflush(stdout);
 }
@@ -83,7 +83,7 @@ void print_sizes(const std::string& ours, const std::string& theirs, std::size_t
   const auto per_object = [count](const std::string& path) {
     return static_cast<double>(std::filesystem::file_size(path)) / static_cast<double>(count);
   };
-  std::printf("%-24s foresee %7.1f   rival %7.1f bytes an object\n", "file", per_object(ours),
+  std::printf("%-24s foresee %7.1f   rival %7.1f bytes per object\n", "file", per_object(ours),
               per_object(theirs));
 }
 

@@ -190,7 +190,7 @@ void measure_nearest(Tables& tables, const Workload& w, int repetitions) {
                     }) /
                     questions);
   }
-  std::printf("%-28s foresee %8.1f us: %.0f questions a second%s\n", ("nearest 10, " + w.name).c_str(),
+  std::printf("%-28s foresee %8.1f us: %.0f queries per second%s\n", ("nearest 10, " + w.name).c_str(),
               median(times) * 1e6, 1 / median(times), has_marks(w) ? " (mark: 20000)" : "");
 }
 

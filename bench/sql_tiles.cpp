@@ -178,7 +178,7 @@ void measure_sweep(Database& db, const Workload& w, const Tile& tile, int repeti
     row_times.push_back((of_rows - of_part) / static_cast<double>(count));
   }
   times.print(w, "sweep", "at most 0.1");
-  std::printf("%-18s %.2f us a row by id in its order (at most 1.5)\n", "", median(row_times) * 1e6);
+  std::printf("%-18s %.2f us per row by id in its order (at most 1.5)\n", "", median(row_times) * 1e6);
 }
 
 int main_of(const Options& options) {

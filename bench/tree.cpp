@@ -226,7 +226,7 @@ void drift(const Scene& scene, Tree& tree, double duration) {
 template <int D>
 void measure(const Workload& w, double horizon, bool quick) {
   const Scene scene(w);
-  std::printf("%s, tree for %g s, questions about %g s\n", w.name.c_str(), horizon, w.h);
+  std::printf("%s, tree for %g s, queries about %g s\n", w.name.c_str(), horizon, w.h);
   {
     Tree loaded(scene, horizon);
     std::vector<double> seconds;

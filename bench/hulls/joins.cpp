@@ -25,7 +25,7 @@ void print_refinement(Database& hulls, const std::string& inputs) {
   Statement explain(hulls, "SELECT n_before, n_after, seconds, detail FROM predictive_explain(" + inputs +
                                ") WHERE stage = 'refinement'");
   while (explain.step())
-    std::printf("  refinement removes %.1f %% of %.0f pairs of boxes, %.0f ns a pair; %s\n",
+    std::printf("  refinement removes %.1f %% of %.0f pairs of boxes, %.0f ns per pair; %s\n",
                 100 * (1 - explain.number(1) / explain.number(0)), explain.number(0),
                 explain.number(2) * 1e9 / explain.number(0),
                 reinterpret_cast<const char*>(sqlite3_column_text(explain.handle(), 3)));

@@ -10,7 +10,7 @@ constexpr ShipKind kinds[] = {ShipKind::hulls, ShipKind::boxes, ShipKind::discs}
 
 void print(const char* what, const std::vector<double> (&costs)[3]) {
   const double hulls = median(costs[0]), boxes = median(costs[1]), discs = median(costs[2]);
-  std::printf("%-36s hulls %6.2f us a row   boxes %6.2f, %.2fx   discs %6.2f, %.2fx (mark: 0.5x)\n", what,
+  std::printf("%-36s hulls %6.2f us per row   boxes %6.2f, %.2fx   discs %6.2f, %.2fx (mark: 0.5x)\n", what,
               hulls, boxes, boxes / hulls, discs, discs / hulls);
   std::fflush(stdout);
 }

@@ -92,7 +92,7 @@ void measure_degrees(const Options& options) {
   }
   const auto print = [&](const char* what, const Comparison& times, const char* rival) {
     const double a_row = 1e6 / static_cast<double>(count);
-    std::printf("%-28s degrees %6.2f   %-12s %6.2f us a row   %5.2fx\n", what, median(times.ours) * a_row,
+    std::printf("%-28s degrees %6.2f   %-12s %6.2f us per row   %5.2fx\n", what, median(times.ours) * a_row,
                 rival, median(times.rivals) * a_row, median(times.ratios));
   };
   print("load into a file", metres, "metres");

@@ -78,9 +78,9 @@ class Loader {
 /// Microseconds per row of the first load in one transaction, with which all others are compared.
 double print(const std::string& what, const Workload& w, const Cost& cost, double bytes, double first) {
   const double n = static_cast<double>(w.count), a_row = cost.seconds / n * 1e6;
-  std::printf("%-48s %7.2f us a row", (what + ", " + w.name).c_str(), a_row);
+  std::printf("%-48s %7.2f us per row", (what + ", " + w.name).c_str(), a_row);
   if (first > 0) std::printf(" %6.2f times the first", a_row / first);
-  std::printf(" %7.1f bytes a row, %7.1f written   peak %7.1f MB, of which a row %6.1f B\n", bytes / n,
+  std::printf(" %7.1f bytes per row, %7.1f written   peak %7.1f MB, of which a row %6.1f B\n", bytes / n,
               cost.written_bytes / n, cost.peak_bytes / 1e6, cost.peak_bytes / n);
   std::fflush(stdout);
   return a_row;
@@ -130,7 +130,7 @@ void compare_with_rtree(const Workload& w, Medium medium, int repetitions) {
     if (!same_rows(ours, rival)) throw Error(w.name + ": the two tables hold other rows after a load");
   }
   const double a_row = 1e6 / static_cast<double>(w.count);
-  std::printf("load in one, %-10s %-14s foresee %6.2f   R*Tree %6.2f us a row   %6.2fx (mark: 8x)\n",
+  std::printf("load in one, %-10s %-14s foresee %6.2f   R*Tree %6.2f us per row   %6.2fx (mark: 8x)\n",
               w.name.c_str(), name_of(medium), median(times.ours) * a_row, median(times.rivals) * a_row,
               median(times.ratios));
   std::fflush(stdout);

@@ -1,5 +1,5 @@
-// Queries of a table all of whose objects have reported, or of one after each of the twenty transactions that
-// load it, beside a table of the same objects that was loaded at once. Both must give the same results.
+// Queries of a table all of whose objects have reported, or after each of the twenty transactions that load it. A
+// table of the same objects that was loaded at once is the rival. Both must give the same results.
 #include <bit>
 #include <cmath>
 #include <cstdio>

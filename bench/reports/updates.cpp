@@ -14,7 +14,7 @@ constexpr std::size_t reports_a_transaction = 100000;
 void print(const std::string& what, const Comparison& times, const char* rival, std::size_t count,
            double mark) {
   const double a_row = 1e6 / static_cast<double>(count);
-  std::printf("%-48s foresee %8.2f   %-14s %8.2f us a row   %6.2fx (mark: %.2gx)\n", what.c_str(),
+  std::printf("%-48s foresee %8.2f   %-14s %8.2f us per row   %6.2fx (mark: %.2gx)\n", what.c_str(),
               median(times.ours) * a_row, rival, median(times.rivals) * a_row, median(times.ratios), mark);
   std::fflush(stdout);
 }
