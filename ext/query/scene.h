@@ -1,23 +1,35 @@
 // Snapshot of all objects of one table, as a query reads them.
 //
 // A scene is immutable once it is filled. All cursors that read it share it, so rows do not change under a
-// loop that updates the table. Ids are unique; rows are in no particular order.
+// loop that updates the table. Rows are in no particular order, and ids are unique, but in a table with plans: there
+// the legs of an object are rows with its id, adjacent and in order of time.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "index/pages.h"
 #include "index/tpr_tree/search/tree_join.h"
+#include "motion/plan/plan.h"
 #include "shape/bodies.h"
 #include "shape/turned_forms.h"
 
 namespace foresee {
 
 struct SceneKinds;
+
+/// The closed interval of times for which a scene has the legs of plans.
+struct LegTimes {
+  double from = -std::numeric_limits<double>::infinity();
+  double until = std::numeric_limits<double>::infinity();
+
+  bool meet(double t, double leg_until) const { return t <= until && from <= leg_until; }
+};
 
 struct Scene {
   std::string name;  ///< of the table, for messages
@@ -28,6 +40,10 @@ struct Scene {
   std::unique_ptr<RowForms> forms = {};   ///< if the layout has outlines or meshes
   /// Kept by the first join that needs it (join/pair_kinds.h). Requires: joins of a scene start one at a time.
   mutable std::shared_ptr<SceneKinds> kinds = {};
+  /// Of a layout with plans: the first row of each object, ascending, then size(). Legs that do not exist during
+  /// `legs_during` may be missing.
+  std::vector<std::uint32_t> first_rows = {};
+  LegTimes legs_during = {};
 
   std::size_t size() const { return ids.size(); }
   Bodies bodies() const {
@@ -36,13 +52,18 @@ struct Scene {
     return bodies;
   }
   /// Appends an object; its outline or mesh is not read. Requires: FloatEnvironment, because an acceleration is
-  /// computed from the record.
+  /// computed from the record, and an object without a plan.
   void add(std::int64_t id, const double* record) {
+    if (layout.has_plan) return add(id, record, {});
     const auto row_size = static_cast<std::size_t>(row_offsets(layout).size);
     ids.push_back(id);
     rows.resize(rows.size() + row_size);
     row_from_record(layout, record, rows.data() + rows.size() - row_size);
   }
+  /// Appends an object of a layout with plans; `legs`: of its plan, empty: it has none. A row for each leg that exists
+  /// at some time of `legs_during`, up to `until` of the record, where the leg that lasts ends. Objects without such
+  /// a leg are left out. Requires: as above.
+  void add(std::int64_t id, const double* record, std::span<const Leg> legs);
   /// Requires: all rows are in the scene. `source`: null for a layout without outlines and meshes.
   void take_forms(FormSource* source, Interrupt& interrupt) {
     if (!source) return;

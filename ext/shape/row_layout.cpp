@@ -1,6 +1,7 @@
 #include "shape/row_layout.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "shape/shapes.h"
 
@@ -35,6 +36,7 @@ Offsets offsets_of(const Layout& layout, bool stored) {
   if (layout.has_until) at.until = take(1);
   if (layout.has_category) at.category = take(1);
   if (layout.has_mask) at.mask = take(1);
+  if (layout.has_plan && stored) at.plan = take(1), at.chunks = take(1);
   at.size = next;
   return at;
 }
@@ -52,7 +54,8 @@ Offsets row_offsets(const Layout& layout) {
 void row_from_record(const Layout& layout, const double* record, double* row) {
   const Offsets from = record_offsets(layout);
   if (layout.law != Law::forced) {
-    std::copy_n(record, from.size, row);
+    std::copy_n(record, layout.has_plan ? from.plan : from.size, row);
+    if (has_plan(from, record)) row[from.until] = -std::numeric_limits<double>::infinity();
     return;
   }
   const Offsets to = row_offsets(layout);

@@ -46,6 +46,9 @@ struct Layout {
   bool starts_as_point = false;  ///< a ball or cylinder of size 0 at t, which only grows
   bool has_category = false;     ///< of its kinds (kinds.h)
   bool has_mask = false;         ///< of its kinds
+  /// An object may have a plan of several legs (motion/plan/plan.h). Requires: t, until, and a law with v and without
+  /// forces; no growth.
+  bool has_plan = false;
 
   friend bool operator==(const Layout&, const Layout&) = default;
 };
@@ -81,6 +84,8 @@ struct Offsets {
   int until = absent;   ///< last time of the motion, +infinity: unbounded
   int category = absent;  ///< bits of its category, a whole number below 2^32
   int mask = absent;      ///< bits of the categories that it may meet, likewise
+  int plan = absent;      ///< number of the first chunk of its plan, 0: it has none; only in records
+  int chunks = absent;    ///< how many chunks; only in records
   int size = 0;           ///< doubles per object
 
   friend bool operator==(const Offsets&, const Offsets&) = default;
@@ -91,13 +96,20 @@ inline double value_or(const double* row, int place, double otherwise) {
 }
 
 /// The order of the doubles as they are stored: t, x…, v…, a… or force… and mass, the sizes of the shape,
-/// growth, growth_z, outline, heading and bounds, until, category, mask.
+/// growth, growth_z, outline, heading and bounds, until, category, mask, plan, chunks.
 Offsets record_offsets(const Layout& layout);
 
-/// The order of the doubles that queries read: the same, with the acceleration in place of force and mass.
+/// The order of the doubles that queries read: the same, with the acceleration in place of force and mass, and
+/// without plan and chunks.
 Offsets row_offsets(const Layout& layout);
 
-/// Turns one stored record into the row that queries read. The two differ for Law::forced only.
+/// Whether the record is of an object with a plan: its t, x, v, a are those of its first leg.
+inline bool has_plan(const Offsets& record_offsets, const double* record) {
+  return value_or(record, record_offsets.plan, 0) != 0;
+}
+
+/// Turns one stored record into the row that queries read. The two differ for Law::forced, and where the layout has
+/// plans. The row of an object with a plan ends before it begins, so no query finds it; its legs are rows of their own.
 void row_from_record(const Layout& layout, const double* record, double* row);
 
 }  // namespace foresee

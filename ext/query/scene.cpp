@@ -1,0 +1,33 @@
+#include "query/scene.h"
+
+#include <algorithm>
+
+namespace foresee {
+
+void Scene::add(std::int64_t id, const double* record, std::span<const Leg> legs) {
+  const Offsets stored = record_offsets(layout), at = row_offsets(layout);
+  const auto row_size = static_cast<std::size_t>(at.size);
+  if (first_rows.empty()) first_rows.push_back(0);
+  std::vector<double> row(row_size);
+  row_from_record(layout, record, row.data());
+  const auto add_row = [&] {
+    if (!legs_during.meet(row[static_cast<std::size_t>(at.t)], row[static_cast<std::size_t>(at.until)]))
+      return;
+    ids.push_back(id);
+    rows.insert(rows.end(), row.begin(), row.end());
+  };
+  if (legs.empty()) add_row();
+  const double end = record[stored.until];
+  for (const Leg& leg : legs) {
+    if (end < leg.t) break;
+    row[static_cast<std::size_t>(at.t)] = leg.t;
+    row[static_cast<std::size_t>(at.until)] = std::min(leg.until, end);
+    std::copy_n(leg.x.begin(), layout.axes, row.data() + at.x);
+    std::copy_n(leg.v.begin(), layout.axes, row.data() + at.v);
+    if (at.a != Offsets::absent) std::copy_n(leg.a.begin(), layout.axes, row.data() + at.a);
+    add_row();
+  }
+  if (ids.size() > first_rows.back()) first_rows.push_back(static_cast<std::uint32_t>(ids.size()));
+}
+
+}  // namespace foresee
