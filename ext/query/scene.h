@@ -1,8 +1,8 @@
 // Snapshot of all objects of one table, as a query reads them.
 //
 // A scene is immutable once it is filled. All cursors that read it share it, so rows do not change under a
-// loop that updates the table. Rows are in no particular order, and ids are unique, but in a table with plans: there
-// the legs of an object are rows with its id, adjacent and in order of time.
+// loop that updates the table. Ids are unique; rows are in no particular order. With plans ids repeat: the legs of an
+// object are rows with its id, adjacent and in order of time.
 #pragma once
 
 #include <cstdint>

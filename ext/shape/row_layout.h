@@ -109,7 +109,7 @@ inline bool has_plan(const Offsets& record_offsets, const double* record) {
 }
 
 /// Turns one stored record into the row that queries read. The two differ for Law::forced, and where the layout has
-/// plans. The row of an object with a plan ends before it begins, so no query finds it; its legs are rows of their own.
+/// plans. The row of an object with a plan ends before it starts, so no query finds it; its legs are rows of their own.
 void row_from_record(const Layout& layout, const double* record, double* row);
 
 }  // namespace foresee

@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "base/float_environment.h"
 #include "base/number_text.h"
+#include "shape/outline/shared_outline.h"
+#include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"
 
 namespace foresee {
@@ -85,6 +87,15 @@ Outline turned(const Outline& outline, double heading) {
       for (const Corner& corner : outline.ring(r)) turned_outline.add(finite_turn(turn, corner, heading));
       turned_outline.close_ring();
     }
+  return turned_outline;
+}
+
+// Here and not inline: exact turns need Boost, which users of the core need not have.
+Outline SharedOutline::rotated(double heading) const {
+  if (heading == 0) return outline_;
+  std::call_once(checked_, [this] { edge_touch_ = edge_touch_of(outline_); });
+  Outline turned_outline = turned(outline_, heading);
+  check_turned(outline_, edge_touch_, turned_outline, heading);
   return turned_outline;
 }
 

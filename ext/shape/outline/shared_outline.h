@@ -10,7 +10,6 @@
 #include <mutex>
 
 #include "shape/outline/convex_pieces.h"
-#include "shape/outline/outline_rotation.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"
 #include "shape/shared_form.h"
@@ -54,13 +53,5 @@ class SharedOutline final : public Form {
   mutable ConvexPieces pieces_;
   mutable std::optional<Flaw> edge_touch_;
 };
-
-inline Outline SharedOutline::rotated(double heading) const {
-  if (heading == 0) return outline_;
-  std::call_once(checked_, [this] { edge_touch_ = edge_touch_of(outline_); });
-  Outline turned_outline = turned(outline_, heading);
-  check_turned(outline_, edge_touch_, turned_outline, heading);
-  return turned_outline;
-}
 
 }  // namespace foresee
