@@ -32,6 +32,16 @@ double farthest_along(std::span<const Corner> corners, double x, double y) {
   return support;
 }
 
+const Corner& farthest_corner(std::span<const Corner> corners, double x, double y) {
+  const Corner* found = corners.data();
+  double support = -std::numeric_limits<double>::infinity();
+  for (const Corner& corner : corners) {
+    const double here = x * corner.x + y * corner.y;
+    if (here > support) support = here, found = &corner;
+  }
+  return *found;
+}
+
 }  // namespace
 
 PieceSum::PieceSum(const ConvexPiece& own, const ConvexPiece& other)
@@ -52,10 +62,11 @@ void PieceSum::turn(double degrees) {
     const Corner& corner = given_[i];
     own_[i] = {corner.x * at.cosine + corner.y * at.sine, corner.y * at.cosine - corner.x * at.sine};
   }
-  make_ring(own_.data());
+  is_turned_ = true;
 }
 
-void PieceSum::make_ring(const Corner* along) {
+void PieceSum::make_ring(const Corner* along) const {
+  is_turned_ = false;
   ring_.clear();
   const ConvexPiece own{own_, along, nullptr};
   point_ = {own_[0].x - other_.corners[0].x, own_[0].y - other_.corners[0].y};
@@ -75,6 +86,23 @@ double PieceSum::support(double x, double y) const {
          size_ * (pad_of_sum * (std::abs(x) + std::abs(y)));
 }
 
+Corner PieceSum::farthest(double x, double y) const {
+  const Corner &own = farthest_corner(own_, x, y), &other = farthest_corner(other_.corners, -x, -y);
+  return {own.x - other.x, own.y - other.y};
+}
+
+std::pair<double, double> PieceSum::crossing(double x, double y, double vx, double vy, double begin,
+                                             double end) const {
+  for (const Edge& edge : ring()) {
+    const double beyond = (x - edge.x) * edge.normal_x + (y - edge.y) * edge.normal_y;
+    const double slope = vx * edge.normal_x + vy * edge.normal_y;
+    if (slope < 0) begin = std::max(begin, beyond / -slope);
+    if (slope > 0) end = std::min(end, -beyond / slope);
+    if (slope == 0 && beyond > 0) return {0, -1};
+  }
+  return {begin, end};
+}
+
 double PieceSum::signed_distance(double x, double y, double& normal_x, double& normal_y) const {
   const auto beyond = [&](const Edge& edge) {
     return (x - edge.x) * edge.normal_x + (y - edge.y) * edge.normal_y;
@@ -86,9 +114,10 @@ double PieceSum::signed_distance(double x, double y, double& normal_x, double& n
     const double here = past(edge);
     return here >= 0 && here <= edge.length;
   };
+  const std::vector<Edge>& edges = ring();
   const Edge* nearest_edge = nullptr;
   double within = -std::numeric_limits<double>::infinity();
-  for (const Edge& edge : ring_) {
+  for (const Edge& edge : edges) {
     const double here = beyond(edge);
     if (here > within) within = here, nearest_edge = &edge;
   }
@@ -100,7 +129,7 @@ double PieceSum::signed_distance(double x, double y, double& normal_x, double& n
   // The nearest is a corner, or one of several collinear edges.
   double square = nearest_edge ? std::numeric_limits<double>::infinity() : -1, to_x = x - point_.x,
          to_y = y - point_.y;
-  for (const Edge& edge : ring_) {
+  for (const Edge& edge : edges) {
     const double from_x = x - edge.x, from_y = y - edge.y, ahead = beyond(edge);
     const double here = from_x * from_x + from_y * from_y;
     if (here < square) square = here, to_x = from_x, to_y = from_y;

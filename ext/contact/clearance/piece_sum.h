@@ -11,6 +11,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "contact/outline/convex_sum.h"
@@ -36,11 +37,16 @@ class PieceSum {
   double support(double x, double y) const;
   /// Approximate signed distance of a point, below 0 inside, and its gradient, of length 1.
   double signed_distance(double x, double y, double& normal_x, double& normal_y) const;
+  /// The point of the sum that is farthest along (x, y): a corner.
+  Corner farthest(double x, double y) const;
+  /// Approximately the times from `begin` to `end` at which (x, y) + tau (vx, vy) is inside; first > second: none.
+  std::pair<double, double> crossing(double x, double y, double vx, double vy, double begin,
+                                     double end) const;
   /// Calls use(normal_x, normal_y, error) for each edge that a point is beyond, or inside by less than
   /// `near`. The normal points outward; `error` is an upper bound of its error.
   template <class Use>
   void for_each_edge_near(double x, double y, double near, Use&& use) const {
-    for (const Edge& edge : ring_)
+    for (const Edge& edge : ring())
       if (!((x - edge.x) * edge.normal_x + (y - edge.y) * edge.normal_y < -near))
         use(edge.normal_x, edge.normal_y, size_ * 0x1p-45 / edge.run);
   }
@@ -57,13 +63,19 @@ class PieceSum {
     double length;
     double run;  ///< the length of the vector that gives its direction, also for boxes of no width
   };
-  void make_ring(const Corner* along);
+  void make_ring(const Corner* along) const;
+  /// After a rotation it is made when it is read: a path that passes the sum needs no more than corners.
+  const std::vector<Edge>& ring() const {
+    if (is_turned_) make_ring(own_.data());
+    return ring_;
+  }
 
   std::vector<Corner> given_, own_;
   std::shared_ptr<const ObjectPieces> kept_;
   ConvexPiece other_;
-  std::vector<Edge> ring_;
-  Corner point_;  ///< the sum, if it has no edges
+  mutable std::vector<Edge> ring_;
+  mutable Corner point_;            ///< the sum, if it has no edges
+  mutable bool is_turned_ = false;  ///< since the ring was made
   double size_ = 0, own_reach_ = 0;
 };
 

@@ -7,13 +7,15 @@
 // The result is a guess that others prove. The distance from a convex set along a straight line is a convex
 // function of time. A falling and a rising tangent bound it from below; the mixture of their normals at the
 // crossing is perpendicular to the path. The crossing is the next time to evaluate (Kelley's cutting-plane
-// method, 1960). A disc takes one evaluation, a box as many as it has edges on the path. A growing set takes
-// some more: its distance is convex too, as the growth along a normal is.
+// method, 1960). A disc takes one evaluation, a box as many as it has edges on the path, and a sum of pieces
+// beside whose path it lies none. A growing set takes some more: its distance is convex too, as the growth along a
+// normal is.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "contact/clearance/pair_extents.h"
 #include "contact/clearance/trajectory_family.h"
@@ -65,10 +67,38 @@ struct StraightApproach {
   Vec<D> normal;
 };
 
+/// Of a line that passes the sum of two pieces on one side, nearest between begin and end: there the plane along the
+/// line separates them. Else nothing.
+inline std::optional<StraightApproach<2>> passing_line(const PairExtents<2>& extents, const Vec<2>& x,
+                                                       const Vec<2>& v, double begin, double end) {
+  const double square = (v * v).sum();
+  if (!(square > 0)) return std::nullopt;
+  const double speed = std::sqrt(square);
+  Vec<2> normal{v[1] / speed, -v[0] / speed};
+  double beside = (x * normal).sum();
+  if (beside < 0) normal = -normal, beside = -beside;
+  const Corner corner = extents.sum->farthest(normal[0], normal[1]);
+  const double gap = beside - (corner.x * normal[0] + corner.y * normal[1]);
+  const double tau = ((corner.x - x[0]) * v[0] + (corner.y - x[1]) * v[1]) / square;
+  if (gap > 0) {
+    if (!(begin <= tau && tau <= end)) return std::nullopt;
+    return StraightApproach<2>{tau, gap - extents.radius, normal};
+  }
+  const auto [from, to] = extents.sum->crossing(x[0], x[1], v[0], v[1], begin, end);
+  if (!(from < to)) return std::nullopt;
+  StraightApproach<2> middle;
+  middle.tau = from + 0.5 * (to - from);
+  middle.gap = signed_distance<2>(extents, x + middle.tau * v, middle.normal);
+  return middle;
+}
+
 /// Of x + v tau during [begin, end]. Requires: begin <= end, both finite.
 template <int D>
 StraightApproach<D> straight_approach(const GrowingExtents<D>& extents, const Vec<D>& x, const Vec<D>& v,
                                       double begin, double end) {
+  if constexpr (D == 2)
+    if (extents.sum && !extents.grows)
+      if (const auto passing = passing_line(extents.after(begin), x, v, begin, end)) return *passing;
   struct Tangent {
     double tau, gap, slope;
     Vec<D> normal;
