@@ -231,14 +231,14 @@ class Roots(Host):
 
 
 class MachO(Release):
-    def test_macos_modules_need_the_system_alone_and_are_signed(self):
+    def test_macos_modules_need_the_system_alone_and_on_arm64_are_signed(self):
         names = [name for name in self.packed if name.startswith("darwin")]
         if not names:
             skip("macOS' modules", "FORESEE_UNTESTED=1 did not pack them")
         for name in names:
             found = read_format(self.unpacked(name))
             self.assertEqual(found.needed, ["/usr/lib/libSystem.B.dylib"])
-            self.assertTrue(found.signed)
+            self.assertTrue(found.signed or found.machine == "x64")
             self.assertEqual(found.minimum_system, "13.0")
             self.assertEqual(found.name, "@rpath/foresee.dylib")
             self.assertIn("sqlite3_foresee_init", found.exported)
