@@ -1,11 +1,11 @@
-"""Traffic that keeps clear of itself: whoever would come too near another takes, in turn, the least change that is clear of everybody.
+"""Resolves predicted encounters of ships: in each, one of the two makes the smallest change that is clear of all others.
 
     python3 advise_ships.py ships.csv --extension build/release/foresee
 
-ships.csv: one line a ship, id,t,x,y,vx,vy in metres, metres per second and seconds. The encounters of the next ten minutes are gone through
-in order of time. Of two the one with the larger number gives way, or if nothing is clear for it the other; nobody gives way twice, and
-encounters that an earlier change has dissolved are skipped. Every change is written before the next is asked. Ships that are too near
-already are left alone.
+ships.csv: lines of id,t,x,y,vx,vy in metres, metres per second and seconds; of several lines of a ship the last one counts.
+The encounters of the next ten minutes are examined in order of time. The ship with the larger number gives way, or the
+other one if nothing is clear for it; no ship gives way twice. An encounter that an earlier change has resolved is skipped.
+Each change is written before the next one is computed. Ships that are too close already are left alone.
 """
 import argparse
 import csv
@@ -14,7 +14,7 @@ import time
 
 
 def traffic(options):
-    """The ships in memory."""
+    """A table in memory with the ships."""
     db = sqlite3.connect(":memory:", isolation_level=None)
     db.enable_load_extension(True)
     db.load_extension(options.extension)
@@ -23,13 +23,13 @@ def traffic(options):
     with open(options.ships, newline="") as file:
         rows = [[float(row[name]) for name in names] for row in csv.DictReader(file)]
     db.execute("BEGIN")
-    db.executemany("INSERT INTO ships VALUES (?, ?, ?, ?, ?, ?)", ([int(row[0])] + row[1:] for row in rows))
+    db.executemany("INSERT OR REPLACE INTO ships VALUES (?, ?, ?, ?, ?, ?)", ([int(row[0])] + row[1:] for row in rows))
     db.execute("COMMIT")
     return db
 
 
 def encounters(db, options):
-    """Those that begin after now, in order of time."""
+    """The encounters that start after now, in order of time."""
     return db.execute("SELECT a, b FROM predictive_join(?, 'ships', ?) WHERE dt > 0 ORDER BY t",
                       (options.horizon, options.within)).fetchall()
 
@@ -40,7 +40,7 @@ def is_still_there(db, options, a, b):
 
 
 def gives_way(db, options, ship):
-    """Takes the least clear change, turns before speeds; whether there is one."""
+    """Writes the smallest clear change, turns before speeds, and returns it; None if no change is clear."""
     least = db.execute("SELECT manoeuvre, k, t, x, y, vx, vy FROM predictive_avoid(?, 'ships', ?, ?) WHERE clear"
                        " ORDER BY manoeuvre = 'speed', round(abs(k), 6), k DESC LIMIT 1",
                        (options.horizon, ship, options.within)).fetchone()
@@ -80,7 +80,7 @@ def main():
     print(f"{len(advised)} ships changed, {len(turns)} of them their course" + (f" (median {turns[len(turns) // 2]:.1f} degrees)" if turns else "") +
           f"; {len(without)} have no clear change")
     if costs:
-        print(f"an advice took {1e6 * sorted(costs)[len(costs) // 2]:.0f} us (median), {1e6 * max(costs):.0f} at most")
+        print(f"a query took {1e6 * sorted(costs)[len(costs) // 2]:.0f} us (median), {1e6 * max(costs):.0f} at most")
 
 
 if __name__ == "__main__":

@@ -1,10 +1,11 @@
 """The program of docs/how-to/clear_traffic.md makes traffic keep clear."""
+import re
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from house import EXTENSION, ROOT, main
+from house import EXTENSION, ROOT, main, shell
 
 PYTHON = "/usr/bin/python3"
 
@@ -34,7 +35,19 @@ class Program(WithPython):
         self.assertTrue(said[1].startswith("2 ships changed, 2 of them their course"), said[1])
         self.assertTrue(said[1].endswith("; 0 have no clear change"), said[1])
 
-    def test_without_an_encounter_nothing_is_asked(self):
+    def test_the_bundled_ships_keep_clear_as_the_page_says(self):
+        feed, clear = ((ROOT / "docs/how-to" / name).read_text() for name in ("follow_a_watch.md", "clear_traffic.md"))
+        script = re.search(r"sqlite3 <<'END'\n(.+?)    END\n", feed, re.DOTALL).group(1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "ships.csv"
+            status, printed = shell(script.replace("    ", "").replace("build/ships.csv", str(path)))
+            self.assertEqual((status, printed), (0, ""))
+            done = subprocess.run([PYTHON, ROOT / "docs/examples/advise_ships.py", path, "--extension", EXTENSION], text=True,
+                                  capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("".join(f"    {line}\n" for line in done.stdout.splitlines()[:2]), clear)
+
+    def test_without_an_encounter_nothing_is_queried(self):
         said = self.advise([(1, 0, 0, 0, 0, 10)])
         self.assertEqual(said, ["0 encounters of 0 ships before, 0 after, 0 of them new",
                                 "0 ships changed, 0 of them their course; 0 have no clear change"])
