@@ -1,7 +1,8 @@
 """One palette and the parts of every picture: light and dark, a title that is the message, axes with names and units.
 
-foresee is always blue; rivals are greys with their own dashes and marks; what meets is orange. The three differ for all kinds of
-colour vision, and in grey print. A picture is text of SVG, the same on every machine.
+foresee is always blue, with the widest lines; rivals are greys with their own dashes and marks; what meets is orange. The colours differ
+for all kinds of colour vision (tests/house/pictures_test.py), the greys also in grey print. A picture is text of SVG, the same on every
+machine.
 """
 import math
 from xml.sax.saxutils import escape
@@ -9,8 +10,8 @@ from xml.sax.saxutils import escape
 # name: (light, dark)
 PALETTE = {
     "ground": ("#ffffff", "#0f1720"), "ink": ("#1b2733", "#dbe7ef"), "soft": ("#566674", "#93a6b5"), "rule": ("#dde5ea", "#25333f"),
-    "foresee": ("#0b62c4", "#5aa9ff"), "grey1": ("#39434c", "#dfe5ea"), "grey2": ("#68737d", "#b3bdc6"), "grey3": ("#929ca5", "#8a96a0"),
-    "grey4": ("#b9c1c8", "#626e78"), "meet": ("#c2410c", "#fb923c"), "water": ("#e9f1f6", "#10202c"), "land": ("#d9d5c9", "#2a3634"),
+    "foresee": ("#0b62c4", "#5aa9ff"), "grey1": ("#39434c", "#dfe5ea"), "grey2": ("#535e68", "#b3bdc6"), "grey3": ("#6d7882", "#8a96a0"),
+    "grey4": ("#8c969f", "#626e78"), "meet": ("#c2410c", "#fb923c"), "water": ("#e9f1f6", "#10202c"), "land": ("#d9d5c9", "#2a3634"),
     "coast": ("#a8a291", "#4d5c58"), "track": ("#9fb6c6", "#3f5b70"), "quay": ("#8c7b6b", "#a08f7e"),
 }
 FONT = "system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif"

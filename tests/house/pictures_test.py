@@ -2,6 +2,7 @@
 picture of the pages is what docs/pictures/draw.py draws, with the palette, a title and a text for those who do not see it."""
 import csv
 import json
+import math
 import os
 import re
 import subprocess
@@ -23,6 +24,12 @@ PYTHON = "/usr/bin/python3"
 DRAW = ROOT / "docs/pictures/draw.py"
 PAGE = ROOT / "docs/how-to/maps_and_pictures.md"
 SVG = "{http://www.w3.org/2000/svg}"
+GREYS = ("grey1", "grey2", "grey3", "grey4")
+# Linear red, green and blue as eyes see them (Machado, Oliveira and Fernandes, 2009, severity 1).
+EYES = {"all colours": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+        "no red": ((0.152286, 1.052583, -0.204868), (0.114503, 0.786281, 0.099216), (-0.003882, -0.048116, 1.051998)),
+        "no green": ((0.367322, 0.860646, -0.227968), (0.280085, 0.672501, 0.047413), (-0.011820, 0.042940, 0.968881)),
+        "no blue": ((1.255528, -0.076749, -0.178779), (-0.078411, 0.930809, 0.147602), (0.004733, 0.691367, 0.303900))}
 
 
 def printed(word):
@@ -99,6 +106,30 @@ def pictures():
     return sorted((ROOT / "docs").rglob("*.svg"))
 
 
+def linear(shade):
+    """Red, green and blue of #rrggbb as amounts of light."""
+    parts = (int(shade[i:i + 2], 16) / 255 for i in (1, 3, 5))
+    return [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
+
+
+def weighted(weights, light):
+    return sum(weight * part for weight, part in zip(weights, light))
+
+
+def contrast(one, other):
+    """The ratio of two luminances (WCAG 2.1)."""
+    low, high = sorted(weighted((0.2126, 0.7152, 0.0722), linear(shade)) for shade in (one, other))
+    return (high + 0.05) / (low + 0.05)
+
+
+def lab(shade, eyes):
+    """CIE L*, a*, b* of a colour as these eyes see it; a distance of 2.3 is just noticeable."""
+    light = [min(1, max(0, weighted(row, linear(shade)))) for row in EYES[eyes]]
+    x, y, z = (weighted(row, light) for row in ((0.4339, 0.3762, 0.1899), (0.2126, 0.7152, 0.0722), (0.0178, 0.1094, 0.8728)))
+    x, y, z = (t ** (1 / 3) if t > 216 / 24389 else (24389 / 27 * t + 16) / 116 for t in (x, y, z))
+    return 116 * y - 16, 500 * (x - y), 200 * (y - z)
+
+
 class Drawn(unittest.TestCase):
     maxDiff = None
 
@@ -155,17 +186,25 @@ class Drawn(unittest.TestCase):
         self.assertEqual(charts.pairs_of(lines), [("ships, 600 s", "foresee", "167", ""), ("ships, 600 s", "plain double", "481", ""),
                                                   ("ships, 600 s", "FCL, 10 samples", "1619", "misses 25 of 35, 32 s late")])
 
-    def test_foresee_is_told_from_rivals_without_colour(self):
-        def light(shade):  # relative luminance
-            parts = [int(shade[i:i + 2], 16) / 255 for i in (1, 3, 5)]
-            return sum(weight * (c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4) for weight, c in zip((0.2126, 0.7152, 0.0722), parts))
-
+    def test_text_and_marks_have_contrast(self):
+        """What WCAG 2.1 requires: 4.5 for text, 3 for marks."""
         for scheme in (0, 1):
-            ground = light(svg.PALETTE["ground"][scheme])
-            for name in ("ink", "soft", "foresee", "meet", "grey1", "grey2"):
-                other = light(svg.PALETTE[name][scheme])
-                contrast = (max(ground, other) + 0.05) / (min(ground, other) + 0.05)
-                self.assertGreater(contrast, 4.5, (name, scheme))
+            for name in ("ink", "soft", "foresee", "meet", *GREYS):
+                with self.subTest(name, scheme=scheme):
+                    self.assertGreater(contrast(svg.PALETTE[name][scheme], svg.PALETTE["ground"][scheme]), 3 if name in GREYS else 4.5)
+
+    def test_foresee_and_what_meets_differ_from_rivals_for_all_eyes(self):
+        for scheme in (0, 1):
+            for eyes in EYES:
+                for one, other in [("foresee", "meet"), *((one, grey) for one in ("foresee", "meet") for grey in GREYS)]:
+                    with self.subTest(f"{one}, {other}", scheme=scheme, eyes=eyes):
+                        self.assertGreater(math.dist(*(lab(svg.PALETTE[name][scheme], eyes) for name in (one, other))), 20)
+
+    def test_greys_differ_in_grey_print(self):
+        for scheme in (0, 1):
+            for one, next_one in zip(GREYS, GREYS[1:]):
+                with self.subTest(f"{one}, {next_one}", scheme=scheme):
+                    self.assertGreater(contrast(svg.PALETTE[one][scheme], svg.PALETTE[next_one][scheme]), 1.4)
 
 
 if __name__ == "__main__":
