@@ -2,11 +2,11 @@
 
 What is run:
     ```sql            a block: it must succeed
-    ```sql error      a block that must fail; the ```text block that follows holds what it must say
+    ```sql error      a block that must fail, with at most 160 characters; the ```text block that follows holds what it must say
     ```text           after a ```sql block: what it prints, line by line, in the shell's box mode
     <!-- sql setup    until -->: run before what follows, not shown to readers
     <!-- sql errors --> and a table: the statement in the first column of every row must fail and say what stands in
-                      the second
+                      the second, with at most 160 characters
 
 Every block is a shell of its own: temporary tables and `.mode` end with it, the database stays.
 """
@@ -20,6 +20,9 @@ from house import shell
 
 FENCE = re.compile(r"^```(.*)$")
 ERROR_ROW = re.compile(r"^\| `(.+)` \| (.+) \|$")
+MESSAGE = re.compile(r"^(?:Runtime error|Parse error|Error)(?: near line \d+)?: (.*?)(?: \(\d+\))?$", re.M)
+LIST = re.compile(r" \(moving_objects tables here: .*\)$")
+LONGEST_MESSAGE = 160
 
 
 @dataclass
@@ -80,6 +83,12 @@ def lines(text):
     return [line.rstrip() for line in text.strip().splitlines()]
 
 
+def message_of(output):
+    """The message of the error that the shell prints, without a list of tables at its end; "" if it prints none."""
+    found = MESSAGE.search(output)
+    return LIST.sub("", found[1]) if found else ""
+
+
 def complaint(block, status, output):
     """What is wrong with a block's outcome; None if nothing."""
     if block.kind == "sql error":
@@ -88,6 +97,10 @@ def complaint(block, status, output):
         missing = [line for line in lines(block.expected or "") if line.strip() not in output]
         if not block.expected or missing:
             return f"failed as it should, but says\n{output}"
+        if (length := len(message_of(output))) > LONGEST_MESSAGE:
+            return f"says more than {LONGEST_MESSAGE} characters, {length}:\n{output}"
+        if not length:
+            return f"prints no message:\n{output}"
     elif status != 0:
         return f"fails:\n{output}"
     elif block.expected is not None and lines(output) != lines(block.expected):

@@ -1,7 +1,7 @@
 """The runner of the documents' examples, tried on made-up pages: what is wrong on a page is found."""
 import unittest
 
-from documents import examples, run_document
+from documents import examples, message_of, run_document
 from house import main
 
 
@@ -49,6 +49,18 @@ class Runner(unittest.TestCase):
         self.finds(page(("sql error", "SELECT 1;"), ("text", "no such table: nowhere")), "was to fail")
         self.finds(page(("sql error", "SELECT * FROM nowhere;"), ("text", "no such table: elsewhere")), "but says")
         self.finds(page(("sql error", "SELECT * FROM nowhere;")), "but says")
+
+    def test_a_message_has_at_most_160_characters(self):
+        for length, words in ((160, None), (161, "says more than 160 characters, 161")):
+            message = "no such table: " + (length - len("no such table: ")) * "a"
+            one = page(("sql error", f"SELECT * FROM {message.split()[-1]};"), ("text", "no such table"))
+            self.finds(one, words) if words else self.finds_nothing(one)
+
+    def test_a_list_of_tables_does_not_count(self):
+        self.assertEqual(message_of("Runtime error near line 1: f: tbl is missing (moving_objects tables here: 'a')"), "f: tbl is missing")
+        self.assertEqual(message_of("Parse error near line 2: no such table: a\n  SELECT\n"), "no such table: a")
+        self.assertEqual(message_of("Error: stepping, constraint failed (19)\n"), "stepping, constraint failed")
+        self.assertEqual(message_of("n\n1\n"), "")
 
     def test_every_row_of_a_table_of_errors_is_run(self):
         table = "<!-- sql errors -->\n\n| write | says |\n|---|---|\n| `SELECT * FROM nowhere` | no such table: nowhere |\n"

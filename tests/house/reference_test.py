@@ -3,7 +3,7 @@ import re
 import sys
 import unittest
 
-from documents import error_rows, fenced_and_hidden
+from documents import fenced_and_hidden
 from house import ROOT, main, shell
 
 sys.path.insert(0, str(ROOT / "ext/hosts/docs"))
@@ -41,12 +41,6 @@ class Generated(unittest.TestCase):
         for name, text in texts.items():
             self.assertRegex(text, r"\A# .+\n\n[^\n]+\n\n", name)
             self.assertLessEqual(len(make_reference.summary(text)), 120, name)
-
-
-    def test_messages_have_at_most_160_characters(self):
-        messages = [row.expected for page in (ROOT / "docs").rglob("*.md") for row in error_rows(page.read_text())]
-        self.assertGreater(len(messages), 250)
-        self.assertEqual([message for message in messages if len(message) > 160], [])
 
 
 class Functions(unittest.TestCase):
