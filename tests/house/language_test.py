@@ -25,9 +25,12 @@ ENFORCED = ("ext/", "tests/", "bench/", "docs/", "README.md", "CONTRIBUTING.md",
 ENFORCED_NAMES = ("ext/", "tests/", "bench/")
 PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "bench/README.md")
 GROUPS = ("ext", "tests", "bench", "docs")  # read with --list and no paths
+# Words that entries of one version share.
+SHARED = ("older versions refuse such a table by name", "a table whose objects were all updated")
 
 LONGEST_SENTENCE = 30  # words; 25 is the aim
 LONGEST_LINE = 120
+DOUBLED = 7  # words in a row that stand twice in one version of the CHANGELOG
 
 
 class Finding:
@@ -111,6 +114,17 @@ def findings_in_lines(name, text):
     return found
 
 
+def doubled(changelog):
+    """What stands twice in one version, as a merge can leave it: a heading, or DOUBLED words in a row."""
+    found = []
+    for version in re.split(r"^## ", changelog, flags=re.M)[1:]:
+        found += [heading for heading, count in Counter(re.findall(r"^### .+$", version, re.M)).items() if count > 1]
+        words = [word for part in version.split() if (word := re.sub(r"[^\w]", "", part).lower())]
+        rows = Counter(" ".join(words[i:i + DOUBLED]) for i in range(len(words) - DOUBLED + 1))
+        found += [row for row, count in rows.items() if count > 1 and not any(row in shared for shared in SHARED)]
+    return found
+
+
 def is_quoted_by_a_test(name, text, piece):
     lines = text.splitlines()
     return name.startswith("tests/") and piece.kind == "message" and not any('<< "' in lines[number - 1] for number in piece.lines)
@@ -164,6 +178,9 @@ class Language(unittest.TestCase):
     def test_enforced_paths_exist(self):
         for name in ENFORCED + ENFORCED_NAMES + PAGES:
             self.assertTrue((ROOT / name).exists(), name)
+
+    def test_nothing_stands_twice_in_the_changelog(self):
+        self.assertEqual(doubled((ROOT / "CHANGELOG.md").read_text()), [])
 
 
 class Checker(unittest.TestCase):
@@ -231,6 +248,13 @@ class Checker(unittest.TestCase):
 
     def test_columns_of_stored_watches_keep_their_names(self):
         self.assertEqual(self.of("ext/sqlite/watch/a.h", "int told, asked, moment;\n"), [(1, "moment")])
+
+    def test_what_stands_twice_in_a_version_is_found(self):
+        entry = "- `predictive_avoid` lost clear ranges on accelerated paths.\n"
+        self.assertEqual(doubled("## 2\n\n" + entry + "\n## 1\n\n" + entry), [])
+        self.assertEqual(doubled("## 2\n\n" + entry + entry.replace("ranges on", "ranges\n  on")),
+                         ["predictive_avoid lost clear ranges on accelerated paths"])
+        self.assertEqual(doubled("## 2\n\n### Fixed\n\n### Added\n\n### Fixed\n"), ["### Fixed"])
 
     def test_headings_that_do_not_name_their_subject(self):
         self.assertEqual(self.of("a.md", "# What bites\n## How a row is stored\n## Cost\n## How does it scale?\n"),
