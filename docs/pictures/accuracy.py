@@ -68,17 +68,18 @@ def wrong(folder):
                 elif side == 0:
                     if error:
                         picture.rect(x + 1, y + 1, CELL - 2, ROW - 2, "meet", f' fill-opacity="{0.12 + 0.78 * error ** 0.5:.2f}"')
-                    picture.text(x + CELL / 2, y + 13, percent(error) if error else "0", "ink" if error else "soft", "middle", 11)
+                    colour = "soft" if not error else "ground" if error > 0.7 else "ink"  # readable on its cell, light and dark
+                    picture.text(x + CELL / 2, y + 13, percent(error) if error else "0", colour, "middle", 11)
                 else:
                     ratio = cost(family, method) / ours
                     if ratio > 1:
                         picture.rect(x + 1, y + 1, CELL - 2, ROW - 2, "grey2", f' fill-opacity="{min(0.7, 0.06 + 0.13 * len(str(int(ratio)))):.2f}"')
-                    picture.text(x + CELL / 2, y + 13, times(ratio), "ink" if not error else "soft", "middle", 11,
+                    picture.text(x + CELL / 2, y + 13, times(ratio), "soft" if error and ratio < 100 else "ink", "middle", 11,
                                  extra=' text-decoration="line-through"' if error else "")
                 if method == winners[family]:
                     picture.add(f'<rect class="s-foresee" x="{x + 1:g}" y="{y + 1:g}" width="{CELL - 2}" height="{ROW - 2}" fill="none" stroke-width="1.8"/>')
             y += ROW
-    picture.text(left, y + 24, "0: no wrong decision; struck out: a time that buys wrong answers; –: not for this shape", "soft")
+    picture.text(left, y + 24, "0: no wrong decision; struck out: the method is wrong in that family; –: not for this shape", "soft")
     return picture
 
 
@@ -87,14 +88,14 @@ def stages(folder):
     table = rows(folder / "stages.csv")
     message = "Ordinary pairs are decided in double arithmetic; only touching and coinciding paths need exact numbers"
     left, top, width = 176, 92, 420
-    picture = Picture(left + 2 * width + 60, top + 17 * len(table) + 40, message,
+    picture = Picture(left + 2 * width + 78, top + 17 * len(table) + 40, message,
                       "For each family: percent of pairs decided by each stage, and percent of contact starts rounded by each.")
     picture.heading(message)
     for side, (title, total, parts) in enumerate((
             ("which stage decides (percent of pairs)", "pairs", (("chord", "grey4"), ("certified", "grey2"), ("exact", "foresee"))),
             ("which stage rounds the start (percent of contacts)", "hits",
              (("at_once", "grey4"), ("double_double", "grey2"), ("exact_time", "foresee"))))):
-        start = left + side * (width + 30)
+        start = left + side * (width + 48)
         names = {"chord": "chord", "certified": "certified double", "exact": "exact", "at_once": "at once", "double_double": "double-double",
                  "exact_time": "exact"}
         picture.text(start, top - 34, title, weight="bold", size=13)

@@ -65,7 +65,7 @@ def growth(folder):
     table = rows(folder / "growth.csv")
     message = "Long horizons and large objects cost R-trees and box sorting far more than foresee"
     picture = Picture(1180, 440, message, "Nanoseconds per object against the horizon, and against the share of objects 100 times larger.")
-    picture.heading(message, "100,000 objects, without SQL, processor time of one thread")
+    picture.heading(message, "100,000 objects, without SQL, processor time of one thread; h = 0: contact at one instant; rivals were measured up to 30 s")
     names = {-8: "10 ns", **SECONDS}
     for place, (letter, title, x_name, x) in enumerate((
             ("L", "Horizon (L-h: uniform motion)", "horizon, seconds", Log(1, 300, {0: "1", 1: "10", 2: "100"})),
@@ -85,7 +85,7 @@ def paper_time(folder):
     """Milliseconds per join against n, in the three distributions of the paper."""
     table = [row for row in rows(folder / "paper.csv") if row["sweep"] == "n" and row["motion"] == "accelerated"]
     message = "On the paper's scene the grid is fastest; brute force takes 30 to 150 times as long as GPCD"
-    picture = Picture(1150, 440, message, "Time per join against the number of objects, for three distributions of the centres.")
+    picture = Picture(1170, 440, message, "Time per join against the number of objects, for three distributions of the centres.")
     picture.heading(message, "10000 × 10000 × 50, accelerated motion, horizon 3, processor time of one thread")
     for place, spread in enumerate(("uniform", "zipf", "city")):
         mine = [row for row in table if row["spread"] == spread]
@@ -93,7 +93,7 @@ def paper_time(folder):
                       Log(5e-5, 1, SECONDS), spread, "objects", "time per join" if place == 0 else "")
         for column, label, colour, mark, dash in (("scan_ms", "brute force", "grey1", "diamond", "1 3"),
                                                   ("gpcd_ms", "GPCD", "grey1", "up", ""),
-                                                  ("load_ms", "foresee: TPR-tree, loaded first", "foresee", "ring", "2 3"),
+                                                  ("load_ms", "foresee: TPR-tree, with its load", "foresee", "ring", "2 3"),
                                                   ("sij-tpr_ms", "foresee: TPR-tree", "foresee", "up", "2 3"),
                                                   ("grid_ms", "foresee: grid", "foresee", "dot", "")):
             extra = "sij-tpr_ms" if column == "load_ms" else None
@@ -112,13 +112,14 @@ def paper_prune(folder):
         entry[1] += int(row["after"])
     stages = list(dict.fromkeys(stage for stage, _ in sums))
     message = "Space removes nearly all pairs; of the paper's later tests only that of time pays"
-    picture = Picture(900, 96 + 62 * len(stages), message, "Percent of the pairs that each stage removes, for three distributions.")
-    picture.heading(message, "percent of the pairs left by the stage before, all settings of the paper")
+    picture = Picture(900, 116 + 62 * len(stages), message, "Percent of the pairs that each stage removes, for three distributions.")
+    picture.heading(message, "pairs that a stage removes, in percent of the pairs before it; all settings of the paper")
     left, width = 210, 560
     for value in range(0, 101, 20):
         x = left + width * value / 100
         picture.line(x, 66, x, 74 + 62 * len(stages) - 8, "rule")
         picture.text(x, 74 + 62 * len(stages) + 8, f"{value} %", "soft", "middle", 11)
+    picture.text(left + width / 2, 74 + 62 * len(stages) + 28, "pairs removed by the stage", "soft", "middle")
     for place, stage in enumerate(stages):
         top = 72 + 62 * place
         picture.text(left - 12, top + 30, stage, anchor="end")
@@ -152,20 +153,21 @@ def pairs(folder):
     colours = {"foresee": ("foresee", "foresee, exact"), "plain double": ("grey1", "textbook in plain double"),
                "FCL, 10 samples": ("grey4", "FCL, 10 samples"), "FCL, 1000 samples": ("grey3", "FCL, 1000 samples"),
                "Boost, steps of 0.1 s": ("grey2", "Boost, steps of 0.1 s")}
-    height = 76 + sum(18 + 16 * sum(row["scene"] == scene for row in table) for scene in scenes) + 34
+    height = 76 + sum(18 + 16 * sum(row["scene"] == scene for row in table) for scene in scenes) + 54
     message = "Outlines and meshes: the exact first time costs less than the textbook's; ten samples miss contacts"
     picture = Picture(1020, height, message, "Time per pair of outlines or meshes until the first contact is known, by method.")
-    picture.heading(message, "time per pair until the first contact is known; right: how a method errs")
+    picture.heading(message, "time per pair until the first contact is known; beside a bar: how the method errs")
     left, width = 250, 480
     scale = Log(1e-7, 1e-1, SECONDS)
     for value, name in scale.ticks():
         x = left + width * scale.share(value)
-        picture.line(x, 66, x, height - 30, "rule")
-        picture.text(x, height - 14, name, "soft", "middle", 11)
+        picture.line(x, 66, x, height - 50, "rule")
+        picture.text(x, height - 34, name, "soft", "middle", 11)
+    picture.text(left + width / 2, height - 14, "time per pair", "soft", "middle")
     y = 72
     for scene in scenes:
         mine = [row for row in table if row["scene"] == scene]
-        picture.text(left - 10, y + 8 * len(mine) + 3, scene, anchor="end")
+        picture.text(left - 10, y + 8 * len(mine) + 3, scene.replace("such a star", "a star of 100 corners"), anchor="end")
         for row in mine:
             colour, label = colours.get(row["method"], ("grey2", row["method"]))
             end = width * scale.share(float(row["ns"]) * 1e-9)

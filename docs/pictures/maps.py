@@ -93,6 +93,15 @@ def newest_of(path):
     return list(ships.values())
 
 
+def is_free(chart, box, spots, ring, labels):
+    """Whether a label in this box covers no ring and no other label, and is within the chart."""
+    left, top, right, bottom = box
+    within = chart.left < left and right < chart.left + chart.width and chart.top < top and bottom < chart.top + chart.height - 30
+    return (within and not any(left - ring < x < right + ring and top - ring < y < bottom + ring for x, y in spots if not (
+                math.isclose(y, (top + bottom) / 2 - 1) and min(abs(left + 4 - x), abs(right - x)) < 18))
+            and not any(left < other[2] and other[0] < right and top < other[3] and other[1] < bottom for other in labels))
+
+
 def new_york():
     """Real ships of New York Harbour: where they are, where they will be in ten minutes, and who will come close to whom."""
     db = connect()
@@ -129,17 +138,20 @@ def new_york():
         ends = db.execute("SELECT lat, lon FROM predictive_position(?, 'ships') WHERE id IN (?, ?)", (t, a, b)).fetchall()
         spots.append(chart.pixel(*(sum(end[axis] for end in ends) / 2 for axis in (0, 1))))
         picture.circle(*spots[-1], chart.metres(HALF_MILE / 2), "meet", hollow=True)
-    labels = []
+    labels, ring = [], chart.metres(HALF_MILE / 2)
     for (x, y), (one, other, dt, d, *_) in zip(spots, pairs):
-        text = f"{one} / {other}"
-        right, low, high = x + 18 + 6.4 * len(text), y - 16, y + 18
-        if (x < chart.left or right > chart.left + chart.width or low < chart.top or high > chart.top + chart.height - 30
-                or any(x + 10 < px < right and low < py < high for px, py in spots)
-                or any(px < right and x < pright and plow < high and low < phigh for px, pright, plow, phigh in labels)):
-            continue
-        labels.append((x, right, low, high))
-        picture.halo(x + 17, y - 2, text, size=11, weight="bold")
-        picture.halo(x + 17, y + 12, f"{d:.0f} m in {dt / 60:.0f} min", size=11)
+        name, numbers = f"{one} / {other}", f"{d:.0f} m in {dt / 60:.0f} min"
+        width = 6.6 * len(name)
+        for shift, side in ((shift, side) for shift in (17, 35, 55, 75) for side in (1, -1)):
+            start = x + shift if side > 0 else x - shift - width
+            box = start - 4, y - 16, start + width, y + 18
+            if is_free(chart, box, spots, ring, labels):
+                labels.append(box)
+                if shift > 17:
+                    picture.line(x + side * ring, y, x + side * (shift - 4), y, "meet", 0.8)
+                picture.halo(start, y - 2, name, size=11, weight="bold")
+                picture.halo(start, y + 12, numbers, size=11)
+                break
     chart.close(5000, "5 km")
     picture.text(20, chart.top + chart.height + 18, "Ships: NOAA MarineCadastre, names made up. Coast: Natural Earth. Not for navigation.", "soft", size=11)
     return picture

@@ -55,15 +55,15 @@ def harbour():
     pairs = db.execute("SELECT s.name, o.name, j.a, j.t, j.t_end FROM predictive_join(?) j JOIN ships s ON s.id = j.a "
                        "JOIN ships o ON o.id = j.b ORDER BY j.t", (horizon,)).fetchall()
     message = f"Anna and Bruno touch after {number(pairs[0][3])} s, Clara and Dora after {number(pairs[1][3])} s"
-    picture = Picture(760, 560, message, "Four ships, their paths of five minutes, and the two places where ships touch.")
-    west, north, scale = -1576, 960, 0.17
+    picture = Picture(600, 560, message, "Four ships, their paths of five minutes, and the two places where ships touch.")
+    west, north, scale = -1106, 960, 0.17
 
     def pixel(x, y):
         return 10 + (x - west) * scale, 60 + (north - y) * scale
 
     picture.heading(message)
-    picture.add('<svg x="10" y="50" width="740" height="452" viewBox="10 50 740 452">')
-    picture.rect(10, 50, 740, 452, "water")
+    picture.add('<svg x="10" y="50" width="580" height="452" viewBox="10 50 580 452">')
+    picture.rect(10, 50, 580, 452, "water")
     for ship, x, y, vx, vy, r, name in SHIPS:
         track = [(t, *pixel(px, py)) for t, px, py in db.execute(
             "SELECT t, x, y FROM predictive_track(0, ?, 60, 'ships') WHERE id = ? ORDER BY t", (horizon, ship))]
@@ -82,9 +82,9 @@ def harbour():
         times = [0, t / horizon, t_end / horizon, min(t_end + 25, horizon) / horizon, 1]
         picture.add(f'<circle class="s-meet f-meet" cx="{number(x)}" cy="{number(y)}" r="12" fill-opacity="0.15" stroke-width="2">'
                     + animate("r", times, [12, 12, 26, 34, 34], seconds) + "</circle>")
-    scale_bar(picture, 600, 486, 500 * scale, "500 m")
+    scale_bar(picture, 480, 486, 500 * scale, "500 m")
     picture.add("</svg>")
-    left, right, middle = 40, 720, 522
+    left, right, middle = 40, 560, 522
 
     def at(t):
         return left + (right - left) * t / horizon
@@ -137,9 +137,9 @@ def boxes_and_hulls():
     mouth, wall = first_contact(boxed(CLARA), boxed(BASIN)), first_contact(CLARA, BASIN)
     if nothing is not None:
         raise SystemExit("the hulls of Anna and Bruno are not to meet")
-    side, gap, view = 340, 20, 400
+    side, gap, view = 340, 20, 430
     message = "Boxes meet long before hulls do, or where hulls never meet"
-    picture = Picture(2 * side + 3 * gap, 60 + 2 * (side + 50), message, "Two pairs of hulls at two times each, with the boxes around them.")
+    picture = Picture(2 * side + 3 * gap, 30 + 2 * (side + 50), message, "Two pairs of hulls at two times each, with the boxes around them.")
     picture.heading(message)
 
     def panel(column, row, middle, t, things, caption, beside=BESIDE):
@@ -165,7 +165,7 @@ def boxes_and_hulls():
         picture.add("</svg>")
         picture.text(left, top + side + 20, caption, size=13)
 
-    lane, basin = (342, 300), (1050, 310)
+    lane, basin = (342, 300), (1050, 322)
     panel(0, 0, lane, boxes[0], (ANNA, BRUNO), f"{boxes[0]:.1f} s: the boxes touch")
     panel(1, 0, lane, passing[1], (ANNA, BRUNO), f"{passing[1]:.1f} s: the boxes overlap, the hulls pass")
     panel(0, 1, basin, mouth[0], (BASIN, CLARA), f"{mouth[0]:.1f} s: the boxes touch")
@@ -208,8 +208,8 @@ def before_and_after():
     return before, state(db), {row[0]: row[1:] for row in db.execute("SELECT id, manoeuvre, k FROM advice WHERE k IS NOT NULL")}
 
 
-def draw_traffic(picture, left, top, side, scene, objects, seconds=0, names=False):
-    """Paths of a minute; where objects meet, their protected discs of half the distance."""
+def draw_traffic(picture, left, top, side, scene, objects, seconds=0, names=False, numbers=False):
+    """Paths of a minute; where objects meet, their protected discs of half the distance. Names stand behind, numbers to starboard."""
     _, ids, middle, across = scene
     scale = side / across
 
@@ -237,9 +237,10 @@ def draw_traffic(picture, left, top, side, scene, objects, seconds=0, names=Fals
             arrow(picture, *(b - 9 * (b - a) / size for a, b in zip(start, end)), vx, -vy, "track", 5)
         else:
             arrow(picture, *start, vx, -vy, "foresee", 18)
-        if names:
+        if names or numbers:
             size = math.hypot(vx, vy)
-            picture.text(start[0] - 18 * vx / size, start[1] + 18 * vy / size + 4, name, anchor="middle", weight="bold")
+            beside = (14 * vy, 14 * vx) if numbers else (-18 * vx, 18 * vy)
+            picture.text(start[0] + beside[0] / size, start[1] + beside[1] / size + 4, str(ship) if numbers else name, anchor="middle", weight="bold")
     scale_bar(picture, left + side - 30 - 200 * scale, top + side - 14, 200 * scale, "200 m")
     picture.add("</svg>")
 
@@ -250,13 +251,13 @@ def traffic():
     side, gap = 260, 20
     message = "One small change of one of the two keeps each pair 50 m apart"
     picture = Picture(gap + 3 * (side + gap), 62 + 2 * (side + 46), message, "Three encounters, before and after a manoeuvre of one object.")
-    picture.heading(message, "paths of one minute; orange: half of the distance that is kept, where two come closer")
+    picture.heading(message, "paths of one minute; orange circles: half of the distance to keep around each of two that come closer")
     for row, (objects, when) in enumerate(((before, "before"), (after, "after"))):
         for column, scene in enumerate(TRAFFIC):
             left, top = gap + column * (side + gap), 62 + row * (side + 46)
-            draw_traffic(picture, left, top, side, scene, objects)
-            changes = [f"{objects[ship][4]} turns {advice[ship][1]:.1f}° to starboard" if advice[ship][0] == "turn"
-                       else f"{objects[ship][4]} changes its speed" for ship in scene[1] if ship in advice]
+            draw_traffic(picture, left, top, side, scene, objects, numbers=True)
+            changes = [f"{ship} turns {advice[ship][1]:.1f}° to starboard" if advice[ship][0] == "turn"
+                       else f"{ship} changes its speed" for ship in scene[1] if ship in advice]
             picture.text(left, top + side + 19, f"{scene[0]}: " + ("they meet" if row == 0 else ", ".join(changes) or "clear"), size=13)
     return picture
 
@@ -267,7 +268,7 @@ def ring():
     changed = sum(ship in advice for ship in RING[1])
     message = f"Eight drones fly through one point; {changed} manoeuvres, each proven clear, keep all 50 m apart"
     picture = Picture(1180, 660, message, "Eight drones in a ring, each bound for the opposite side: all meet in the middle; after the manoeuvres none do.")
-    picture.heading(message, "predictive_avoid asks for one drone at a time; each change is written before the next is computed (sql/tour/09_avoid.sql)")
+    picture.heading(message, "one drone at a time changes, and the next change is computed after it (sql/tour/09_avoid.sql); discs and circles: half of the distance to keep")
     for column, (objects, caption) in enumerate(((before, "as planned: all eight meet in the middle after 40 to 50 s"),
                                                  (after, "after the manoeuvres: no two come within 50 m"))):
         draw_traffic(picture, 20 + 580 * column, 62, 560, RING, objects, 12, True)

@@ -12,7 +12,7 @@ PALETTE = {
     "ground": ("#ffffff", "#0f1720"), "ink": ("#1b2733", "#dbe7ef"), "soft": ("#566674", "#93a6b5"), "rule": ("#dde5ea", "#25333f"),
     "foresee": ("#0b62c4", "#5aa9ff"), "grey1": ("#39434c", "#dfe5ea"), "grey2": ("#535e68", "#b3bdc6"), "grey3": ("#6d7882", "#8a96a0"),
     "grey4": ("#8c969f", "#626e78"), "meet": ("#c2410c", "#fb923c"), "water": ("#e9f1f6", "#10202c"), "land": ("#d9d5c9", "#2a3634"),
-    "coast": ("#a8a291", "#4d5c58"), "track": ("#9fb6c6", "#3f5b70"), "quay": ("#8c7b6b", "#a08f7e"),
+    "coast": ("#a8a291", "#4d5c58"), "track": ("#7d98ab", "#7393ab"), "quay": ("#8c7b6b", "#a08f7e"),
 }
 FONT = "system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif"
 
@@ -176,10 +176,10 @@ class Panel:
         for place in placed:
             self.picture.mark(*place, mark, colour)
         if label and end:
-            self.labels.append([end[1], end, label + note, colour])
+            self.labels.append([end[1], end, label + note, colour, mark])
 
     def write_labels(self, gap=14, leader=16):
-        """Beside the ends of the lines, pushed apart where they would cover each other."""
+        """Beside the ends of the lines, each with the mark of its line; pushed apart where they would cover each other."""
         labels = sorted(self.labels, key=lambda label: label[0])
         for _ in range(200):
             for one, two in zip(labels, labels[1:]):
@@ -190,6 +190,7 @@ class Panel:
             if labels and (high := self.top - labels[0][0]) > 0:
                 labels[0][0] += high
         right = self.left + self.width + leader
-        for y, end, label, colour in labels:
-            self.picture.line(end[0] + 5, end[1], right - 3, y, "rule")
-            self.picture.text(right, y + 4, label, "foresee" if colour == "foresee" else "ink", weight="bold" if colour == "foresee" else "")
+        for y, end, label, colour, mark in labels:
+            self.picture.line(end[0] + 5, end[1], right - 1, y, colour, 0.8, extra=' stroke-opacity="0.6"')
+            self.picture.mark(right + 3, y, mark, colour)
+            self.picture.text(right + 12, y + 4, label, "foresee" if colour == "foresee" else "ink", weight="bold" if colour == "foresee" else "")

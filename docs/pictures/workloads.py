@@ -80,6 +80,7 @@ def workloads(_):
         if large:
             picture.add(f'<path class="f-foresee s-foresee" d="{"".join(large)}" fill-opacity="0.15" stroke-width="1"/>')
         picture.add("</svg>")
+        picture.rect(left + SIDE - 18 - bar * scale, top + SIDE - 28, bar * scale + 12, 23, "ground", ' fill-opacity="0.85" rx="3"')
         picture.line(left + SIDE - 12 - bar * scale, top + SIDE - 10, left + SIDE - 12, top + SIDE - 10, "ink", 2)
         picture.text(left + SIDE - 12 - bar * scale / 2, top + SIDE - 15, f"{bar:,}", "ink", "middle", 11)
         picture.text(left, top + SIDE + 18, name, weight="bold")
