@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "index/chunk_source.h"
 #include "index/pages.h"
 #include "index/tpr_tree/search/tree_join.h"
 #include "motion/plan/plan.h"
@@ -77,12 +78,13 @@ struct Scene {
 //   SearchTarget ships{"ships", scene, nullptr};             // every object is tested
 //   SearchTarget quays{"quays", nullptr, snapshot};          // nodes are read as the query needs them
 //
-// Both give the same rows. Exactly one of the two is set.
+// Both give the same rows. Exactly one of the two is set; a tree of a layout with plans has chunks beside it.
 
 struct SearchTarget {
   std::string name;  ///< of the table, for messages
   std::shared_ptr<const Scene> scene;
-  std::shared_ptr<NodeSource> tree;
+  std::shared_ptr<NodeSource> tree;               ///< its walks find no object with a plan
+  std::shared_ptr<ChunkSource> chunks = nullptr;  ///< the plans
 
   const Layout& layout() const { return scene ? scene->layout : tree->layout(); }
 };

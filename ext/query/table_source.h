@@ -44,11 +44,15 @@ class TableSource {
   virtual double newest_t() = 0;
   /// All objects, with the levels of the tree on request. Cost: all are decoded, unless is_loaded().
   virtual std::shared_ptr<const Scene> all(bool with_levels = false) = 0;
+  /// The same of a layout with plans: rows that exist at some time of `times`, plans as their legs.
+  virtual std::shared_ptr<const Scene> all_during(const LegTimes&) { return all(); }
   virtual bool is_loaded() = 0;
   /// Those of these ids that exist. Requires: ids in rising order. Cost: a look-up per id.
   virtual std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) = 0;
   /// Must not outlive the statement that takes it.
   virtual std::shared_ptr<NodeSource> tree() = 0;
+  /// The plans; null for a layout without. Must be read to the end before anything is written.
+  virtual std::shared_ptr<ChunkSource> chunks() { return nullptr; }
 
   /// Equal stamps: equal contents.
   virtual std::optional<std::int64_t> stamp() = 0;

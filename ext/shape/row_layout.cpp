@@ -51,6 +51,16 @@ Offsets row_offsets(const Layout& layout) {
   return offsets_of(layout, false);
 }
 
+Layout chunk_layout(const Layout& layout) {
+  return {.axes = layout.axes,
+          .law = Law::uniform,
+          .shape = Shape::box,
+          .has_t = true,
+          .has_until = true,
+          .has_category = layout.has_category,
+          .has_mask = layout.has_mask};
+}
+
 void row_from_record(const Layout& layout, const double* record, double* row) {
   const Offsets from = record_offsets(layout);
   if (layout.law != Law::forced) {

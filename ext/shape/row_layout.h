@@ -103,6 +103,10 @@ Offsets record_offsets(const Layout& layout);
 /// without plan and chunks.
 Offsets row_offsets(const Layout& layout);
 
+/// The layout of the items of a tree of chunks (motion/plan/chunks.h): moving boxes with t and until, and the kinds of
+/// their objects. Requires: a layout with plans.
+Layout chunk_layout(const Layout& layout);
+
 /// Whether the record is of an object with a plan: its t, x, v, a are those of its first leg.
 inline bool has_plan(const Offsets& record_offsets, const double* record) {
   return value_or(record, record_offsets.plan, 0) != 0;

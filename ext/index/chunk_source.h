@@ -1,0 +1,40 @@
+// Plans of a table as queries read them: a TPR-tree of chunks, the legs of each chunk, and the records of their
+// objects.
+//
+//   for (const std::int64_t number : chunks_in(source.tree(), window)) {      // any walk of index/tpr_tree/search
+//     source.read_chunk(number, chunk);
+//     scene.add(chunk.object, source.find_object(chunk.object), chunk.legs);
+//   }
+//
+// The items of the tree have chunk_layout() (shape/row_layout.h): moving boxes that contain the object with its whole
+// shape at every time of the chunk; their keys are the numbers of the chunks. Not a snapshot: it is read to the end
+// before anything is written. Errors: as the table's; SQLITE_CORRUPT_VTAB for chunks that contradict their objects.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "index/pages.h"
+#include "motion/plan/plan.h"
+
+namespace foresee {
+
+/// Consecutive legs of one object's plan (motion/plan/chunks.h).
+struct Chunk {
+  std::int64_t object = 0;
+  std::vector<Leg> legs;  ///< in order of time; the object's `until` has not cut them
+};
+
+class ChunkSource {
+ public:
+  virtual ~ChunkSource() = default;
+
+  virtual NodeSource& tree() = 0;
+  /// Replaces `chunk`. Cost: a look-up, and some 10 ns per leg.
+  virtual void read_chunk(std::int64_t number, Chunk& chunk) = 0;
+  /// The record of an object; empty if it does not exist. Valid until the next call.
+  virtual std::span<const double> find_object(std::int64_t id) = 0;
+};
+
+}  // namespace foresee
