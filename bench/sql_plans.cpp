@@ -1,117 +1,26 @@
-// Plans as values: the cost to make them from rows, to read them as rows, and to store their legs in a table.
+// Plans through SQL: as values, as a column beside their legs as rows, and orbits.
 //
-//   bench_sql_plans [--quick]
+//   bench_sql_plans [--values] [--movers] [--satellites] [--hours N] [--quick]       (all modes without any)
 //
-//   1,000 movers with 1,000 legs each (--quick: 100), on two axes; the plans of all movers per statement. First
-//   one plan of 1,000,000 legs (--quick: 100,000), for the memory of each aggregate.
+//   --values      1,000 movers with 1,000 legs each (--quick: 100), on two axes: to make plans from rows, to read them
+//                 as rows, to store their legs in a table. First one plan of 1,000,000 legs (--quick: 100,000), for the
+//                 memory of each aggregate.
+//   --movers      random way-points, one mover per 100 m², legs of 10 s, r = 1 m: 10,000 movers of 100 legs joined over
+//                 900 s, 100,000 of 10 over 90 s (--quick: a tenth). Load, bytes, join with and without ends, and a
+//                 commit of one new plan, each against the legs as rows; plans of one leg against plain rows.
+//   --satellites  30,000 circular orbits (--quick: 3,000) of legs of 60 s for two hours (--hours): pairs within 3 km,
+//                 seconds and peak memory; the pairs of some satellites against every other one, leg by leg.
 //
-// In memory; processor time per leg, medians of repetitions. The bytes of a table are those that its database grows by.
-#include <cstdio>
-
-#include "measure.h"
-#include "program.h"
-#include "sql.h"
-#include "sql_ours.h"
+// Processor time, medians of repetitions; ratios are within a repetition. Fails if plans and rows give different pairs.
+#include "plans/modes.h"
 
 namespace foresee::bench {
 namespace {
 
-struct Aggregate {
-  const char *name, *call;
-};
-
-constexpr Aggregate aggregates[] = {
-    {"plan_points", "plan_points(t, x, y)"},
-    {"plan_uniform", "plan_uniform(t, NULL, x, y, vx, vy)"},
-    {"plan_accelerated", "plan_accelerated(t, NULL, x, y, vx, vy, ax, ay)"},
-};
-
-/// Rows of way-points that serve every aggregate.
-void make_rows(Database& db, int movers, int legs) {
-  db.run(
-      "CREATE TABLE rows(mover INTEGER, t REAL, x REAL, y REAL, vx REAL, vy REAL, ax REAL, ay REAL);"
-      "WITH RECURSIVE m(mover) AS (SELECT 1 UNION ALL SELECT mover + 1 FROM m WHERE mover < " +
-      std::to_string(movers) + "), k(leg) AS (SELECT 0 UNION ALL SELECT leg + 1 FROM k WHERE leg < " +
-      std::to_string(legs) +
-      ") INSERT INTO rows SELECT mover, 10.0 * leg, mover + sin(leg), mover - cos(leg), sin(leg * 0.7), "
-      "cos(leg * 0.7), 0.01 * sin(leg), 0.01 * cos(leg) FROM m, k");
-}
-
-/// Nanoseconds of processor time per leg.
-void print_time(Database& db, const std::string& name, const std::string& sql, int legs, int repetitions) {
-  Statement statement(db, sql);
-  std::vector<double> seconds;
-  for (int i = 0; i < repetitions; ++i) seconds.push_back(seconds_of([&] { statement.step_all(); }));
-  std::printf("%-24s %6.0f ns per leg\n", name.c_str(), 1e9 * median(seconds) / legs);
-  std::fflush(stdout);
-}
-
-double number_of(Database& db, const std::string& sql) {
-  Statement statement(db, sql);
-  statement.step();
-  return statement.number(0);
-}
-
-/// Loads the legs of all plans into a table, again and again.
-void print_load(Database& db, int legs, int repetitions) {
-  const char* const bytes = "SELECT page_count * page_size FROM pragma_page_count, pragma_page_size";
-  std::vector<double> seconds;
-  double added = 0;
-  for (int i = 0; i < repetitions; ++i) {
-    db.run(
-        "DROP TABLE IF EXISTS legs; VACUUM;"
-        "CREATE VIRTUAL TABLE legs USING moving_objects(id, t, x, y, vx, vy, r, until)");
-    const double before = number_of(db, bytes);
-    seconds.push_back(seconds_of([&] {
-      db.run(
-          "INSERT INTO legs(t, x, y, vx, vy, r, until) "
-          "SELECT p.t, p.x, p.y, p.vx, p.vy, 0.4, p.until FROM plans, plan_rows(value) AS p");
-    }));
-    added = number_of(db, bytes) - before;
-  }
-  std::printf("%-24s %6.0f ns per leg, %.0f bytes\n", "legs into a table", 1e9 * median(seconds) / legs,
-              added / legs);
-}
-
-void compare_times(int movers, int legs_of_mover, int repetitions) {
-  Database db(":memory:");
-  register_foresee(db);
-  make_rows(db, movers, legs_of_mover);
-  const int legs = movers * legs_of_mover;
-  print_time(db, "the rows alone", "SELECT max(t + x + y) FROM rows GROUP BY mover", legs, repetitions);
-  for (const auto& [name, call] : aggregates)
-    print_time(db, name, "SELECT " + std::string(call) + " FROM rows GROUP BY mover", legs, repetitions);
-  const std::string turn = "plan_turn(0, 0, 0, 0, 10, 1, 1e4, NULL, 1e-6)";
-  const auto turn_legs = static_cast<int>(number_of(db, "SELECT count(*) FROM plan_rows(" + turn + ")"));
-  print_time(db, "plan_turn", "SELECT " + turn, turn_legs, repetitions);
-  db.run(
-      "CREATE TABLE plans(mover INTEGER, value BLOB, text TEXT);"
-      "INSERT INTO plans SELECT mover, plan_points(t, x, y), 'LINESTRING M(' || "
-      "group_concat(printf('%!.17g %!.17g %!.17g', x, y, t)) || ')' FROM rows GROUP BY mover");
-  print_time(db, "plan_rows, of a text", "SELECT count(t) FROM plans, plan_rows(text)", legs, repetitions);
-  print_time(db, "plan_rows, of a blob", "SELECT count(t) FROM plans, plan_rows(value)", legs, repetitions);
-  print_load(db, legs, repetitions);
-}
-
-/// In a child: what the aggregate adds to a process that holds the rows, at most.
-void print_memory(int legs) {
-  for (const auto& [name, call] : aggregates)
-    run_in_child([&] {
-      Database db(":memory:");
-      register_foresee(db);
-      make_rows(db, 1, legs);
-      Resident::forget_peak();
-      const double before = Resident::now();
-      number_of(db, "SELECT length(" + std::string(call) + ") FROM rows");
-      std::printf("%-24s %6.0f bytes of memory per leg\n", name, (Resident::peak() - before) / legs);
-    });
-}
-
 int main_of(const Options& options) {
-  const bool quick = options.has("--quick");
-  print_memory(quick ? 100000 : 1000000);
-  compare_times(1000, quick ? 100 : 1000, quick ? 3 : 7);
-  return 0;
+  return run_modes(
+      options,
+      {{"--values", measure_values}, {"--movers", measure_movers}, {"--satellites", measure_satellites}});
 }
 
 }  // namespace

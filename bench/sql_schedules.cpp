@@ -1,79 +1,29 @@
-// Schedules through SQL: movers whose legs are rows (t … until), beside a table of the legs of one minute only.
+// Schedules through SQL: movers whose legs are rows (t … until) or plans, beside a table of the legs of one minute.
 //
 //   bench_sql_schedules [--quick] [--one-by-one]
 //
 //   10,000 movers between random way-points, one per 100 m², 100 legs of 10 s each at 0.5 to 1.5 m/s, r = 1 m,
-//   in one table; the other holds the legs that live in [500, 620]. Queries start at 500 to 560, with h = 0,
-//   10 and 60: windows of 33 m, the 10 nearest, and all that meets one leg (a = ?).
+//   in one table; one row per mover with a column plan in the second; the third holds the legs that live in
+//   [500, 620]. Queries start at 500 to 560, with h = 0, 10 and 60: windows of 33 m, the 10 nearest, and all that
+//   meets one leg, or one mover (a = ?).
 //   --one-by-one: the legs arrive shuffled, a row per transaction; else shuffled in one transaction.
 //   --quick: 1,000 movers.
 //
 // In memory; processor time per query, medians of repetitions; the ratio is within a repetition. Fails if the
-// tables give different rows.
+// tables give different rows: of plans, the first contact of each mover in a window, and the distance of the nearest.
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <random>
 
 #include "measure.h"
+#include "plans/schedule.h"
 #include "program.h"
 #include "sql_ours.h"
 
 namespace foresee::bench {
 namespace {
-
-struct Leg {
-  std::int64_t id;
-  double t, x, y, vx, vy, until;
-};
-
-struct Schedule {
-  std::vector<Leg> legs;  ///< shuffled
-  double side;
-};
-
-Schedule make_schedule(int movers) {
-  constexpr int legs_of_mover = 100;
-  constexpr double duration = 10;
-  Schedule schedule{{}, std::sqrt(100.0 * movers)};
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> unit(0, 1);
-  for (int mover = 0; mover < movers; ++mover) {
-    double x = unit(random) * schedule.side, y = unit(random) * schedule.side, t = -unit(random) * duration;
-    for (int leg = 0; leg < legs_of_mover; ++leg, t += duration) {
-      const double course = 2 * 3.141592653589793 * unit(random), speed = 0.5 + unit(random);
-      double vx = speed * std::cos(course), vy = speed * std::sin(course);
-      if (x + vx * duration < 0 || x + vx * duration > schedule.side) vx = -vx;
-      if (y + vy * duration < 0 || y + vy * duration > schedule.side) vy = -vy;
-      schedule.legs.push_back({mover * 1000LL + leg, t, x, y, vx, vy, t + duration});
-      x += vx * duration, y += vy * duration;
-    }
-  }
-  std::shuffle(schedule.legs.begin(), schedule.legs.end(), random);
-  return schedule;
-}
-
-/// Loads the legs that live in [from, to]; returns nanoseconds per leg.
-double load(Database& db, const char* table, const Schedule& schedule, double from, double to,
-            bool one_by_one) {
-  db.run("CREATE VIRTUAL TABLE " + std::string(table) +
-         " USING moving_objects(id, t, x, y, vx, vy, r, until)");
-  Statement insert(db, "INSERT INTO " + std::string(table) + " VALUES(?, ?, ?, ?, ?, ?, 1, ?)");
-  std::size_t rows = 0;
-  const double seconds = seconds_of([&] {
-    if (!one_by_one) db.run("BEGIN");
-    for (const Leg& leg : schedule.legs) {
-      if (leg.until < from || leg.t > to) continue;
-      const double values[] = {leg.t, leg.x, leg.y, leg.vx, leg.vy, leg.until};
-      insert.bind(1, leg.id);
-      for (int i = 0; i < 6; ++i) insert.bind(2 + i, values[i]);
-      insert.step();
-      ++rows;
-    }
-    if (!one_by_one) db.run("COMMIT");
-  });
-  return seconds * 1e9 / static_cast<double>(rows);
-}
 
 enum class Question { window, nearest, partners };
 constexpr Question all_questions[] = {Question::window, Question::nearest, Question::partners};
@@ -95,42 +45,74 @@ struct Run {
   std::int64_t rows;
 };
 
-Run run(Statement& statement, const Schedule& schedule, Question question, double h, int queries) {
+/// The rows of each query, one after the other; `plans`: of a table with a row per mover.
+template <class Use>
+void ask(Statement& statement, const Schedule& schedule, Question question, double h, int queries, bool plans,
+         Use use) {
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> place(0, schedule.side - 33), start(500, 560);
+  for (int i = 0; i < queries; ++i) {
+    const double now = start(random);
+    statement.bind(1, h), statement.bind(2, now);
+    if (question == Question::partners) {
+      const auto mover = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(schedule.movers));
+      const auto leg = static_cast<std::int64_t>(now / leg_seconds);
+      statement.bind(5, plans ? mover : mover * ids_per_mover + leg);
+    } else {
+      statement.bind(3, place(random)), statement.bind(4, place(random));
+    }
+    while (statement.step()) use(i, statement.integer(0), statement.number(1));
+  }
+}
+
+Run run(Statement& statement, const Schedule& schedule, Question question, double h, int queries,
+        bool plans = false) {
   Run run{0, 0, 0};
   run.seconds = seconds_of([&] {
-    for (int i = 0; i < queries; ++i) {
-      const double now = start(random);
-      statement.bind(1, h), statement.bind(2, now);
-      if (question == Question::partners) {
-        const auto mover = static_cast<std::int64_t>(random() % (schedule.legs.size() / 100));
-        statement.bind(5, mover * 1000 + static_cast<std::int64_t>(now / 10));
-      } else {
-        statement.bind(3, place(random)), statement.bind(4, place(random));
-      }
-      for (; statement.step(); ++run.rows)
-        run.sum += static_cast<std::uint64_t>(statement.integer(0)) *
-                   std::bit_cast<std::uint64_t>(statement.number(1));
-    }
+    ask(statement, schedule, question, h, queries, plans, [&](int, std::int64_t id, double number) {
+      run.sum += static_cast<std::uint64_t>(id) * std::bit_cast<std::uint64_t>(number), ++run.rows;
+    });
   });
   return run;
 }
 
+/// Whether plans and the legs of that minute have the same first contacts in windows, or the same least distances.
+bool agree(Statement& plans, Statement& few, const Schedule& schedule, Question question, double h,
+           int queries) {
+  if (question == Question::partners) return true;  // of a leg, and of a mover
+  std::map<std::pair<int, std::int64_t>, double> ours, theirs;
+  const auto keep_least = [&](auto& least, std::int64_t ids) {
+    return [&least, ids, question](int query, std::int64_t id, double number) {
+      const auto key = std::pair(query, question == Question::window ? id / ids : 0);
+      const auto [found, is_new] = least.try_emplace(key, number);
+      if (!is_new) found->second = std::min(found->second, number);
+    };
+  };
+  ask(plans, schedule, question, h, queries, true, keep_least(ours, 1));
+  ask(few, schedule, question, h, queries, false, keep_least(theirs, ids_per_mover));
+  return ours == theirs;
+}
+
 int main_of(const Options& options) {
   const bool quick = options.has("--quick"), one_by_one = options.has("--one-by-one");
-  const Schedule schedule = make_schedule(quick ? 1000 : 10000);
+  const Schedule schedule = make_schedule(quick ? 1000 : 10000, 100);
   const int repetitions = quick ? 3 : 7, queries = 200;
   Database db(":memory:");
   register_foresee(db);
-  const double all = load(db, "legs", schedule, -1e9, 1e9, one_by_one);
+  const double all = load_legs(db, "legs", schedule, -1e9, 1e9, one_by_one);
   std::printf("%zu legs, %s: %.0f ns per leg\n", schedule.legs.size(),
               one_by_one ? "a row per transaction" : "one transaction", all);
-  load(db, "minutes", schedule, 500, 620, one_by_one);
+  load_legs(db, "minutes", schedule, 500, 620, one_by_one);
+  load_plans(db, "movers", schedule);
   for (const Question question : all_questions)
     for (const double h : {0.0, 10.0, 60.0}) {
-      Statement ours(db, sql_of(question, "legs")), few(db, sql_of(question, "minutes"));
-      Comparison times;
+      Statement ours(db, sql_of(question, "legs")), few(db, sql_of(question, "minutes")),
+          plans(db, sql_of(question, "movers"));
+      Comparison times, plan_times;
+      if (!agree(plans, few, schedule, question, h, queries)) {
+        std::fprintf(stderr, "%s, h = %g: plans and legs differ\n", names[static_cast<int>(question)], h);
+        return 1;
+      }
       for (int i = 0; i < repetitions; ++i) {
         const Run whole = run(ours, schedule, question, h, queries),
                   part = run(few, schedule, question, h, queries);
@@ -140,14 +122,15 @@ int main_of(const Options& options) {
           return 1;
         }
         times.add(whole.seconds / queries, part.seconds / queries);
+        plan_times.add(run(plans, schedule, question, h, queries, true).seconds / queries,
+                       part.seconds / queries);
         if (i == 0)
           std::printf("%-11s h = %2g  %6.1f rows", names[static_cast<int>(question)], h,
                       static_cast<double>(whole.rows) / queries);
       }
-      std::vector<double> ratios;
-      for (const double ratio : times.ratios) ratios.push_back(1 / ratio);
-      std::printf("   all legs %8.1f us   those of two minutes %8.1f us   %6.2fx\n", median(times.ours) * 1e6,
-                  median(times.rivals) * 1e6, median(ratios));
+      std::printf("   those of two minutes %8.1f us   all legs %8.1f us %6.2fx   plans %8.1f us %6.2fx\n",
+                  median(times.rivals) * 1e6, median(times.ours) * 1e6, 1 / median(times.ratios),
+                  median(plan_times.ours) * 1e6, 1 / median(plan_times.ratios));
       std::fflush(stdout);
     }
   return 0;
