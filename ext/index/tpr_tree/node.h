@@ -1,4 +1,7 @@
 // Typed views of a decoded tree node: the objects of a leaf, the entries of an inner node.
+//
+// An object with a plan (row_layout.h) is in the tree as a point at the start of its first leg, at rest, which exists for
+// that instant: so it widens no bounds, the root knows its t, and no walk returns it. Its legs are in a tree of chunks.
 #pragma once
 
 #include <algorithm>
@@ -19,18 +22,24 @@ class LeafReader {
 
   std::size_t record_size() const { return static_cast<std::size_t>(at_.size); }
 
+  /// True for an object with a plan.
+  bool is_head(const double* record) const { return has_plan(at_, record); }
   Motion<D> motion(const double* record) const {
+    if (is_head(record)) return {t(record), vector(record, at_.x), Vec<D>::Zero(), Vec<D>::Zero(), t(record)};
     Motion<D> motion{t(record), vector(record, at_.x), vector(record, at_.v), vector(record, at_.a),
                      until(record)};
     if (at_.force != Offsets::absent) motion.a = vector(record, at_.force) / record[at_.mass];
     return motion;
   }
-  Extents<D> extents(const double* record) const { return extents_of<D>(shape_, record, at_); }
+  Extents<D> extents(const double* record) const {
+    return is_head(record) ? Extents<D>::none() : extents_of<D>(shape_, record, at_);
+  }
   Vec<D> growth(const double* record) const { return growth_of<D>(shape_, record, at_); }
   bool grows() const { return at_.growth != Offsets::absent || at_.growth_z != Offsets::absent; }
   Kinds kinds(const double* record) const { return kinds_of(record, at_); }
   double t(const double* record) const { return value_or(record, at_.t, 0); }
   double until(const double* record) const {
+    if (is_head(record)) return t(record);
     return value_or(record, at_.until, std::numeric_limits<double>::infinity());
   }
   /// False if no object has an end: the table does not declare `until`.

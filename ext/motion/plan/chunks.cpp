@@ -100,10 +100,19 @@ ChunkBox chunk_box(std::span<const Leg> legs, int axes) {
     const Ends around_chord = range_around(box, legs, j);
     const double middle = 0.5 * around_chord.lower + 0.5 * around_chord.upper;
     if (std::isfinite(middle) && std::isfinite(box.x[j] + middle)) box.x[j] += middle;
-    const Ends range = range_around(box, legs, j);
-    box.half[j] = std::max(-range.lower, range.upper);
   }
+  box.half = half_extents_around(box, legs, axes);
   return box;
+}
+
+std::array<double, 3> half_extents_around(const ChunkBox& box, std::span<const Leg> legs, int axes) {
+  const FloatEnvironment environment;
+  std::array<double, 3> half{};
+  for (std::size_t j = 0; j < static_cast<std::size_t>(axes); ++j) {
+    const Ends range = range_around(box, legs, j);
+    half[j] = std::max(-range.lower, range.upper);
+  }
+  return half;
 }
 
 }  // namespace foresee

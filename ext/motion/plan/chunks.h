@@ -35,6 +35,10 @@ struct ChunkBox {
   std::array<double, 3> x{}, v{}, half{};
 };
 
+/// The half extents that the box needs to contain the legs: of chunk_box() its own. Requires: the box starts no later
+/// than the legs.
+std::array<double, 3> half_extents_around(const ChunkBox& box, std::span<const Leg> legs, int axes);
+
 /// Requires: legs of one chunk, at least one.
 ChunkBox chunk_box(std::span<const Leg> legs, int axes);
 

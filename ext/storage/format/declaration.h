@@ -27,6 +27,7 @@ struct MotionColumn {
   bool is_form = false;             ///< the double is the number of an outline or mesh
   bool is_kind = false;             ///< the double is a category or a mask, which reads back as an integer
   GeoColumn geo = GeoColumn::none;  ///< `place` is then that of an axis
+  bool is_plan = false;             ///< the double is the number of a plan's first chunk
 };
 
 /// `+name TYPE`: a value that is stored with each object and not interpreted.

@@ -18,7 +18,7 @@ std::string_view pop_first(std::string_view& names) {
 }  // namespace
 
 std::span<const Feature> known_features() {
-  static constexpr std::array<Feature, 9> known{
+  static constexpr std::array<Feature, 10> known{
       {{map_blocks, [](const Declaration&) { return true; }},
        {stored_shapes, [](const Declaration& declared) { return is_stored_apart(declared.layout.shape); }},
        {stored_meshes, [](const Declaration& declared) { return declared.layout.shape == Shape::mesh; }},
@@ -28,7 +28,8 @@ std::span<const Feature> known_features() {
        {stored_globe, [](const Declaration& declared) { return declared.frame.on_globe(); }},
        {named_frame, [](const Declaration& declared) { return !declared.frame.text.empty(); }},
        {stored_zones, [](const Declaration& declared) { return declared.has_zones(); }},
-       {stored_kinds, [](const Declaration& declared) { return has_kinds(declared.layout); }}}};
+       {stored_kinds, [](const Declaration& declared) { return has_kinds(declared.layout); }},
+       {stored_plans, [](const Declaration& declared) { return declared.layout.has_plan; }}}};
   return known;
 }
 

@@ -52,6 +52,9 @@ constexpr std::string_view named_frame = "frame";
 /// or `mask` have this feature.
 constexpr std::string_view stored_kinds = "kinds";
 
+/// Objects may have plans, whose legs are in <name>_leg. Tables with a column `plan` have this feature.
+constexpr std::string_view stored_plans = "plans";
+
 /// Maximum length in bytes of the list that is read.
 constexpr std::size_t max_features = 1000;
 

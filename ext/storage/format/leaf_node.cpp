@@ -6,6 +6,7 @@
 
 #include "shape/kinds.h"
 #include "shape/shapes.h"
+#include "storage/format/chunk_blob.h"
 #include "storage/format/form_blob.h"
 
 namespace foresee {
@@ -81,14 +82,25 @@ const char* kinds_fault(const NodeFormat& format, const std::byte* record) {
   return nullptr;
 }
 
+const char* plan_fault(const NodeFormat& format, const std::byte* record) {
+  const double first = number_at(record, format.at.plan), chunks = number_at(record, format.at.chunks);
+  const auto is_number = [](double number, double most) {
+    return 0 <= number && number <= most && number == std::floor(number);
+  };
+  if (!is_number(first, static_cast<double>(largest_chunk_number)) ||
+      !is_number(chunks, static_cast<double>(max_plan_legs)) || (first == 0) != (chunks == 0))
+    return "the number of a plan is out of range";
+  return nullptr;
+}
+
 const char* records_fault(const NodeFormat& format, const std::byte* records, std::size_t count) {
   constexpr const char* not_finite = "a number is not finite";
-  // `until` may be +infinity; it comes last, but for category and mask, which are checked alone.
+  // `until` may be +infinity; it comes last, but for kinds and plans, which are checked alone.
   const bool ends = format.layout.has_until;
   const auto size = static_cast<std::size_t>(format.at.size);
   if (!ends && !all_finite(records, count * size)) return not_finite;
   const bool extended = format.layout.shape != Shape::point, forced = format.layout.law == Law::forced;
-  const bool kinds = has_kinds(format.layout);
+  const bool kinds = has_kinds(format.layout), plans = format.layout.has_plan;
   if (!ends && !extended && !forced && !kinds) return nullptr;
   for (const std::byte* record = records; record != records + count * format.record_size;
        record += format.record_size) {
@@ -97,6 +109,7 @@ const char* records_fault(const NodeFormat& format, const std::byte* records, st
     if (!fault && ends) fault = until_fault(format, record);
     if (!fault && kinds) fault = kinds_fault(format, record);
     if (!fault && forced) fault = force_fault(format, record);
+    if (!fault && plans) fault = plan_fault(format, record);
     if (fault) return fault;
   }
   return nullptr;

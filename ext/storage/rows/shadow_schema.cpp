@@ -5,6 +5,7 @@
 
 #include "shape/shapes.h"
 #include "storage/format/features.h"
+#include "storage/rows/leg_rows.h"
 #include "storage/rows/shape_rows.h"
 #include "storage/rows/store_error.h"
 #include "storage/rows/tree_rows.h"
@@ -13,7 +14,8 @@
 namespace foresee {
 namespace {
 
-constexpr std::array<const char*, 5> suffixes{"node", "map", "meta", "aux", "shape"};
+constexpr std::array<const char*, 8> suffixes{"node",  "map", "meta",       "aux",
+                                              "shape", "leg", "chunk_node", "chunk_map"};
 
 std::int64_t page_size(sqlite3* db, const QualifiedName& name) {
   Statement statement(db, format_sql("PRAGMA \"%w\".page_size", name.schema.c_str()));
@@ -73,6 +75,10 @@ ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declara
     tables.push_back({"aux", definition + ")"});
   }
   if (is_stored_apart(declaration.layout.shape)) tables.push_back(ShapeRows::table());
+  if (declaration.layout.has_plan) {
+    tables.push_back(LegRows::table());
+    for (ShadowTable& table : TreeRows::tables("chunk_")) tables.push_back(std::move(table));
+  }
   return {db, name, std::move(tables)};
 }
 
@@ -104,6 +110,7 @@ std::string describe_columns(const Declaration& declaration) {
   if (layout.has_until) text += ", until";
   if (layout.has_category) text += ", category";
   if (layout.has_mask) text += ", mask";
+  if (layout.has_plan) text += ", plan";
   for (const AuxiliaryColumn& column : declaration.auxiliaries) text += ", +" + column.name;
   return text;
 }
@@ -121,6 +128,7 @@ NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const De
   meta.write("node_size", static_cast<std::int64_t>(format.node_size));
   meta.write("horizon", declaration.horizon);
   meta.write("root", std::int64_t{0});
+  if (declaration.layout.has_plan) meta.write("chunk_root", std::int64_t{0});
   meta.write("stamp", stamp);
   meta.write("objects", std::int64_t{0});
   meta.write("features", features_of(declaration));

@@ -4,13 +4,15 @@
 //   <name>_map(id INTEGER PRIMARY KEY, leaf INTEGER)                   the leaves of 64 ids per row (id_map_rows.h)
 //   <name>_aux(id INTEGER PRIMARY KEY, a0, a1, …)                      only with auxiliary columns
 //   <name>_shape(number INTEGER PRIMARY KEY, hash, data BLOB)          only with outlines or meshes (shape_rows.h)
+//   <name>_leg(number INTEGER PRIMARY KEY, data BLOB)                  only with plans (leg_rows.h)
+//   <name>_chunk_node, <name>_chunk_map                                the tree of their chunks, as node and map
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
 //
 // `format` in _meta is the version of the format, `columns` the columns as declared, `root` is 0 in an empty
 // table. `stamp` is a random number that every write transaction replaces. `objects` is the number of
 // objects, `features` a list of what version 0.1 does not know (format/features.h); version 0.1 has neither
 // key. `origin` is the origin of a table in degrees, once it has one: its latitude and longitude as text. The
-// others are `node_size` and `horizon`.
+// others are `node_size`, `horizon`, and `chunk_root` of a table with plans.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +27,7 @@
 
 namespace foresee {
 
-/// True for node, map, aux, meta and shape: the suffixes after `<name>_` of a shadow table's name.
+/// True for node, map, aux, meta, shape, leg, chunk_node and chunk_map: the suffixes after `<name>_` of a shadow table's name.
 bool is_shadow_suffix(std::string_view suffix);
 
 /// The columns of the record in their order, then the auxiliary ones: the value of `columns` in _meta.

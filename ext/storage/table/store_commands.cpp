@@ -28,6 +28,7 @@ void Store::pack(Interrupt& interrupt) {
   AtomicChange atomic_change(*this);
   rebuild.write();
   write_count(static_cast<std::int64_t>(rebuild.objects()));
+  if (plans_) pack_plans(interrupt);
   if (forms_ && !tree_.nodes().has_snapshots()) forms_->keep_only(rebuild.forms());
   atomic_change.done();
 }
@@ -35,6 +36,7 @@ void Store::pack(Interrupt& interrupt) {
 std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
   flush();
   nodes().forget_clean();
+  if (plans_) plans_->tree().nodes().forget_clean();
   std::vector<std::string> faults = tree_.with_sound_tree([&] {
     return check_integrity(shadow_rows(), tree_.nodes(), format_, name_, has_auxiliaries(),
                            forms_ ? &forms_->rows() : nullptr, interrupt);

@@ -11,8 +11,7 @@ void Store::revalidate_cache() {
   const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
   if (version_.seen() == stamp) return;
-  tree_.nodes().forget_all();
-  if (forms_) forms_->forget_all();
+  forget_nodes();
   version_.forget();
   totals_.change().count.stored = shadow_rows().read_objects();
   watches_.change().reset();
@@ -100,7 +99,7 @@ void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
       nodes().has_unwritten() ? 0 : static_cast<std::size_t>(shadow_rows().tree().map().count_ids());
   const auto row_size = static_cast<std::size_t>(row_offsets(format_.layout).size);
   const auto record_size = static_cast<std::size_t>(format_.at.size);
-  const bool rows_are_records = format_.layout.law != Law::forced;
+  const bool rows_are_records = row_size == record_size;
   std::vector<double> records;
   ids.reserve(expected);
   rows.reserve(expected * row_size);

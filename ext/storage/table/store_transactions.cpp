@@ -62,7 +62,18 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
   if (is_stored_apart(declaration_.layout.shape))
     forms_ = std::make_unique<StoredForms>(journal_, shadow_tables(db_, name_, declaration_),
                                            declaration_.layout.shape);
+  if (declaration_.layout.has_plan) {
+    plans_ = std::make_unique<StoredPlans>(db_, format_, name_, declaration_.horizon, journal_, *memory_,
+                                           [this] { write_out(); });
+    plans_->connect(shadow_tables(db_, name_, declaration_), shadow_rows_->meta());
+  }
   if (is_new_) journal_.begin();
+}
+
+void Store::forget_nodes() {
+  tree_.nodes().forget_all();
+  if (plans_) plans_->tree().nodes().forget_all();
+  if (forms_) forms_->forget_all();
 }
 
 ShadowRows& Store::shadow_rows() {
@@ -89,7 +100,7 @@ std::shared_ptr<NodeSource> Store::take_snapshot() {
 void Store::revalidate_at_begin() try { revalidate_cache(); } catch (const StoreError& error) {
   const int code = error.code & 0xff;
   if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
-  tree_.nodes().forget_all();
+  forget_nodes();
   version_.forget();
 }
 
@@ -113,7 +124,7 @@ void Store::end_transaction(Journal::Ended how) {
   version_.end(how);
   totals_.change().largest = {};
   torn_ = false;
-  tree_.note_memory();
+  note_memory();
 }
 
 // A table that was created after a savepoint gets no callback when SQLite rolls back to it. Then the stamp
@@ -130,7 +141,7 @@ bool Store::was_rolled_back() {
 
 void Store::close() {
   end_transaction(Journal::Ended::rolled_back);
-  tree_.nodes().forget_all();
+  forget_nodes();
   gone_ = true;
 }
 
@@ -233,6 +244,7 @@ void Store::use_table_name(const std::string& table) {
   shadow_rows_ = std::make_unique<ShadowRows>(tables, declaration_);
   tree_.connect(shadow_rows_->tree());
   if (forms_) forms_->connect(tables);
+  if (plans_) plans_->connect(tables, shadow_rows_->meta());
   remember_open_store(db_, name_, shared_from_this());
 }
 

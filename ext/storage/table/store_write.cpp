@@ -8,10 +8,18 @@
 #include "storage/table/store_change.h"
 
 namespace foresee {
+void Store::require_sound(std::span<const double> record) const {
+  if (const char* fault = record_fault(format_, record.data())) throw Error(name_.table + ": " + fault);
+}
+
+void Store::note_memory() noexcept {
+  tree_.note_memory();
+  if (plans_) plans_->tree().note_memory();
+}
+
 // Memory is freed here, before the change: so the change stays atomic.
 void Store::start_change(std::span<const double> record) {
-  if (!record.empty())
-    if (const char* fault = record_fault(format_, record.data())) throw Error(name_.table + ": " + fault);
+  if (!record.empty()) require_sound(record);
   // A rollback inside the statement, by a function that it calls, takes the table out of the transaction: no
   // COMMIT would reach what is written from here on.
   if (!journal_.is_open())
@@ -22,7 +30,7 @@ void Store::start_change(std::span<const double> record) {
     load_watches();
     if (!watches_->value().empty()) changes_.keep_here();
   }
-  tree_.note_memory();
+  note_memory();
   if (memory_->too_much_waits()) memory_->write_out();
   if (version_.is_own()) return;
   const OwnStatements own(*this);
@@ -113,20 +121,27 @@ void Store::remove(std::int64_t id) {
 }
 
 void Store::insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries,
-                   const std::optional<LatLon>& origin) {
+                   const std::optional<LatLon>& origin, const Plan* plan) {
   start_change(record);
   AtomicChange atomic_change(*this);
+  StoredPlans::Change plans(plans_.get());
+  record = plan ? plans.add(id, record, *plan) : plans.keep(id, id, {}, record);
+  if (plan) require_sound(record);
   if (origin) origin_.change() = {.known = true, .unwritten = true, .value = origin};
   if (changes_.are_kept() && !changes_.knows(id)) changes_.add(id, {});
   add(id, record);
+  plans.write();
   if (has_auxiliaries()) shadow_rows().insert_auxiliaries(id, auxiliaries);
+  plans.finish();
   atomic_change.done();
 }
 
 void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
-                   std::span<sqlite3_value*> auxiliaries) {
+                   std::span<sqlite3_value*> auxiliaries, const Plan* plan) {
   start_change(record);
   AtomicChange atomic_change(*this);
+  StoredPlans::Change plans(plans_.get());
+  if (plans_) record = change_plans(plans, id, new_id, record, plan);
   tree_.with_sound_tree([&] {
     log_before_change(id);
     log_before_change(new_id);
@@ -138,33 +153,41 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
       throw_missing(id);
     }
   });
+  plans.write();
   if (has_auxiliaries()) shadow_rows().update_auxiliaries(id, new_id, auxiliaries);
+  plans.finish();
   atomic_change.done();
 }
 
 void Store::erase(std::int64_t id) {
   start_change({});
   AtomicChange atomic_change(*this);
+  StoredPlans::Change plans(plans_.get());
+  if (plans_) plans.remove(id, read(id).value_or(std::vector<double>()));
   tree_.with_sound_tree([&] {
     log_before_change(id);
     remove(id);
   });
   if (has_auxiliaries()) shadow_rows().erase_auxiliaries(id);
+  plans.finish();
   atomic_change.done();
 }
 
 // --- from memory to the rows
 
 bool Store::has_unwritten() const {
-  return tree_.has_unwritten() || totals_->count.added != 0 || origin_->unwritten;
+  return tree_.has_unwritten() || (plans_ && plans_->tree().has_unwritten()) || totals_->count.added != 0 ||
+         origin_->unwritten;
 }
 
 void Store::merge_pending() {
-  if (tree_.pending().count() == 0) return;
+  const bool plans_wait = plans_ && plans_->tree().pending().count() > 0;
+  if (tree_.pending().count() == 0 && !plans_wait) return;
   shadow_rows();
   StatementInterrupt interrupt(db_);
   AtomicChange atomic_change(*this);
-  tree_.merge_pending(interrupt);
+  if (tree_.pending().count() > 0) tree_.merge_pending(interrupt);
+  if (plans_wait) plans_->tree().merge_pending(interrupt);
   atomic_change.done_with_same_contents();
 }
 
@@ -178,6 +201,7 @@ void Store::flush() {
   const OwnStatements own(*this);
   StatementInterrupt interrupt(db_);
   tree_.write(interrupt);
+  if (plans_) plans_->tree().write(interrupt);
   if (totals_->count.added != 0) {
     const std::optional<std::int64_t> sum = totals_->count.sum();
     write_count(sum ? *sum : shadow_rows().tree().map().count_ids());
@@ -197,7 +221,7 @@ void Store::write_count(std::int64_t objects) {
 
 void Store::write_out() {
   if (own_statements_ == 0 && !torn_) flush();
-  tree_.note_memory();
+  note_memory();
 }
 
 }  // namespace foresee

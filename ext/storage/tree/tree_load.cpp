@@ -148,11 +148,8 @@ void TreeStore::Rebuild::read_partitioned() {
 }
 
 void TreeStore::Rebuild::write() {
-  tree_.with_sound_tree([&] {
-    if (load_) return load_->write();
-    tree_.cache_.erase_everything();
-    tree_.tree_->bulk_load(ids_, records_, interrupt_);
-  });
+  if (!load_) return tree_.replace_all(ids_, records_, interrupt_);
+  tree_.with_sound_tree([&] { load_->write(); });
 }
 
 // --- with pending objects

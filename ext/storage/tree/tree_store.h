@@ -52,6 +52,8 @@ class TreeStore final : private MemoryHolder {
   bool erase(std::int64_t id);
   /// Moves all pending objects into the tree: in memory, as far as the budget allows.
   void merge_pending(Interrupt& interrupt);
+  /// Replaces all objects, whatever is stored. Ids are unique.
+  void replace_all(std::span<const std::int64_t> ids, std::span<const double> records, Interrupt& interrupt);
   /// Writes all nodes, the map and the root. Requires: nothing is pending. If it fails half-way the rest stays
   /// unwritten; writing the same again is harmless.
   void write(Interrupt& interrupt);

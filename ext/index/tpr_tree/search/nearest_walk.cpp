@@ -150,6 +150,7 @@ template <int D>
   near_.clear();
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
     if (test_ && !test_->accepts(reader_.kinds(reader_.record(leaf, slot)))) continue;
+    if (reader_.is_head(reader_.record(leaf, slot))) continue;
     const Motion<D> motion = reader_.motion(reader_.record(leaf, slot));
     const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::Zero());
     if (box.span.is_empty()) continue;

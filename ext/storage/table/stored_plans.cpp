@@ -1,0 +1,405 @@
+#include "storage/table/stored_plans.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+
+#include "base/axes.h"
+#include "base/float_environment.h"
+#include "base/interrupt_steps.h"
+#include "index/tpr_tree/node.h"
+#include "shape/shapes.h"
+#include "storage/format/leaf_node.h"
+#include "storage/rows/store_error.h"
+
+namespace foresee {
+namespace {
+
+constexpr std::size_t smallest_page = 512, largest_page = 65536;
+
+/// What of a record an item depends on, besides its legs: from the sizes to the kinds.
+std::span<const double> item_inputs(const Offsets& at, int axes, std::span<const double> record) {
+  const auto first = static_cast<std::size_t>((at.a == Offsets::absent ? at.v : at.a) + axes);
+  return record.subspan(first, static_cast<std::size_t>(at.plan) - first);
+}
+
+bool equal_bits(std::span<const double> a, std::span<const double> b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
+/// The motion of a record: that of a leg.
+void set_motion(const Offsets& at, int axes, const Leg& leg, double* record) {
+  record[at.t] = leg.t;
+  std::copy_n(leg.x.begin(), axes, record + at.x);
+  std::copy_n(leg.v.begin(), axes, record + at.v);
+  if (at.a != Offsets::absent) std::copy_n(leg.a.begin(), axes, record + at.a);
+}
+
+}  // namespace
+
+// The page size at CREATE is not stored. Both trees take the smallest page that gives the size of the first one.
+NodeFormat chunk_node_format(const NodeFormat& objects) {
+  const Layout layout = chunk_layout(objects.layout);
+  std::size_t page = smallest_page;
+  while (page < largest_page && NodeFormat::node_size_for(objects.layout, page) != objects.node_size)
+    page *= 2;
+  return NodeFormat(layout, NodeFormat::node_size_for(layout, page));
+}
+
+StoredPlans::StoredPlans(sqlite3* db, const NodeFormat& format, const QualifiedName& name, double horizon,
+                         Journal& journal, MemoryBudget& memory, std::function<void()> write_out)
+    : Participant(journal, Scope::transaction),
+      name_(name),
+      format_(format),
+      layout_(format.layout),
+      at_(format.at),
+      item_at_(record_offsets(chunk_layout(layout_))),
+      tree_(db, chunk_node_format(format), tree_name_, horizon, journal, memory, std::move(write_out)) {}
+
+void StoredPlans::connect(const ShadowTables& tables, MetaRows& meta) {
+  tree_name_ = {tables.name().schema, tables.name().table + "_chunk"};
+  rows_.emplace(tables);
+  tree_rows_.emplace(tables, meta, "chunk_");
+  tree_.connect(*tree_rows_);
+}
+
+void StoredPlans::damaged(const std::string& what) const {
+  throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
+}
+
+void StoredPlans::require(const char* fault, std::int64_t number) const {
+  if (fault) damaged("chunk " + std::to_string(number) + " is damaged: " + fault);
+}
+
+// --- reading
+
+StoredPlans::Head StoredPlans::head_of(std::int64_t object, const double* record, std::size_t place) const {
+  return {object, static_cast<std::int64_t>(record[at_.plan]), static_cast<std::int64_t>(record[at_.chunks]),
+          place};
+}
+
+StoredChunk StoredPlans::opened(std::int64_t number, std::span<const std::byte> blob,
+                                const Head* head) const {
+  StoredChunk chunk;
+  require(open_chunk(layout_, blob, number, chunk), number);
+  if (!head) return chunk;
+  if (chunk.object != head->object)
+    damaged("chunk " + std::to_string(number) + " is of object " + std::to_string(chunk.object) +
+            ", not of object " + std::to_string(head->object));
+  if (chunk.is_first != (number == head->first) ||
+      (chunk.is_first && static_cast<std::int64_t>(chunk.plan_chunks) != head->chunks))
+    damaged("chunk " + std::to_string(number) + " is not where object " + std::to_string(head->object) +
+            " has it");
+  return chunk;
+}
+
+Plan StoredPlans::read(const Head& head) {
+  const FloatEnvironment environment;
+  Plan plan;
+  std::int64_t next = head.first;
+  std::size_t legs = 0;
+  rows_->read(head.first, head.last(), [&](std::int64_t number, std::span<const std::byte> blob) {
+    if (number != next++) return;
+    const StoredChunk chunk = opened(number, blob, &head);
+    if (chunk.is_first) legs = chunk.plan_legs;
+    require(append_to_plan(chunk, plan), number);
+  });
+  if (next != head.first + head.chunks)
+    damaged("a chunk of object " + std::to_string(head.object) + " is missing");
+  if (plan.kind == PlanKind::knots) {
+    if (plan.part_starts.back() != plan.knots.size())
+      damaged("the plan of object " + std::to_string(head.object) + " has no end");
+    plan.part_starts.pop_back();
+  }
+  if (leg_count(plan) != legs)
+    damaged("object " + std::to_string(head.object) + " has another number of legs than its first chunk");
+  return plan;
+}
+
+void StoredPlans::read_legs(const Head& head, double from, double until, std::vector<Leg>& legs) {
+  const FloatEnvironment environment;
+  legs.clear();
+  std::int64_t first = head.first, last = head.first - 1;
+  rows_->read(head.first, head.first, [&](std::int64_t number, std::span<const std::byte> blob) {
+    const StoredChunk chunk = opened(number, blob, &head);
+    std::size_t begin = 0, end = 0;
+    for (std::size_t step = std::bit_floor(chunk.plan_chunks); step > 0; step /= 2) {
+      if (end + step <= chunk.plan_chunks && chunk.start(end + step - 1) <= until) end += step;
+      if (begin + step < chunk.plan_chunks && chunk.start(begin + step) < from) begin += step;
+    }
+    begin = std::min(begin, end);
+    first += static_cast<std::int64_t>(begin);
+    last = head.first + static_cast<std::int64_t>(end) - 1;
+  });
+  rows_->read(first, last, [&](std::int64_t number, std::span<const std::byte> blob) {
+    if (number == first) require(append_legs(opened(first++, blob, &head), legs), number);
+  });
+  if (first != last + 1) damaged("a chunk of object " + std::to_string(head.object) + " is missing");
+}
+
+bool StoredPlans::read_chunk(std::int64_t number, Chunk& chunk) {
+  const FloatEnvironment environment;
+  bool found = false;
+  chunk.legs.clear();
+  rows_->read(number, number, [&](std::int64_t, std::span<const std::byte> blob) {
+    const StoredChunk stored = opened(number, blob, nullptr);
+    chunk.object = stored.object;
+    require(append_legs(stored, chunk.legs), number);
+    found = true;
+  });
+  return found;
+}
+
+std::vector<std::int64_t> StoredPlans::chunks_during(double from, double until, Interrupt& interrupt) {
+  std::vector<std::int64_t> numbers;
+  const std::size_t size = static_cast<std::size_t>(item_at_.size);
+  const auto visit = [&]<int D>(Axes<D>, auto& self, NodeSource& nodes, const Unread& unread) -> void {
+    interrupt.check();
+    const auto node = foresee::read(nodes, unread);
+    for (std::size_t slot = 0; slot < node->size(); ++slot) {
+      if (node->is_leaf()) {
+        const double* const item = node->values.data() + slot * size;
+        if (item[item_at_.t] <= until && from <= item[item_at_.until]) numbers.push_back(node->keys[slot]);
+        continue;
+      }
+      const Times times = times_at<D>(*node, slot);
+      if (times.t_min <= until && from <= times.until_max)
+        self(Axes<D>{}, self, nodes, unread_child(unread.number, *node, slot));
+    }
+  };
+  tree_.with_sound_tree([&] {
+    if (tree_.nodes().find_root() == 0) return;
+    with_axes(layout_.axes,
+              [&](auto axes) { visit(axes, visit, tree_.nodes(), unread_root(tree_.nodes())); });
+  });
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+void StoredPlans::scan(std::vector<Head>& heads, const EachRow& each, const EachStray& stray,
+                       Interrupt& interrupt) {
+  std::sort(heads.begin(), heads.end(), [](const Head& a, const Head& b) { return a.first < b.first; });
+  Steps step(interrupt);
+  auto head = heads.begin();
+  rows_->read_all([&](std::int64_t number, std::span<const std::byte> blob) {
+    step();
+    while (head != heads.end() && head->last() < number) ++head;
+    if (head == heads.end() || number < head->first)
+      stray(number);
+    else
+      each(*head, number, blob);
+  });
+}
+
+void StoredPlans::read_all(std::vector<Head>& heads, double from, double until, const EachPlan& each,
+                           Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  std::vector<Leg> legs;
+  const Head* current = nullptr;
+  std::int64_t found = 0, total = 0;
+  const auto hand_over = [&] {
+    if (!legs.empty()) each(*current, legs);
+    legs.clear();
+  };
+  const auto take = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
+    if (current != &head) hand_over(), current = &head;
+    const StoredChunk chunk = opened(number, blob, &head);
+    if (!legs.empty() && !(legs.back().until <= chunk.t())) require("its times do not rise", number);
+    require(append_legs(chunk, legs), number);
+    ++found;
+  };
+  const auto stray = [&](std::int64_t number) {
+    damaged("chunk " + std::to_string(number) + " is of no object");
+  };
+  for (const Head& head : heads) total += head.chunks;
+  if (from == -no_end && until == no_end) {
+    scan(heads, take, stray, interrupt);
+  } else {
+    const std::vector<std::int64_t> wanted = chunks_during(from, until, interrupt);
+    const bool are_few = 4 * static_cast<std::int64_t>(wanted.size()) < total;
+    total = static_cast<std::int64_t>(wanted.size());
+    if (are_few) {
+      read_some(heads, wanted, take, stray, interrupt);
+    } else {
+      auto next = wanted.begin();
+      const auto take_wanted = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
+        if (next == wanted.end() || *next != number) return;
+        ++next;
+        take(head, number, blob);
+      };
+      scan(heads, take_wanted, stray, interrupt);
+    }
+  }
+  hand_over();
+  if (found != total)
+    damaged("its objects have " + std::to_string(total) + " chunks, but " + std::to_string(found) +
+            " are stored");
+}
+
+void StoredPlans::read_some(std::vector<Head>& heads, std::span<const std::int64_t> numbers,
+                            const EachRow& each, const EachStray& stray, Interrupt& interrupt) {
+  std::sort(heads.begin(), heads.end(), [](const Head& a, const Head& b) { return a.first < b.first; });
+  auto head = heads.begin();
+  Steps step(interrupt);
+  for (const std::int64_t number : numbers) {
+    step();
+    while (head != heads.end() && head->last() < number) ++head;
+    if (head == heads.end() || number < head->first) stray(number);
+    rows_->read(number, number,
+                [&](std::int64_t, std::span<const std::byte> blob) { each(*head, number, blob); });
+  }
+}
+
+// --- items
+
+void StoredPlans::make_item(std::span<const Leg> legs, const double* record, double* item) const {
+  constexpr double most = std::numeric_limits<double>::max();
+  const double end = record[at_.until];
+  Leg cut;
+  if (legs.back().until == no_end && end < no_end && legs.back().t <= end) {
+    cut = legs.back(), cut.until = end;  // a leg without end is a chunk of its own
+    legs = {&cut, 1};
+  }
+  const ChunkBox box = chunk_box(legs, layout_.axes);
+  item[item_at_.t] = box.t;
+  item[item_at_.until] = std::max(box.t, std::min(box.until, end));
+  with_axes(layout_.axes, [&]<int D>(Axes<D>) {
+    const Extents<D> shape = extents_of<D>(layout_.shape, record, at_);
+    for (int axis = 0; axis < D; ++axis) {
+      const auto j = static_cast<std::size_t>(axis);
+      item[item_at_.x + axis] = box.x[j];
+      item[item_at_.v + axis] = box.v[j];
+      const double half = sum_outward(box.half[j], std::max(-shape.lower[axis], shape.upper[axis]));
+      item[item_at_.half + axis] = std::min(half, most);  // no bound, to the tree
+    }
+  });
+  if (item_at_.category != Offsets::absent) item[item_at_.category] = record[at_.category];
+  if (item_at_.mask != Offsets::absent) item[item_at_.mask] = record[at_.mask];
+}
+
+// --- one change
+
+std::int64_t StoredPlans::last_number() {
+  return std::max(last_number_, rows_->read_largest_number());
+}
+
+StoredPlans::Change::~Change() {
+  if (written_ == 0 || finished_) return;
+  try {
+    plans_->rows_->erase(first_, first_ + written_ - 1);
+  } catch (...) {
+    try {
+      plans_->abandon_newest_mark();
+    } catch (...) {
+    }
+  }
+}
+
+std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<const double> record,
+                                                 const Plan& plan) {
+  StoredPlans& plans = *plans_;
+  const FloatEnvironment environment;
+  if (plan.axes != plans.layout_.axes)
+    throw Error("a plan of " + std::to_string(plan.axes) + " axes, where objects have " +
+                std::to_string(plans.layout_.axes));
+  check_size(plan);
+  check_plan(plan);
+  added_.emplace(plan, id);
+  first_ = plans.last_number() + 1;
+  const auto chunks = static_cast<std::int64_t>(added_->chunks());
+  if (first_ > largest_chunk_number - chunks)
+    throw StoreError(SQLITE_FULL, plans.name_.table + ": no number is left for a chunk");
+  record_.assign(record.begin(), record.end());
+  set_motion(plans.at_, plans.layout_.axes, added_->all_legs().front(), record_.data());
+  record_[static_cast<std::size_t>(plans.at_.plan)] = static_cast<double>(first_);
+  record_[static_cast<std::size_t>(plans.at_.chunks)] = static_cast<double>(chunks);
+  std::vector<double> item(static_cast<std::size_t>(plans.item_at_.size));
+  for (std::int64_t i = 0; i < chunks; ++i) {
+    plans.make_item(added_->legs(static_cast<std::size_t>(i)), record_.data(), item.data());
+    plans.tree_.insert(first_ + i, item);
+  }
+  return record_;
+}
+
+std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t new_id,
+                                                  std::span<const double> before,
+                                                  std::span<const double> record) {
+  if (!plans_) return record;
+  StoredPlans& plans = *plans_;
+  const Offsets& at = plans.at_;
+  const int axes = plans.layout_.axes;
+  const bool had_plan = !before.empty() && has_plan(at, before.data());
+  record_.assign(record.begin(), record.end());
+  if (!had_plan || !has_plan(at, record.data())) {
+    record_[static_cast<std::size_t>(at.plan)] = record_[static_cast<std::size_t>(at.chunks)] = 0;
+    if (had_plan) remove(id, before);
+    return record_;
+  }
+  if (before[static_cast<std::size_t>(at.plan)] != record[static_cast<std::size_t>(at.plan)])
+    throw Error(plans.name_.table + ": object " + std::to_string(id) + " has another plan");
+  record_[static_cast<std::size_t>(at.chunks)] = before[static_cast<std::size_t>(at.chunks)];
+  const auto motion_end = static_cast<std::size_t>((at.a == Offsets::absent ? at.v : at.a) + axes);
+  std::copy_n(before.begin(), motion_end, record_.begin());
+  const Head head = plans.head_of(id, record_.data());
+  if (new_id != id) moved_ = head, moved_->object = new_id;
+  if (equal_bits(item_inputs(at, axes, before), item_inputs(at, axes, record_))) return record_;
+  std::vector<double> item(static_cast<std::size_t>(plans.item_at_.size));
+  std::vector<Leg> legs;
+  std::int64_t next = head.first;
+  const FloatEnvironment environment;
+  plans.rows_->read(head.first, head.last(), [&](std::int64_t number, std::span<const std::byte> blob) {
+    legs.clear();
+    plans.require(append_legs(plans.opened(number, blob, &head), legs), number);
+    plans.make_item(legs, record_.data(), item.data());
+    if (!plans.tree_.update(number, item))
+      plans.damaged("chunk " + std::to_string(number) + " is missing in " + plans.name_.table + "_chunk_map");
+    ++next;
+  });
+  if (next != head.last() + 1) plans.damaged("a chunk of object " + std::to_string(id) + " is missing");
+  return record_;
+}
+
+void StoredPlans::Change::remove(std::int64_t id, std::span<const double> record) {
+  if (!plans_ || record.empty() || !has_plan(plans_->at_, record.data())) return;
+  const Head head = plans_->head_of(id, record.data());
+  plans_->tree_.with_sound_tree([&] {
+    for (std::int64_t number = head.first; number <= head.last(); ++number)
+      if (!plans_->tree_.erase(number))
+        plans_->damaged("chunk " + std::to_string(number) + " is missing in " + plans_->name_.table +
+                        "_chunk_map");
+  });
+  plans_->last_number_ = std::max(plans_->last_number_, head.last());
+  removed_.push_back(head);
+}
+
+void StoredPlans::Change::write() {
+  if (!added_) return;
+  plans_->last_number_ =
+      std::max(plans_->last_number_, first_ + static_cast<std::int64_t>(added_->chunks()) - 1);
+  for (std::size_t i = 0; i < added_->chunks(); ++i) {
+    plans_->rows_->write(first_ + written_, added_->blob(i, first_ + written_));
+    ++written_;
+  }
+}
+
+void StoredPlans::Change::finish() {
+  if (!removed_.empty() || moved_) {
+    plans_->join();
+    plans_->abandon_newest_mark();
+  }
+  for (const Head& head : removed_) plans_->rows_->erase(head.first, head.last());
+  if (moved_)
+    for (std::int64_t number = moved_->first; number <= moved_->last(); ++number) {
+      std::vector<std::byte> changed;
+      plans_->rows_->read(number, number, [&](std::int64_t, std::span<const std::byte> blob) {
+        plans_->opened(number, blob, nullptr);
+        changed = chunk_of_object(blob, number, moved_->object);
+      });
+      if (changed.empty()) plans_->damaged("chunk " + std::to_string(number) + " is missing");
+      plans_->rows_->write(number, changed);
+    }
+  finished_ = true;
+}
+
+}  // namespace foresee
