@@ -88,17 +88,19 @@ struct Entry {
 
 class IntegrityCheck {
  public:
-  IntegrityCheck(ShadowRows& rows, NodeCache& cache, const NodeFormat& format, const QualifiedName& name,
-                 Interrupt& interrupt)
-      : shadow_rows_(rows),
+  /// Of one tree; `noun`: what its items are.
+  IntegrityCheck(TreeRows& rows, NodeCache& cache, const NodeFormat& format, const QualifiedName& name,
+                 const char* noun, Interrupt& interrupt)
+      : rows_(rows),
         cache_(cache),
         format_(format),
         name_(name),
+        noun_(noun),
         interrupt_(interrupt),
         step_(interrupt) {}
 
   void nodes() {
-    shadow_rows_.tree().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
       interrupt_.check();
       ++nodes_;
       if (const char* fault = cache_.fault(number, blob))
@@ -122,7 +124,7 @@ class IntegrityCheck {
 
   void map() try {
     std::size_t next = 0;
-    shadow_rows_.tree().map().read([&](std::int64_t id, std::int64_t leaf) {
+    rows_.map().read([&](std::int64_t id, std::int64_t leaf) {
       step_();
       for (; next < objects_.size() && objects_[next].id < id; ++next) not_in("map", objects_[next]);
       if (next == objects_.size() || objects_[next].id != id)
@@ -138,28 +140,39 @@ class IntegrityCheck {
     note(error);
   }
 
-  /// Skips damaged leaves, which are reported already.
   void forms(ShapeRows& rows) try {
     FormCheck check(rows, format_);
     const auto say = [this](const std::string& fault) { this->say(fault); };
     check.read(say);
-    std::vector<double> record(static_cast<std::size_t>(format_.at.size));
-    shadow_rows_.tree().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
-      interrupt_.check();
-      if (cache_.fault(number, blob) || is_inner(format_, blob, number)) return;
-      const LeafView leaf(format_, blob);
-      for (int i = 0; i < leaf.count(); ++i) {
-        leaf.copy_record(i, record.data());
-        check.object(leaf.id(i), record.data(), say);
-      }
-    });
+    for_each_object([&](std::int64_t id, const double* record) { check.object(id, record, say); });
   } catch (const StoreError& error) {
     note(error);
   }
 
-  void auxiliaries() {
+  /// The plans of these objects, and their tree.
+  void plans(StoredPlans& plans) try {
+    IntegrityCheck chunks(plans.tree_rows(), plans.tree().nodes(), plans.tree().format(), plans.tree_name(),
+                          "chunk", interrupt_);
+    chunks.nodes();
+    chunks.map();
+    chunks.tree();
+    for (std::string& fault : chunks.faults_) faults_.push_back(std::move(fault));
+    std::vector<StoredPlans::Head> heads;
+    std::vector<double> records;
+    for_each_object([&](std::int64_t id, const double* record) {
+      if (!has_plan(format_.at, record)) return;
+      heads.push_back(plans.head_of(id, record, heads.size()));
+      records.insert(records.end(), record, record + format_.at.size);
+    });
+    plans.check(
+        heads, records, [this](const std::string& fault) { say(fault); }, interrupt_);
+  } catch (const StoreError& error) {
+    note(error);
+  }
+
+  void auxiliaries(ShadowRows& rows) {
     std::size_t next = 0;
-    shadow_rows_.read_auxiliary_ids([&](std::int64_t id) {
+    rows.read_auxiliary_ids([&](std::int64_t id) {
       step_();
       for (; next < objects_.size() && objects_[next].id < id; ++next)
         not_in("auxiliary columns", objects_[next]);
@@ -186,13 +199,13 @@ class IntegrityCheck {
     }
   }
 
-  void meta() {
-    if (!shadow_rows_.read_stamp()) say("the stamp is missing");
+  void meta(ShadowRows& rows) {
+    if (!rows.read_stamp()) say("the stamp is missing");
   }
 
   // Version 0.1 stored no count. After other faults the count may be wrong too, so it is not checked.
-  void count() {
-    const std::string said = shadow_rows_.meta().read("objects");
+  void count(ShadowRows& rows) {
+    const std::string said = rows.meta().read("objects");
     if (faults_.empty() && !said.empty() && said != std::to_string(count_))
       say("the count of objects is " + without_nul(said) + ", but there are " + std::to_string(count_));
   }
@@ -200,7 +213,22 @@ class IntegrityCheck {
   std::vector<std::string> faults() && { return std::move(faults_); }
 
  private:
-  static std::string object(std::int64_t id) { return "object " + std::to_string(id); }
+  /// Skips damaged leaves, which are reported already.
+  template <class Each>
+  void for_each_object(Each each) {
+    std::vector<double> record(static_cast<std::size_t>(format_.at.size));
+    rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+      interrupt_.check();
+      if (cache_.fault(number, blob) || is_inner(format_, blob, number)) return;
+      const LeafView leaf(format_, blob);
+      for (int i = 0; i < leaf.count(); ++i) {
+        leaf.copy_record(i, record.data());
+        each(leaf.id(i), record.data());
+      }
+    });
+  }
+
+  std::string object(std::int64_t id) const { return noun_ + (' ' + std::to_string(id)); }
   void not_in(const char* table, const Entry& entry) {
     say(object(entry.id) + " of node " + std::to_string(entry.leaf) + " is missing in the " + table);
   }
@@ -213,10 +241,11 @@ class IntegrityCheck {
     if (faults_.size() < max_faults) faults_.push_back(name_.table + ": " + fault);
   }
 
-  ShadowRows& shadow_rows_;
+  TreeRows& rows_;
   NodeCache& cache_;
   const NodeFormat& format_;
   const QualifiedName& name_;
+  std::string noun_;
   Interrupt& interrupt_;
   Steps step_;
   std::vector<Entry> objects_;  // the leaf of each object, by id
@@ -228,15 +257,16 @@ class IntegrityCheck {
 
 std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
                                          const QualifiedName& name, bool has_auxiliaries, ShapeRows* shapes,
-                                         Interrupt& interrupt) {
-  IntegrityCheck check(rows, cache, format, name, interrupt);
-  check.meta();
+                                         StoredPlans* plans, Interrupt& interrupt) {
+  IntegrityCheck check(rows.tree(), cache, format, name, "object", interrupt);
+  check.meta(rows);
   check.nodes();
   check.map();
   if (shapes) check.forms(*shapes);
-  if (has_auxiliaries) check.auxiliaries();
+  if (plans) check.plans(*plans);
+  if (has_auxiliaries) check.auxiliaries(rows);
   check.tree();
-  check.count();
+  check.count(rows);
   return std::move(check).faults();
 }
 

@@ -37,4 +37,105 @@ void StoredPlans::rebuild(std::vector<Head>& heads, std::span<const double> reco
   for (const std::int64_t number : strays) rows_->erase(number, number);
 }
 
+namespace {
+
+/// Compares the rows of plans with the objects and with the items, one chunk after another.
+class PlansCheck {
+ public:
+  PlansCheck(StoredPlans& plans, std::span<const double> records, const StoredPlans::Say& say)
+      : plans_(plans),
+        say_(say),
+        records_(records),
+        at_(record_offsets(plans.layout())),
+        item_at_(record_offsets(plans.tree().format().layout)) {}
+
+  /// Calls it for each chunk of `head`, in order.
+  void chunk(const StoredPlans::Head& head, std::int64_t number, const StoredChunk& chunk,
+             std::span<const Leg> legs) {
+    const double* const record = records_.data() + head.record * static_cast<std::size_t>(at_.size);
+    if (number == head.first) {
+      if (!starts_with(record, legs.front())) say_(object(head) + " has another first leg than its plan");
+      plan_legs_ = chunk.plan_legs, legs_ = 0;
+    } else if (!(until_ <= legs.front().t)) {
+      say_(name(number) + " starts before the chunk before it ends");
+    }
+    until_ = legs.back().until;
+    legs_ += legs.size();
+    if (number == head.last() && legs_ != plan_legs_)
+      say_(object(head) + " has another number of legs than its first chunk");
+    item(record, number, legs);
+  }
+
+  static std::string name(std::int64_t number) { return "chunk " + std::to_string(number); }
+  static std::string object(const StoredPlans::Head& head) { return "object " + std::to_string(head.object); }
+
+ private:
+  bool starts_with(const double* record, const Leg& leg) const {
+    bool same = record[at_.t] == leg.t;
+    for (int axis = 0; axis < plans_.layout().axes; ++axis) {
+      const auto j = static_cast<std::size_t>(axis);
+      same &= record[at_.x + axis] == leg.x[j] && record[at_.v + axis] == leg.v[j] &&
+              (at_.a == Offsets::absent || record[at_.a + axis] == leg.a[j]);
+    }
+    return same;
+  }
+
+  /// The box may be larger than that of make_item(): another version may have written it.
+  void item(const double* record, std::int64_t number, std::span<const Leg> legs) {
+    const double* const item = plans_.tree().nodes().find_record(number);
+    if (!item) return say_(name(number) + " is missing in the tree of chunks");
+    std::vector<double> own(static_cast<std::size_t>(item_at_.size));
+    plans_.make_item(legs, record, own.data(), item);
+    bool contains = item[item_at_.t] <= own[static_cast<std::size_t>(item_at_.t)] &&
+                    own[static_cast<std::size_t>(item_at_.until)] <= item[item_at_.until];
+    for (int axis = 0; axis < plans_.layout().axes; ++axis)
+      contains &= own[static_cast<std::size_t>(item_at_.half + axis)] <= item[item_at_.half + axis];
+    if (!contains) say_(name(number) + " is not within its box");
+    for (const int place : {item_at_.category, item_at_.mask})
+      if (place != Offsets::absent && own[static_cast<std::size_t>(place)] != item[place])
+        say_(name(number) + " has other kinds than its object");
+  }
+
+  StoredPlans& plans_;
+  const StoredPlans::Say& say_;
+  std::span<const double> records_;
+  Offsets at_, item_at_;
+  double until_ = 0;                      ///< of the chunk before
+  std::size_t legs_ = 0, plan_legs_ = 0;  ///< of the object so far, and as its first chunk says
+};
+
+}  // namespace
+
+void StoredPlans::check(std::vector<Head>& heads, std::span<const double> records, const Say& say,
+                        Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  PlansCheck check(*this, records, say);
+  std::vector<Leg> legs;
+  std::int64_t found = 0, total = 0, sound = 0;
+  const auto take = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
+    ++found;
+    try {
+      legs.clear();
+      const StoredChunk chunk = opened(number, blob, &head);
+      require(append_legs(chunk, legs), number);
+      check.chunk(head, number, chunk, legs);
+      ++sound;
+    } catch (const StoreError& error) {
+      if ((error.code & 0xff) != SQLITE_CORRUPT) throw;
+      say(std::string(error.what()).substr(name_.table.size() + 2));
+    }
+  };
+  scan(
+      heads, take, [&](std::int64_t number) { say(PlansCheck::name(number) + " is of no object"); },
+      interrupt);
+  for (const Head& head : heads) total += head.chunks;
+  if (found != total)
+    say("its objects have " + std::to_string(total) + " chunks, but " + std::to_string(found) +
+        " are stored");
+  const std::int64_t items = tree_rows_->map().count_ids();
+  if (sound == found && items != found)
+    say("the tree of chunks has " + std::to_string(items) + " of them, but " + std::to_string(found) +
+        " are stored");
+}
+
 }  // namespace foresee

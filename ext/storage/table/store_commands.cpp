@@ -39,7 +39,7 @@ std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
   if (plans_) plans_->tree().nodes().forget_clean();
   std::vector<std::string> faults = tree_.with_sound_tree([&] {
     return check_integrity(shadow_rows(), tree_.nodes(), format_, name_, has_auxiliaries(),
-                           forms_ ? &forms_->rows() : nullptr, interrupt);
+                           forms_ ? &forms_->rows() : nullptr, plans_.get(), interrupt);
   });
   origin_.change() = {};
   try {

@@ -2,39 +2,20 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <limits>
 
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "base/interrupt_steps.h"
 #include "index/tpr_tree/node.h"
+#include "motion/plan/plan_legs.h"
 #include "shape/shapes.h"
-#include "storage/format/leaf_node.h"
 #include "storage/rows/store_error.h"
 
 namespace foresee {
 namespace {
 
 constexpr std::size_t smallest_page = 512, largest_page = 65536;
-
-/// What of a record an item depends on, besides its legs: from the sizes to the kinds.
-std::span<const double> item_inputs(const Offsets& at, int axes, std::span<const double> record) {
-  const auto first = static_cast<std::size_t>((at.a == Offsets::absent ? at.v : at.a) + axes);
-  return record.subspan(first, static_cast<std::size_t>(at.plan) - first);
-}
-
-bool equal_bits(std::span<const double> a, std::span<const double> b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
-}
-
-/// The motion of a record: that of a leg.
-void set_motion(const Offsets& at, int axes, const Leg& leg, double* record) {
-  record[at.t] = leg.t;
-  std::copy_n(leg.x.begin(), axes, record + at.x);
-  std::copy_n(leg.v.begin(), axes, record + at.v);
-  if (at.a != Offsets::absent) std::copy_n(leg.a.begin(), axes, record + at.a);
-}
 
 }  // namespace
 
@@ -51,7 +32,6 @@ StoredPlans::StoredPlans(sqlite3* db, const NodeFormat& format, const QualifiedN
                          Journal& journal, MemoryBudget& memory, std::function<void()> write_out)
     : Participant(journal, Scope::transaction),
       name_(name),
-      format_(format),
       layout_(format.layout),
       at_(format.at),
       item_at_(record_offsets(chunk_layout(layout_))),
@@ -253,7 +233,8 @@ void StoredPlans::read_some(std::vector<Head>& heads, std::span<const std::int64
 
 // --- items
 
-void StoredPlans::make_item(std::span<const Leg> legs, const double* record, double* item) const {
+void StoredPlans::make_item(std::span<const Leg> legs, const double* record, double* item,
+                            const double* given) const {
   constexpr double most = std::numeric_limits<double>::max();
   const double end = record[at_.until];
   Leg cut;
@@ -261,7 +242,16 @@ void StoredPlans::make_item(std::span<const Leg> legs, const double* record, dou
     cut = legs.back(), cut.until = end;  // a leg without end is a chunk of its own
     legs = {&cut, 1};
   }
-  const ChunkBox box = chunk_box(legs, layout_.axes);
+  ChunkBox box;
+  if (given) {
+    box = {.t = given[item_at_.t], .until = legs.back().until};
+    std::copy_n(given + item_at_.x, layout_.axes, box.x.begin());
+    std::copy_n(given + item_at_.v, layout_.axes, box.v.begin());
+    box.half = half_extents_around(box, legs, layout_.axes);
+    box.t = legs.front().t;
+  } else {
+    box = chunk_box(legs, layout_.axes);
+  }
   item[item_at_.t] = box.t;
   item[item_at_.until] = std::max(box.t, std::min(box.until, end));
   with_axes(layout_.axes, [&]<int D>(Axes<D>) {
@@ -276,130 +266,6 @@ void StoredPlans::make_item(std::span<const Leg> legs, const double* record, dou
   });
   if (item_at_.category != Offsets::absent) item[item_at_.category] = record[at_.category];
   if (item_at_.mask != Offsets::absent) item[item_at_.mask] = record[at_.mask];
-}
-
-// --- one change
-
-std::int64_t StoredPlans::last_number() {
-  return std::max(last_number_, rows_->read_largest_number());
-}
-
-StoredPlans::Change::~Change() {
-  if (written_ == 0 || finished_) return;
-  try {
-    plans_->rows_->erase(first_, first_ + written_ - 1);
-  } catch (...) {
-    try {
-      plans_->abandon_newest_mark();
-    } catch (...) {
-    }
-  }
-}
-
-std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<const double> record,
-                                                 const Plan& plan) {
-  StoredPlans& plans = *plans_;
-  const FloatEnvironment environment;
-  if (plan.axes != plans.layout_.axes)
-    throw Error("a plan of " + std::to_string(plan.axes) + " axes, where objects have " +
-                std::to_string(plans.layout_.axes));
-  check_size(plan);
-  check_plan(plan);
-  added_.emplace(plan, id);
-  first_ = plans.last_number() + 1;
-  const auto chunks = static_cast<std::int64_t>(added_->chunks());
-  if (first_ > largest_chunk_number - chunks)
-    throw StoreError(SQLITE_FULL, plans.name_.table + ": no number is left for a chunk");
-  record_.assign(record.begin(), record.end());
-  set_motion(plans.at_, plans.layout_.axes, added_->all_legs().front(), record_.data());
-  record_[static_cast<std::size_t>(plans.at_.plan)] = static_cast<double>(first_);
-  record_[static_cast<std::size_t>(plans.at_.chunks)] = static_cast<double>(chunks);
-  std::vector<double> item(static_cast<std::size_t>(plans.item_at_.size));
-  for (std::int64_t i = 0; i < chunks; ++i) {
-    plans.make_item(added_->legs(static_cast<std::size_t>(i)), record_.data(), item.data());
-    plans.tree_.insert(first_ + i, item);
-  }
-  return record_;
-}
-
-std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t new_id,
-                                                  std::span<const double> before,
-                                                  std::span<const double> record) {
-  if (!plans_) return record;
-  StoredPlans& plans = *plans_;
-  const Offsets& at = plans.at_;
-  const int axes = plans.layout_.axes;
-  const bool had_plan = !before.empty() && has_plan(at, before.data());
-  record_.assign(record.begin(), record.end());
-  if (!had_plan || !has_plan(at, record.data())) {
-    record_[static_cast<std::size_t>(at.plan)] = record_[static_cast<std::size_t>(at.chunks)] = 0;
-    if (had_plan) remove(id, before);
-    return record_;
-  }
-  if (before[static_cast<std::size_t>(at.plan)] != record[static_cast<std::size_t>(at.plan)])
-    throw Error(plans.name_.table + ": object " + std::to_string(id) + " has another plan");
-  record_[static_cast<std::size_t>(at.chunks)] = before[static_cast<std::size_t>(at.chunks)];
-  const auto motion_end = static_cast<std::size_t>((at.a == Offsets::absent ? at.v : at.a) + axes);
-  std::copy_n(before.begin(), motion_end, record_.begin());
-  const Head head = plans.head_of(id, record_.data());
-  if (new_id != id) moved_ = head, moved_->object = new_id;
-  if (equal_bits(item_inputs(at, axes, before), item_inputs(at, axes, record_))) return record_;
-  std::vector<double> item(static_cast<std::size_t>(plans.item_at_.size));
-  std::vector<Leg> legs;
-  std::int64_t next = head.first;
-  const FloatEnvironment environment;
-  plans.rows_->read(head.first, head.last(), [&](std::int64_t number, std::span<const std::byte> blob) {
-    legs.clear();
-    plans.require(append_legs(plans.opened(number, blob, &head), legs), number);
-    plans.make_item(legs, record_.data(), item.data());
-    if (!plans.tree_.update(number, item))
-      plans.damaged("chunk " + std::to_string(number) + " is missing in " + plans.name_.table + "_chunk_map");
-    ++next;
-  });
-  if (next != head.last() + 1) plans.damaged("a chunk of object " + std::to_string(id) + " is missing");
-  return record_;
-}
-
-void StoredPlans::Change::remove(std::int64_t id, std::span<const double> record) {
-  if (!plans_ || record.empty() || !has_plan(plans_->at_, record.data())) return;
-  const Head head = plans_->head_of(id, record.data());
-  plans_->tree_.with_sound_tree([&] {
-    for (std::int64_t number = head.first; number <= head.last(); ++number)
-      if (!plans_->tree_.erase(number))
-        plans_->damaged("chunk " + std::to_string(number) + " is missing in " + plans_->name_.table +
-                        "_chunk_map");
-  });
-  plans_->last_number_ = std::max(plans_->last_number_, head.last());
-  removed_.push_back(head);
-}
-
-void StoredPlans::Change::write() {
-  if (!added_) return;
-  plans_->last_number_ =
-      std::max(plans_->last_number_, first_ + static_cast<std::int64_t>(added_->chunks()) - 1);
-  for (std::size_t i = 0; i < added_->chunks(); ++i) {
-    plans_->rows_->write(first_ + written_, added_->blob(i, first_ + written_));
-    ++written_;
-  }
-}
-
-void StoredPlans::Change::finish() {
-  if (!removed_.empty() || moved_) {
-    plans_->join();
-    plans_->abandon_newest_mark();
-  }
-  for (const Head& head : removed_) plans_->rows_->erase(head.first, head.last());
-  if (moved_)
-    for (std::int64_t number = moved_->first; number <= moved_->last(); ++number) {
-      std::vector<std::byte> changed;
-      plans_->rows_->read(number, number, [&](std::int64_t, std::span<const std::byte> blob) {
-        plans_->opened(number, blob, nullptr);
-        changed = chunk_of_object(blob, number, moved_->object);
-      });
-      if (changed.empty()) plans_->damaged("chunk " + std::to_string(number) + " is missing");
-      plans_->rows_->write(number, changed);
-    }
-  finished_ = true;
 }
 
 }  // namespace foresee

@@ -51,7 +51,7 @@ class StoredPlans final : public Journal::Participant {
   TreeRows& tree_rows() { return *tree_rows_; }
   LegRows& rows() { return *rows_; }
   const QualifiedName& tree_name() const { return tree_name_; }
-  const NodeFormat& format() const { return format_; }
+  const Layout& layout() const { return layout_; }  ///< of the table's objects
   [[noreturn]] void damaged(const std::string& what) const;
 
   /// Requires: a record with a plan.
@@ -69,8 +69,10 @@ class StoredPlans final : public Journal::Participant {
   void read_all(std::vector<Head>& heads, double from, double until, const EachPlan& each,
                 Interrupt& interrupt);
 
-  /// The item of a chunk; `item` has the doubles of a record of the tree.
-  void make_item(std::span<const Leg> legs, const double* record, double* item) const;
+  /// The item of a chunk; `item` has the doubles of a record of the tree. `given`: null, or an item whose place,
+  /// velocity and t the box has.
+  void make_item(std::span<const Leg> legs, const double* record, double* item,
+                 const double* given = nullptr) const;
 
   // plans_check.cpp; `records`: of the heads
   /// Replaces the tree by the items of these plans, and deletes all other chunks. Requires: in a change.
@@ -103,7 +105,6 @@ class StoredPlans final : public Journal::Participant {
 
   const QualifiedName& name_;
   QualifiedName tree_name_;  ///< in messages
-  NodeFormat format_;        ///< of the table's objects
   Layout layout_;
   Offsets at_, item_at_;
   TreeStore tree_;

@@ -1,0 +1,101 @@
+// Tables with plans as a whole: renamed, dropped, rolled back without a callback, of two connections; and tables without.
+#include <cstdio>
+#include <filesystem>
+
+#include "storage/plan_cases.h"
+
+namespace foresee {
+namespace {
+
+TEST_F(ThreePlans, RenameDropAndCreateAgain) {
+  begin(db, *store);
+  store->rename("boats");
+  store->insert(9, robots[1].record, {}, {}, &*robots[1].plan);
+  commit(db, *store);
+  robots[9] = robots[1];
+  expect_robots(*store, robots, "renamed");
+  EXPECT_EQ(db.number("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'boats\\_%' ESCAPE '\\'"), 6);
+  EXPECT_EQ(db.number("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'ships\\_%' ESCAPE '\\'"), 0);
+  begin(db, *store);
+  store->drop();
+  db.run("COMMIT");
+  EXPECT_EQ(db.number("SELECT count(*) FROM sqlite_schema WHERE type = 'table'"), 0);
+  auto again = make_store(db, fleet(), "boats");
+  expect_robots(*again, {}, "created again");
+}
+
+TEST_F(ThreePlans, ARollbackWithoutACallbackIsNoticed) {
+  db.run("BEGIN IMMEDIATE");
+  db.run("SAVEPOINT s0");
+  store->begin();
+  store->insert(9, robots[1].record, {}, {}, &*robots[1].plan);
+  store->sync();
+  db.run("ROLLBACK TO s0");  // SQLite calls nobody who joined later
+  store->sync();
+  commit(db, *store);
+  expect_robots(*store, robots, "rolled back");
+  EXPECT_EQ(faults(*store), std::vector<std::string>{});
+}
+
+TEST_F(ThreePlans, AnOlderLibraryRefusesByName) {
+  EXPECT_EQ(db.text("SELECT value FROM ships_meta WHERE key = 'features'"), "blocks,kinds,plans");
+  EXPECT_EQ(db.text("SELECT value FROM ships_meta WHERE key = 'columns'"),
+            "id, t, x, y, vx, vy, r, until, category, plan");
+}
+
+TEST(StorePlans, ATableWithoutPlansHasNothingOfThem) {
+  Database db;
+  auto store = make_store(db);
+  EXPECT_EQ(store->chunks(), nullptr);
+  EXPECT_EQ(db.text("SELECT group_concat(name) FROM (SELECT name FROM sqlite_schema WHERE type = 'table' "
+                    "ORDER BY name)"),
+            "ships_map,ships_meta,ships_node");
+  EXPECT_EQ(db.number("SELECT count(*) FROM ships_meta"), 8);
+  begin(db, *store);
+  store->insert(1, ship(1), {});
+  std::size_t objects = 0;
+  NeverInterrupt never;
+  store->read_objects(
+      -no_end, no_end,
+      [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
+        EXPECT_EQ(id, 1);
+        EXPECT_EQ(record[1], 1);
+        EXPECT_TRUE(legs.empty());
+        ++objects;
+      },
+      never);
+  EXPECT_EQ(objects, 1u);
+  commit(db, *store);
+}
+
+TEST(StorePlans, ASecondConnectionSeesNewPlans) {
+  const std::string file = "storage_test_plans.db";
+  std::filesystem::remove(file);
+  {
+    Database db(file), other_db(file);
+    auto store = make_store(db, fleet());
+    auto other = Store::open(other_db, "main", "ships", fleet());
+    testing::Random random(3);
+    Robots robots;
+    for (int round = 0; round < 20; ++round) {
+      const std::int64_t id = 1 + round % 7;
+      Robot& robot = robots[id];
+      robot.plan = random_stored_plan(random);
+      Store& writer = round % 3 == 0 ? *other : *store;
+      Database& on = round % 3 == 0 ? other_db : db;
+      begin(on, writer);
+      if (robot.record.empty())
+        writer.insert(id, robot.record = robot_record(1), {}, {}, &*robot.plan);
+      else
+        writer.update(id, id, *writer.read(id), {}, &*robot.plan);
+      commit(on, writer);
+      expect_robots(*store, robots, "first, round " + std::to_string(round));
+      expect_robots(*other, robots, "second, round " + std::to_string(round));
+    }
+    EXPECT_EQ(faults(*other), std::vector<std::string>{});
+  }
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace foresee
