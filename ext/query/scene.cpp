@@ -30,4 +30,12 @@ void Scene::add(std::int64_t id, const double* record, std::span<const Leg> legs
   if (ids.size() > first_rows.back()) first_rows.push_back(static_cast<std::uint32_t>(ids.size()));
 }
 
+void Scene::find_movers() {
+  first_rows.clear();
+  if (!layout.has_plan) return;
+  for (std::uint32_t row = 0; row < ids.size(); ++row)
+    if (row == 0 || ids[row] != ids[row - 1]) first_rows.push_back(row);
+  first_rows.push_back(static_cast<std::uint32_t>(ids.size()));
+}
+
 }  // namespace foresee

@@ -65,6 +65,8 @@ struct Scene {
   /// at some time of `legs_during`, up to `until` of the record, where the leg that lasts ends. Objects without such
   /// a leg are left out. Requires: as above.
   void add(std::int64_t id, const double* record, std::span<const Leg> legs);
+  /// Sets `first_rows`, where the layout has plans, from ids that follow each other.
+  void find_movers();
   /// Requires: all rows are in the scene. `source`: null for a layout without outlines and meshes.
   void take_forms(FormSource* source, Interrupt& interrupt) {
     if (!source) return;

@@ -1,5 +1,5 @@
 // Chunks of a plan: runs of at most 16 legs, each inside one moving box, which is what an index stores of a plan.
-// No query calls this yet; those of plans as a column will.
+// A stored table keeps its plans in them, and a join of plans by the method tree cuts its legs into them.
 //
 //   const std::vector<ChunkRange> ranges = cut_into_chunks(legs);
 //   const ChunkBox box = chunk_box(legs.subspan(ranges[0].first, ranges[0].count), 2);

@@ -74,6 +74,16 @@ void ContactStage::take_touching(std::vector<Pair>& batch, Hits& hits) const {
 
 namespace {
 
+/// Drops pairs of legs of one object. Without a branch, which would be mispredicted.
+void drop_equal_ids(const std::vector<std::int64_t>& ids, std::vector<Pair>& pairs) {
+  std::size_t kept = 0;
+  for (const Pair pair : pairs) {
+    pairs[kept] = pair;
+    kept += ids[pair.a] != ids[pair.b];
+  }
+  pairs.resize(kept);
+}
+
 /// Puts the smaller id of each pair first. Without a branch, which would be mispredicted.
 void order_by_id(const std::vector<std::int64_t>& ids, std::vector<Pair>& pairs) {
   for (Pair& pair : pairs) {
@@ -89,6 +99,7 @@ void ContactStage::keep_queried_pairs(std::vector<Pair>& batch) const {
   const Scene& a = *question_.a;
   const Scene& b = question_.b ? *question_.b : a;
   if (question_.b == question_.a) std::erase_if(batch, [](Pair pair) { return pair.a == pair.b; });
+  if (a.layout.has_plan && &a == &b) drop_equal_ids(a.ids, batch);
   if (!question_.only_a && !question_.only_b) {
     if (!question_.b) order_by_id(a.ids, batch);
     return;

@@ -63,7 +63,7 @@ class ContactStage {
   /// Appends the queried pairs of a batch that certainly touches at `now`; the batch is overwritten.
   void take_touching(std::vector<Pair>& batch, Hits& hits) const;
   /// Keeps the queried pairs, in order and with the objects in their columns: the requested ids, no object
-  /// with itself, and within one scene the smaller id first.
+  /// with itself or another of its legs, and within one scene the smaller id first.
   void keep_queried_pairs(std::vector<Pair>& batch) const;
   /// Keeps, of the hits from number `first` on, those whose times the slab and the queried times hold, in
   /// order.

@@ -6,6 +6,7 @@
 #include "base/float_environment.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
+#include "query/join/leg_join.h"
 #include "query/join/pair_kinds.h"
 #include "query/join/slab_helpers.h"
 #include "query/join/sorted_hits.h"
@@ -13,10 +14,22 @@
 
 namespace foresee {
 
+namespace {
+
+/// The same query about the objects that it needs, with a grid space of its own if the caller gives none.
+JoinQuestion prepared(JoinQuestion whole, Interrupt& interrupt) {
+  JoinQuestion question = with_kinds(in_tile(without_inert(std::move(whole)), interrupt));
+  if (!question.space) question.space = std::make_shared<GridSpace>();
+  return question;
+}
+
+}  // namespace
+
 /// The state of a join: its query, plan and open slab.
 struct Join::Progress {
+  /// `whole`: prepared, and of tables without plans.
   Progress(JoinQuestion whole, Interrupt& interrupt)
-      : question(with_contacts(with_space(with_kinds(in_tile(without_inert(std::move(whole)), interrupt))))),
+      : question(with_contacts(std::move(whole))),
         interrupt(interrupt),
         stage(question, interrupt),
         plan(plan_join(question, stage.reach())),
@@ -26,12 +39,6 @@ struct Join::Progress {
     candidates.reset();
     helpers.reset();
     question.space->trim();
-  }
-
-  /// The same query, with a grid space of its own if the caller gives none.
-  static JoinQuestion with_space(JoinQuestion question) {
-    if (!question.space) question.space = std::make_shared<GridSpace>();
-    return question;
   }
 
   /// The same query; for the first contacts if no two paths meet more than once, since all are straight.
@@ -105,13 +112,19 @@ struct Join::Progress {
   std::span<const JoinRow> given;  // the result of one next()
 };
 
-Join::Join(JoinQuestion question, Interrupt& interrupt)
-    : progress_(std::make_unique<Progress>(std::move(question), interrupt)) {}
+Join::Join(JoinQuestion question, Interrupt& interrupt) {
+  question = prepared(std::move(question), interrupt);
+  if (has_plans(question))
+    legs_ = std::make_unique<LegJoin>(std::move(question), interrupt);
+  else
+    progress_ = std::make_unique<Progress>(std::move(question), interrupt);
+}
 
 Join::~Join() = default;
 
 std::span<const JoinRow> Join::next() {
   const FloatEnvironment environment;
+  if (legs_) return legs_->next();
   Progress& p = *progress_;
   p.rows.clear(), p.given = {};
   while (p.given.empty()) {

@@ -9,6 +9,7 @@
 #include "index/paper_grid/paper_candidates.h"
 #include "index/tpr_tree/search/tree_join.h"
 #include "query/join/pair_kinds.h"
+#include "query/legs/leg_candidates.h"
 #include "query/tile/ownership.h"
 
 namespace foresee {
@@ -41,6 +42,17 @@ bool tests_kinds(const JoinQuestion& question, JoinMethod method) {
 
 std::unique_ptr<Candidates> scan(const Scene& a, const Scene* b, Interrupt& interrupt) {
   return b ? make_all_pairs(a.size(), b->size(), interrupt) : make_all_pairs(a.size(), interrupt);
+}
+
+std::unique_ptr<Candidates> leg_candidates(const JoinQuestion& question, const Horizon& horizon,
+                                           Interrupt& interrupt) {
+  return make_leg_candidates({.a = Movers(question.a),
+                              .b = Movers(question.b ? question.b : question.a),
+                              .within = !question.b,
+                              .are_one = question.b == question.a,
+                              .only_a = question.only_a,
+                              .only_b = question.only_b},
+                             horizon, interrupt);
 }
 
 template <int D>
@@ -85,6 +97,8 @@ std::unique_ptr<Candidates> all_candidates(const JoinQuestion& question, JoinMet
                                            Interrupt& interrupt) {
   const Scene& a = *question.a;
   const Scene& b = question.b ? *question.b : a;
+  if (has_plans(question) && (question.only_a || question.only_b || method == JoinMethod::scan))
+    return leg_candidates(question, horizon, interrupt);
   if (question.only_a) return one_row(a, *question.only_a, Side::a, b.size(), interrupt);
   if (question.only_b) return one_row(b, *question.only_b, Side::b, a.size(), interrupt);
   if (method == JoinMethod::scan) return scan(a, question.b.get(), interrupt);

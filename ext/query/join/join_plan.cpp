@@ -132,6 +132,117 @@ SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reac
   return best;
 }
 
+// Plans: the rows are legs, most of which exist during a part of the span only.
+
+/// Legs of one scene that exist in the queried span, from a stratified sample of its rows.
+class LegSample {
+ public:
+  LegSample(const Scene& scene, const Horizon& span) : bodies_(scene.bodies()), span_(span) {
+    const std::size_t count = scene.size(), wanted = std::min<std::size_t>(count, 4096);
+    const double end = span.now + span.h;
+    for (std::size_t part = 0; part < wanted; ++part) {
+      const std::size_t first = part * count / wanted, last = (part + 1) * count / wanted;
+      const std::size_t row = first + (part * 0x9e3779b97f4a7c15u >> 33) % (last - first);
+      if (t(row) <= end && span.now <= until(row))
+        rows_.push_back(row), lengths_.push_back(until(row) - t(row));
+    }
+    each_ = wanted > 0 ? static_cast<double>(count) / static_cast<double>(wanted) : 0;
+    std::sort(lengths_.begin(), lengths_.end());
+  }
+
+  double median_length() const { return lengths_.empty() ? 0 : lengths_[lengths_.size() / 2]; }
+  /// The expected number of legs that exist in a part of the span, wherever it is.
+  double alive(double part) const {
+    if (!(part < span_.h)) return each_ * static_cast<double>(rows_.size());
+    double sum = 0;
+    for (const std::size_t row : rows_) {
+      const double length = std::min(until(row), span_.now + span_.h) - std::max(t(row), span_.now);
+      sum += std::min(1.0, (length + part) / span_.h);
+    }
+    return each_ * sum;
+  }
+  /// Swept boxes of some legs that exist in `part`.
+  template <int D>
+  std::vector<Box<D>> boxes(const Horizon& part, const Vec<D>& margin) const {
+    std::vector<Box<D>> boxes;
+    const std::size_t step = std::max<std::size_t>(1, rows_.size() / 1024);
+    for (std::size_t i = 0; i < rows_.size() && boxes.size() < usual_sample.max; i += step)
+      if (t(rows_[i]) <= part.now + part.h && part.now <= until(rows_[i]))
+        boxes.push_back(swept_box<D>(bodies_, rows_[i], part, margin));
+    return boxes;
+  }
+
+ private:
+  double t(std::size_t row) const { return value_or(bodies_.row(row), bodies_.at.t, span_.now); }
+  double until(std::size_t row) const {
+    return value_or(bodies_.row(row), bodies_.at.until, std::numeric_limits<double>::infinity());
+  }
+
+  Bodies bodies_;
+  Horizon span_;
+  std::vector<std::size_t> rows_;
+  std::vector<double> lengths_;
+  double each_;
+};
+
+double movers_of(const Scene& scene) {
+  const bool has_legs = scene.layout.has_plan && !scene.first_rows.empty();
+  return static_cast<double>(has_legs ? scene.first_rows.size() - 1 : scene.size());
+}
+
+/// The plan of a join of legs: as for objects, but no slab is shorter than four median legs, because each leg that
+/// crosses the border of a slab is entered twice.
+template <int D>
+JoinPlan plan_legs(const JoinQuestion& question, const Contact::Reach& reach) {
+  constexpr double min_legs = 4;
+  const bool automatic = question.method == JoinMethod::automatic,
+             between = question.b && question.b != question.a;
+  const QueriedSpan span = span_of(question);
+  const Horizon whole{question.now + span.begin, span.length};
+  const LegSample a(*question.a, whole), other(between ? *question.b : *question.a, whole);
+  const auto alive = [&](double part) { return a.alive(part) + (between ? other.alive(part) : 0); };
+  const double movers_a = movers_of(*question.a), movers_b = between ? movers_of(*question.b) : movers_a;
+  const double of_movers =
+      (question.b ? movers_a * movers_b : movers_a * movers_a / 2) *
+      (a.alive(span.length) / std::max(movers_a, 1.0) + other.alive(span.length) / std::max(movers_b, 1.0));
+  if (automatic && scan_pair * of_movers <= grid_setup + grid_object * alive(span.length))
+    return {JoinMethod::scan, "to test each of so few pairs costs less than a grid", 1};
+  const auto cost = [&](std::size_t parts) {
+    const double length = span.length / static_cast<double>(parts), in_part = alive(length);
+    const Horizon middle = middle_part(question, span.begin, span.length, parts);
+    const std::vector<Box<D>> of_a = a.boxes<D>(middle, margin_of<D>(reach)),
+                              of_b = other.boxes<D>(middle, margin_of<D>(reach));
+    double meetings = 0;
+    for (std::size_t i = 0; i < of_a.size(); ++i)
+      for (std::size_t j = between ? 0 : i + 1; j < of_b.size(); ++j) meetings += of_a[i].meets(of_b[j]);
+    const double sampled =
+        static_cast<double>(of_a.size()) * static_cast<double>(of_b.size()) / (between ? 1 : 2);
+    const double legs = between ? a.alive(length) * other.alive(length) : in_part * in_part / 2;
+    if (sampled > 0) meetings *= legs / sampled;
+    return static_cast<double>(parts) * (grid_setup + grid_object * in_part + grid_meeting * meetings);
+  };
+  // Legs that outlast the span are cut as objects are.
+  const double median = std::min(a.median_length(), other.median_length());
+  const double shortest = median < span.length ? min_legs * median : 0;
+  SlabChoice best{1, cost(1)};
+  double repeated = -1;
+  for (std::size_t parts = 2; parts <= slabs_max; parts += (parts + 1) / 2) {
+    const double times = static_cast<double>(parts), length = span.length / times;
+    if (!(length > 0) || length < shortest) break;
+    if (repeated < 0)
+      repeated =
+          grid_repetition * expected_contacts(question, reach, question.now + span.begin + span.length / 2);
+    const double floor = times * (grid_setup + grid_object * alive(length)) + (times - 1) * repeated;
+    if (floor >= best.cost) break;
+    if (const double of_parts = cost(parts) + (times - 1) * repeated; of_parts < best.cost)
+      best = {parts, of_parts};
+  }
+  const bool with_helpers =
+      question.helpers > 0 && best.cost >= worth_helpers * static_cast<double>(best.slabs);
+  const char* why = automatic ? "there are too many pairs to test each" : "as requested";
+  return {JoinMethod::grid, why, best.slabs, with_helpers};
+}
+
 }  // namespace
 
 double expected_meetings(const JoinQuestion& question, const Contact::Reach& reach, const Horizon& horizon) {
@@ -143,6 +254,9 @@ double expected_meetings(const JoinQuestion& question, const Contact::Reach& rea
 JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach) {
   const FloatEnvironment environment;
   const bool automatic = question.method == JoinMethod::automatic;
+  if (has_plans(question) && !question.only_a && !question.only_b &&
+      (automatic || question.method == JoinMethod::grid))
+    return with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) { return plan_legs<D>(question, reach); });
   const double scan = scan_pair * pairs_of(question);
   if (question.only_a || question.only_b) return {JoinMethod::scan, "a query of one object", 1};
   if (!automatic && question.method != JoinMethod::grid) return {question.method, "as requested", 1};

@@ -29,17 +29,19 @@ std::shared_ptr<const Scene> some_of(const Scene& scene, const std::vector<Kinds
   const auto row_size = static_cast<std::size_t>(row_offsets(scene.layout).size);
   auto some = std::make_shared<Scene>();
   some->name = scene.name, some->layout = scene.layout, some->levels = scene.levels;
+  some->legs_during = scene.legs_during;
   some->ids.reserve(count), some->rows.reserve(count * row_size);
-  const auto first_rows = some->levels ? std::span(some->levels->starts.at(0)) : std::span<std::uint32_t>();
-  auto start = first_rows.begin();
+  const auto of_leaves = some->levels ? std::span(some->levels->starts.at(0)) : std::span<std::uint32_t>();
+  auto start = of_leaves.begin();
   for (std::size_t i = 0; i <= scene.size(); ++i) {
-    for (; start != first_rows.end() && *start == i; ++start)
+    for (; start != of_leaves.end() && *start == i; ++start)
       *start = static_cast<std::uint32_t>(some->size());
     if (i == scene.size() || !meets(kinds[i])) continue;
     some->ids.push_back(scene.ids[i]);
     const double* const row = scene.rows.data() + i * row_size;
     some->rows.insert(some->rows.end(), row, row + row_size);
   }
+  some->find_movers();
   return some;
 }
 

@@ -4,6 +4,7 @@
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/window_walk.h"
 #include "query/join/question.h"
+#include "query/join/tile_scenes.h"
 #include "shape/swept_boxes.h"
 
 namespace foresee {
@@ -50,6 +51,11 @@ std::shared_ptr<const Scene> objects_near(const Scene& one, NodeSource& tree, co
 void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, JoinQuestion& question,
                           Interrupt& interrupt) {
   const bool by_a = ids.a.has_value();
+  if (tables.a->layout().has_plan || tables.last().layout().has_plan) {
+    question.only_a = ids.a, question.only_b = ids.b;
+    take_scenes(tables, question, interrupt);
+    return require_valid(question);
+  }
   const std::int64_t id = by_a ? *ids.a : *ids.b;
   TableSource &one = by_a ? *tables.a : tables.last(), &others = by_a ? tables.last() : *tables.a;
   std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,

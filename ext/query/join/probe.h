@@ -32,7 +32,8 @@ struct QueriedIds {
   std::optional<std::int64_t> a = {}, b = {};
 };
 
-/// Sets one side to the queried object and the other to the objects that may touch it. Requires: an id.
+/// Sets one side to the queried object and the other to the objects that may touch it. Where a table has plans, sets
+/// both to whole scenes, and only_a and only_b. Requires: an id.
 /// Throws Error as require_valid() does.
 void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, JoinQuestion& question,
                           Interrupt& interrupt);

@@ -86,6 +86,11 @@ struct JoinRow {
   ClosestApproach approach;
 };
 
+/// Whether an object of either side may have a plan: then rows of a scene are legs, and ids repeat.
+inline bool has_plans(const JoinQuestion& question) {
+  return question.a->layout.has_plan || (question.b && question.b->layout.has_plan);
+}
+
 /// Throws Error if h, within or within_z is negative or not finite, now is not finite, or the axes of both
 /// scenes differ. Also if the tile is empty or has a bound on an axis that the scenes do not have.
 void require_valid(const JoinQuestion& question);

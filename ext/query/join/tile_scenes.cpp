@@ -1,6 +1,7 @@
 #include "query/join/tile_scenes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/axes.h"
@@ -100,6 +101,37 @@ MarkedScene marked(const Scene& scene, const JoinQuestion& question, Interrupt& 
   return all;
 }
 
+/// The same of a scene with plans: legs have the marks of their mover, whose box contains all of its legs.
+template <int D>
+MarkedScene marked_movers(const Scene& scene, const JoinQuestion& question, Interrupt& interrupt) {
+  const Horizon horizon{question.now, question.h};
+  const Vec<D> margin = sweep_margin<D>(question.within, question.within_z);
+  const Bodies bodies = scene.bodies();
+  MarkedScene all;
+  all.marks.resize(bodies.count);
+  for (std::size_t mover = 0; mover + 1 < scene.first_rows.size(); ++mover) {
+    Box<D> hull = Box<D>::empty();
+    for (std::size_t i = scene.first_rows[mover]; i < scene.first_rows[mover + 1]; ++i) {
+      if (i % objects_per_check == 0) interrupt.check();
+      const Box<D> box = swept_box<D>(motion_of<D>(bodies, i), horizon,
+                                      grown(largest_extents<D>(bodies, i, horizon), margin));
+      hull.lower = hull.lower.min(box.lower), hull.upper = hull.upper.max(box.upper);
+    }
+    const TileMarks marks = question.tile->marks(hull);
+    const auto begin = all.marks.begin();
+    std::fill(begin + scene.first_rows[mover], begin + scene.first_rows[mover + 1], marks);
+    all.needed += marks & Tile::unneeded ? 0 : scene.first_rows[mover + 1] - scene.first_rows[mover];
+    all.owns_all &= marks == Tile::owned;
+  }
+  return all;
+}
+
+template <int D>
+MarkedScene marked_rows(const Scene& scene, const JoinQuestion& question, Interrupt& interrupt) {
+  return scene.layout.has_plan ? marked_movers<D>(scene, question, interrupt)
+                               : marked<D>(scene, question, interrupt);
+}
+
 /// The scene without unneeded objects, if that is worth a copy of the others. Levels of a tree and forms
 /// refer to row numbers: such a scene keeps all rows, and marks exclude the unneeded ones.
 std::shared_ptr<const Scene> without_unneeded(std::shared_ptr<const Scene> scene, MarkedScene& marked) {
@@ -107,7 +139,7 @@ std::shared_ptr<const Scene> without_unneeded(std::shared_ptr<const Scene> scene
   if (scene->levels || scene->forms || unneeded * worth_a_copy <= marked.needed) return scene;
   const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
   auto needed = std::make_shared<Scene>();
-  needed->name = scene->name, needed->layout = scene->layout;
+  needed->name = scene->name, needed->layout = scene->layout, needed->legs_during = scene->legs_during;
   needed->ids.reserve(marked.needed), needed->rows.reserve(marked.needed * row_size);
   for (std::size_t i = 0; i < scene->size(); ++i) {
     if (marked.marks[i] & Tile::unneeded) continue;
@@ -117,14 +149,15 @@ std::shared_ptr<const Scene> without_unneeded(std::shared_ptr<const Scene> scene
     needed->rows.insert(needed->rows.end(), row, row + row_size);
   }
   marked.marks.resize(marked.needed);
+  needed->find_movers();
   return needed;
 }
 
 template <int D>
 void mark(JoinQuestion& question, Interrupt& interrupt) {
   const bool one_scene = !question.b || question.b == question.a;
-  MarkedScene a = marked<D>(*question.a, question, interrupt), b;
-  if (!one_scene) b = marked<D>(*question.b, question, interrupt);
+  MarkedScene a = marked_rows<D>(*question.a, question, interrupt), b;
+  if (!one_scene) b = marked_rows<D>(*question.b, question, interrupt);
   if (a.owns_all && b.owns_all) return;
   const bool itself = question.b == question.a;
   auto ownership = std::make_shared<Ownership>();
@@ -156,12 +189,18 @@ std::shared_ptr<const Scene> scene_by_tree(TableSource& table, const JoinQuestio
   return scene_of_tile(*tree, table.name(), question, interrupt);
 }
 
+/// The times that a join reads.
+LegTimes read_times(const JoinQuestion& question) {
+  return {question.now, std::nextafter(question.now + question.h, std::numeric_limits<double>::infinity())};
+}
+
 }  // namespace
 
 void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt) {
   const bool with_levels = question.method == JoinMethod::tree;
   const auto scene = [&](TableSource& table) {
     std::shared_ptr<const Scene> in_tile;
+    if (table.layout().has_plan) return table.all_during(read_times(question));
     if (question.tile && !with_levels) in_tile = scene_by_tree(table, question, interrupt);
     return in_tile ? in_tile : table.all(with_levels);
   };

@@ -1,5 +1,4 @@
-// Contacts of two movers from the contacts of their legs: those that meet in time are one. No query calls this yet;
-// those of plans as a column will.
+// Contacts of two movers from the contacts of their legs: those that meet in time are one.
 //
 //   std::vector<LegContact> found = …;             // of all pairs of legs, each by Contact::all_contacts()
 //   const std::vector<ContactTimes> all = mover_contacts(found);

@@ -1,0 +1,128 @@
+#include "query/join/leg_join.h"
+
+#include <cmath>
+#include <utility>
+
+#include "query/join/join_candidates.h"
+#include "query/join/pair_kinds.h"
+#include "query/tile/ownership.h"
+
+namespace foresee {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// The last time of a horizon, rounded up.
+double end_of(const Horizon& horizon) {
+  return std::nextafter(horizon.now + horizon.h, inf);
+}
+
+bool is_bent(const JoinQuestion& question) {
+  return degree_of(question.a->layout.law) > 1 || (question.b && degree_of(question.b->layout.law) > 1);
+}
+
+/// A scan, and candidates of one object, are made of whole scenes.
+SlabLegs::Slabs slabs_for(const JoinPlan& plan, const JoinQuestion& question) {
+  if (plan.method == JoinMethod::scan || question.only_a || question.only_b) return SlabLegs::Slabs::whole;
+  return plan.slabs == 1 ? SlabLegs::Slabs::one : SlabLegs::Slabs::several;
+}
+
+std::vector<TileMarks> marks_of(const std::vector<TileMarks>& whole, const SlabLegs& legs) {
+  std::vector<TileMarks> marks(whole.empty() ? 0 : legs.scene()->size());
+  for (std::uint32_t row = 0; row < marks.size(); ++row) marks[row] = whole[legs.leg(row)];
+  return marks;
+}
+
+}  // namespace
+
+LegJoin::LegJoin(JoinQuestion question, Interrupt& interrupt)
+    : question_(std::move(question)),
+      interrupt_(interrupt),
+      a_(question_.a),
+      other_(question_.b && question_.b != question_.a ? std::optional<Movers>(question_.b) : std::nullopt),
+      b_(other_ ? *other_ : a_),
+      contact_(contact_of(question_)),
+      pair_(a_, b_, *contact_, {question_.now, question_.h}, interrupt),
+      plan_(plan_join(question_, contact_->reach())),
+      slabs_(slabs_of(plan_, question_)),
+      legs_a_(a_, question_.now, end_of({question_.now, question_.h}), slabs_for(plan_, question_)),
+      found_(question_, a_, b_, pair_) {
+  contact_->set_interrupt(interrupt);
+  if (other_)
+    legs_b_.emplace(b_, question_.now, end_of({question_.now, question_.h}), slabs_for(plan_, question_));
+}
+
+LegJoin::~LegJoin() {
+  question_.space->trim();
+}
+
+JoinQuestion LegJoin::question_of_legs() const {
+  JoinQuestion legs = question_;
+  const SlabLegs& of_b = legs_b_ ? *legs_b_ : legs_a_;
+  legs.a = legs_a_.scene();
+  if (question_.b) legs.b = of_b.scene();
+  legs.order = JoinOrder::by_t;  // rows are not written, but sorted as hits
+  legs.wants = {.contact = true, .ends = false, .approach = false};
+  legs.all_contacts = question_.all_contacts && is_bent(question_);
+  if (legs.a == question_.a && (!question_.b || legs.b == question_.b)) return legs;
+  if (question_.kinds) legs = with_kinds(std::move(legs));
+  if (!question_.own) return legs;
+  auto own = std::make_shared<Ownership>();
+  own->needed_a = question_.own->needed_a, own->needed_b = question_.own->needed_b;
+  own->a = marks_of(question_.own->a, legs_a_), own->b = marks_of(question_.own->b, of_b);
+  legs.own = std::move(own);
+  return legs;
+}
+
+bool LegJoin::join_slab() {
+  const std::optional<TimeSlab> slab = slabs_.next();
+  if (!slab) return false;
+  legs_a_.take(slab->horizon.now, end_of(slab->horizon));
+  if (legs_b_) legs_b_->take(slab->horizon.now, end_of(slab->horizon));
+  const JoinQuestion question = question_of_legs();
+  ContactStage stage(question, interrupt_);
+  if (plan_.with_helpers) {
+    SlabHelpers helpers(question, *slab, true, stage.reach(), interrupt_);
+    for (SlabBatch batch; helpers.next(batch);) add(batch.hits);
+  } else {
+    const auto candidates = join_candidates(question, plan_.method, slab->horizon, stage.reach(), interrupt_);
+    for (pairs_.clear(); candidates->next(pairs_); pairs_.clear()) {
+      hits_.clear();
+      stage.query(*candidates, pairs_, *slab, hits_);
+      add(hits_);
+    }
+  }
+  found_.finish(*slab, interrupt_);
+  return true;
+}
+
+void LegJoin::add(Hits& hits) {
+  found_.add(hits, legs_a_, legs_b_ ? *legs_b_ : legs_a_);
+}
+
+std::span<const JoinRow> LegJoin::next() {
+  rows_.clear();
+  while (rows_.empty()) {
+    interrupt_.check();
+    if (found_.any()) {
+      found_.take(taken_, interrupt_);
+      write(taken_);
+    } else if (!join_slab()) {
+      break;
+    }
+  }
+  return rows_;
+}
+
+void LegJoin::write(std::span<const MoverHit> hits) {
+  const auto& ids_a = a_.scene()->ids;
+  const auto& ids_b = b_.scene()->ids;
+  rows_.resize(hits.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    rows_[i].a = ids_a[hits[i].legs.a], rows_[i].b = ids_b[hits[i].legs.b];
+    rows_[i].contact = hits[i].times;
+    if (question_.wants.approach) rows_[i].approach = pair_.closest_approach(hits[i].legs);
+  }
+}
+
+}  // namespace foresee

@@ -1,0 +1,74 @@
+#include "query/legs/leg_candidates.h"
+
+#include <cmath>
+#include <utility>
+
+namespace foresee {
+namespace {
+
+constexpr std::size_t legs_per_batch = 4096;
+
+struct MoverRange {
+  std::uint32_t first, last;
+};
+
+/// The movers of a side that are queried.
+MoverRange queried(const Movers& movers, const std::optional<std::int64_t>& only) {
+  if (!only) return {0, movers.count()};
+  const auto& ids = movers.scene()->ids;
+  const auto found = std::find(ids.begin(), ids.end(), *only);
+  if (found == ids.end()) return {0, 0};
+  const std::uint32_t mover = movers.of(static_cast<std::uint32_t>(found - ids.begin()));
+  return {mover, mover + 1};
+}
+
+class LegCandidates final : public Candidates {
+ public:
+  LegCandidates(LegCandidatesOf sides, const Horizon& horizon, Interrupt& interrupt)
+      : sides_(std::move(sides)),
+        now_(horizon.now),
+        end_(std::nextafter(horizon.now + horizon.h, std::numeric_limits<double>::infinity())),
+        of_a_(queried(sides_.a, sides_.only_a)),
+        of_b_(queried(sides_.b, sides_.only_b)),
+        within_(sides_.within && !sides_.only_a && !sides_.only_b),
+        a_(of_a_.first),
+        b_(first_b()),
+        interrupt_(interrupt) {}
+
+  bool next(std::vector<Pair>& out) override {
+    interrupt_.check();
+    const std::size_t full = out.size() + legs_per_batch;
+    for (std::size_t steps = 0; a_ < of_a_.last; b_ = first_b()) {
+      for (; b_ < of_b_.last; ++b_) {
+        if (out.size() >= full || ++steps > legs_per_batch) return true;
+        if ((sides_.within || sides_.are_one) && a_ == b_) continue;
+        for_leg_pairs(sides_.a, sides_.b, {a_, b_}, now_, [&](const Pair& legs) {
+          if (std::max(sides_.a.t(legs.a), sides_.b.t(legs.b)) > end_) return false;
+          out.push_back(legs);
+          return true;
+        });
+      }
+      if (++a_ == of_a_.last) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::uint32_t first_b() const { return within_ ? a_ + 1 : of_b_.first; }
+
+  LegCandidatesOf sides_;
+  double now_, end_;
+  MoverRange of_a_, of_b_;
+  bool within_;
+  std::uint32_t a_, b_;
+  Interrupt& interrupt_;
+};
+
+}  // namespace
+
+std::unique_ptr<Candidates> make_leg_candidates(LegCandidatesOf sides, const Horizon& horizon,
+                                                Interrupt& interrupt) {
+  return std::make_unique<LegCandidates>(std::move(sides), horizon, interrupt);
+}
+
+}  // namespace foresee

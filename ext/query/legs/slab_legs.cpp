@@ -1,0 +1,76 @@
+#include "query/legs/slab_legs.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace foresee {
+
+SlabLegs::SlabLegs(const Movers& movers, double from, double until, Slabs slabs) : movers_(movers) {
+  const Scene& whole = *movers.scene();
+  for (std::uint32_t mover = 0; mover < movers.count(); ++mover) {
+    const std::uint32_t first = movers.first_until(mover, from), last = movers.last(mover);
+    if (first == last || movers.t(first) > until) continue;
+    std::uint32_t end = first + 1;
+    if (last - first > 1 && movers.t(last - 1) <= until)
+      end = last;
+    else
+      for (std::uint32_t beyond = last; beyond - end > 0;) {
+        const std::uint32_t middle = end + (beyond - end) / 2;
+        movers.t(middle) <= until ? end = middle + 1 : beyond = middle;
+      }
+    waiting_.push_back({movers.t(first), first, end});
+    alive_ += end - first;
+  }
+  movers_alive_ = waiting_.size();
+  is_whole_ = takes_whole(from, until, slabs);
+  if (is_whole_) return;
+  scene_ = std::make_shared<Scene>();
+  scene_->name = whole.name, scene_->layout = whole.layout;
+  given_ = scene_;
+}
+
+bool SlabLegs::takes_whole(double from, double until, Slabs slabs) const {
+  const std::size_t rows = movers_.scene()->size();
+  if (slabs == Slabs::whole || movers_.scene()->forms) return true;
+  if (slabs == Slabs::one) return alive_ >= rows - rows / 4;
+  if (alive_ < rows || movers_alive_ < rows) return false;
+  double lives = 0;
+  for (std::uint32_t row = 0; row < rows; ++row)
+    lives += std::min(movers_.until(row), until) - std::max(movers_.t(row), from);
+  return lives >= 0.75 * static_cast<double>(rows) * (until - from);
+}
+
+void SlabLegs::take(double from, double until) {
+  if (is_whole_) return;
+  scene_->ids.clear(), scene_->rows.clear(), scene_->kinds.reset(), legs_.clear();
+  std::size_t kept = 0;
+  for (Left& left : current_) {
+    take_legs(left, from, until);
+    if (left.first < left.last) current_[kept++] = left;
+  }
+  current_.resize(kept), kept = 0;
+  for (Left& left : waiting_) {
+    if (left.t > until) {
+      waiting_[kept++] = left;
+      continue;
+    }
+    take_legs(left, from, until);
+    if (left.first < left.last) current_.push_back(left);
+  }
+  waiting_.resize(kept);
+}
+
+void SlabLegs::take_legs(Left& left, double from, double until) {
+  const Scene& whole = *movers_.scene();
+  while (left.first < left.last && movers_.until(left.first) < from) ++left.first;
+  std::uint32_t end = left.first;
+  while (end < left.last && movers_.t(end) <= until) ++end;
+  const std::size_t row_size = static_cast<std::size_t>(movers_.bodies().at.size), count = end - left.first;
+  const double* const rows = whole.rows.data() + left.first * row_size;
+  scene_->rows.insert(scene_->rows.end(), rows, rows + count * row_size);
+  scene_->ids.insert(scene_->ids.end(), count, whole.ids[left.first < whole.size() ? left.first : 0]);
+  legs_.resize(legs_.size() + count);
+  std::iota(legs_.end() - static_cast<std::ptrdiff_t>(count), legs_.end(), left.first);
+}
+
+}  // namespace foresee

@@ -1,0 +1,62 @@
+// Legs that exist during a time slab, as a scene of their own: the input of the indexes of a join slab by slab.
+//
+//   SlabLegs legs(movers, now, now + h);
+//   legs.take(from, until);                               // slabs in order of time
+//   use(legs.scene()->bodies(), legs.leg(7));             // the row of the whole scene
+//
+// A pass over the movers that have legs left; each leg is looked at once, and copied once for each slab in which it
+// exists. The memory is reused, so a scene is valid until the next call. Scenes with outlines or meshes, and those of
+// which most legs exist throughout, are taken whole.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "query/legs/movers.h"
+
+namespace foresee {
+
+class SlabLegs {
+ public:
+  enum class Slabs : std::uint8_t {
+    whole,  ///< the scene is not cut
+    one,
+    several
+  };
+
+  /// For slabs within [from, until]. `movers` must outlive this.
+  SlabLegs(const Movers& movers, double from, double until, Slabs slabs);
+
+  /// Requires: from does not decrease from call to call.
+  void take(double from, double until);
+
+  const std::shared_ptr<const Scene>& scene() const { return is_whole_ ? movers_.scene() : given_; }
+  /// Of the whole scene.
+  std::uint32_t leg(std::uint32_t row) const { return is_whole_ ? row : legs_[row]; }
+  bool is_whole() const { return is_whole_; }
+  /// The legs that exist at some time of [from, until], and their movers.
+  std::size_t alive() const { return alive_; }
+  std::size_t movers_alive() const { return movers_alive_; }
+
+ private:
+  /// The legs of one mover that may exist in later slabs.
+  struct Left {
+    double t;
+    std::uint32_t first, last;
+  };
+
+  /// Whether a copy of the legs is not worth its cost.
+  bool takes_whole(double from, double until, Slabs slabs) const;
+  void take_legs(Left& left, double from, double until);
+
+  const Movers& movers_;
+  bool is_whole_ = false;
+  std::size_t alive_ = 0, movers_alive_ = 0;
+  std::vector<Left> waiting_, current_;  ///< movers that have not started yet, and others
+  std::shared_ptr<Scene> scene_;
+  std::shared_ptr<const Scene> given_;
+  std::vector<std::uint32_t> legs_;
+};
+
+}  // namespace foresee
