@@ -8,6 +8,7 @@
 #include "index/paper_grid/paper_grid.h"
 #include "index/paper_grid/paper_stages.h"
 #include "index/paper_grid/thread_clock.h"
+#include "query/join/found_movers.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
 #include "query/join/pair_kinds.h"
@@ -20,12 +21,59 @@ namespace {
 constexpr const char* test_names[paper_stage_count] = {"projection overlap", "centre point", "time interval",
                                                        "trajectory intersection"};
 
-/// All queried pairs; in a tile, the pairs of the objects that it needs.
+/// Pairs of legs of one mover, which are not queried. `meeting`: only those whose kinds may meet.
+std::uint64_t pairs_of_one_mover(const JoinQuestion& question, bool meeting) {
+  const Scene& scene = *question.a;
+  if (!scene.layout.has_plan || (question.b && question.b != question.a)) return 0;
+  std::uint64_t pairs = 0;
+  for (std::size_t i = 0; i + 1 < scene.first_rows.size(); ++i) {
+    if (question.own && question.own->a[scene.first_rows[i]] & Tile::unneeded) continue;
+    const std::uint32_t first = scene.first_rows[i];
+    if (meeting && !question.kinds->may_meet({first, first})) continue;
+    const std::uint64_t legs = scene.first_rows[i + 1] - scene.first_rows[i];
+    pairs += question.b ? legs * legs : legs * (legs - 1) / 2;
+  }
+  return pairs;
+}
+
+/// All queried pairs; in a tile, the pairs of the objects that it needs. Where objects have plans, pairs of legs.
 std::uint64_t queried_pairs(const JoinQuestion& question) {
-  const auto pairs = [&](std::uint64_t a, std::uint64_t b) { return question.b ? a * b : a * (a - 1) / 2; };
+  const std::uint64_t left_out = pairs_of_one_mover(question, false);
+  const auto pairs = [&](std::uint64_t a, std::uint64_t b) {
+    return (question.b ? a * b : a * (a - 1) / 2) - left_out;
+  };
   if (question.own) return pairs(question.own->needed_a, question.own->needed_b);
   return pairs(question.a->size(), question.b ? question.b->size() : 0);
 }
+
+/// The last stage where objects have plans: pairs of legs that touch become pairs of movers.
+class MoverStage {
+ public:
+  explicit MoverStage(const JoinQuestion& question)
+      : a_(question.a),
+        other_(question.b && question.b != question.a ? std::optional<Movers>(question.b) : std::nullopt),
+        within_(!question.b) {}
+
+  bool are_one(const Pair& legs) const { return !other_ && a_.of(legs.a) == a_.of(legs.b); }
+  void add(const std::vector<Pair>& touching) {
+    const double begin = thread_seconds();
+    for (const Pair& legs : touching) {
+      Pair movers = a_.of(legs, other_ ? *other_ : a_);
+      if (within_ && movers.b < movers.a) std::swap(movers.a, movers.b);
+      count.after += pairs_.find_or_add(movers, count.after) == count.after;
+    }
+    count.before += touching.size();
+    count.seconds += thread_seconds() - begin;
+  }
+
+  StageCount count;
+
+ private:
+  Movers a_;
+  std::optional<Movers> other_;
+  bool within_;
+  PairTable pairs_;
+};
 
 /// The stages of one join, and their counts so far.
 class Explanation {
@@ -41,6 +89,7 @@ class Explanation {
         refinement_(has(Shape::outline) || has(Shape::mesh) ? contact_of(question) : nullptr),
         plan_(plan_join(question, contact_->reach())) {
     if (refinement_) refinement_->set_interrupt(interrupt);
+    if (has_plans(question)) movers_.emplace(question);
     open_axes();
     candidates_count_.before = kinds ? kinds->after : queried_pairs(question);
   }
@@ -64,6 +113,8 @@ class Explanation {
     rows.push_back(row("exact time", "step 5e", exact_count_, exact_detail()));
     rows.push_back(
         row("refinement", "step 6", refinement_ ? refinement_count_ : left_out(), refinement_detail()));
+    if (movers_)
+      rows.push_back(row("movers", "after step 6", movers_->count, "pairs of objects whose legs touch"));
     return rows;
   }
 
@@ -103,6 +154,7 @@ class Explanation {
     const bool more = candidates_->next(pairs);
     // A table joined with itself as two sides: an object and itself are not a pair.
     if (question_.a == question_.b) std::erase_if(pairs, [](const Pair& pair) { return pair.a == pair.b; });
+    if (movers_) std::erase_if(pairs, [this](const Pair& pair) { return movers_->are_one(pair); });
     candidates_count_.after += pairs.size();
     candidates_count_.seconds += thread_seconds() - begin;
     return more;
@@ -127,7 +179,10 @@ class Explanation {
     }
     exact_count_.before += pairs.size();
     exact_count_.seconds += thread_seconds() - begin;
-    if (refinement_) refine();
+    if (refinement_)
+      refine();
+    else if (movers_)
+      movers_->add(hits_);
     hits_.clear();
   }
 
@@ -144,6 +199,7 @@ class Explanation {
     refinement_count_.before += hits_.size();
     refinement_count_.after += touching.size();
     refinement_count_.seconds += thread_seconds() - begin;
+    if (movers_) movers_->add(touching);
   }
 
   /// `step`: the name of the step in docs/explanation/gpcd.md.
@@ -190,6 +246,7 @@ class Explanation {
   static constexpr std::size_t slice = 256;
 
   std::optional<StageCount> kinds_count_;
+  std::optional<MoverStage> movers_;  // where objects have plans
   const JoinQuestion& question_;
   const Scene &a_, &b_;
   Interrupt& interrupt_;
@@ -207,7 +264,8 @@ class Explanation {
 std::optional<StageCount> count_kinds(const JoinQuestion& all, Interrupt& interrupt) {
   if (!all.kinds) return {};
   const double begin = thread_seconds();
-  StageCount count{.before = queried_pairs(all), .after = count_meeting(all, interrupt)};
+  StageCount count{.before = queried_pairs(all),
+                   .after = count_meeting(all, interrupt) - pairs_of_one_mover(all, true)};
   count.seconds = thread_seconds() - begin;
   return count;
 }

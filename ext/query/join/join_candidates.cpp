@@ -8,6 +8,7 @@
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/paper_grid/paper_candidates.h"
 #include "index/tpr_tree/search/tree_join.h"
+#include "query/join/leg_tree.h"
 #include "query/join/pair_kinds.h"
 #include "query/legs/leg_candidates.h"
 #include "query/tile/ownership.h"
@@ -70,6 +71,8 @@ template <int D>
 std::unique_ptr<Candidates> by_index(const JoinQuestion& question, JoinMethod method, const Horizon& horizon,
                                      const Contact::Reach& reach, Interrupt& interrupt) {
   const Vec<D> margin = margin_of<D>(reach);
+  if (method == JoinMethod::tree && has_plans(question))
+    return make_leg_tree<D>(question, horizon, margin, interrupt);
   if (method == JoinMethod::tree) return tree<D>(question, horizon, margin, interrupt);
   if (method == JoinMethod::gpcd) {
     const Scene& b = question.b ? *question.b : *question.a;

@@ -237,6 +237,7 @@ JoinPlan plan_legs(const JoinQuestion& question, const Contact::Reach& reach) {
     if (const double of_parts = cost(parts) + (times - 1) * repeated; of_parts < best.cost)
       best = {parts, of_parts};
   }
+  if (!automatic && question.method != JoinMethod::grid) return {question.method, "as requested", best.slabs};
   const bool with_helpers =
       question.helpers > 0 && best.cost >= worth_helpers * static_cast<double>(best.slabs);
   const char* why = automatic ? "there are too many pairs to test each" : "as requested";
@@ -254,8 +255,7 @@ double expected_meetings(const JoinQuestion& question, const Contact::Reach& rea
 JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach) {
   const FloatEnvironment environment;
   const bool automatic = question.method == JoinMethod::automatic;
-  if (has_plans(question) && !question.only_a && !question.only_b &&
-      (automatic || question.method == JoinMethod::grid))
+  if (has_plans(question) && !question.only_a && !question.only_b && question.method != JoinMethod::scan)
     return with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) { return plan_legs<D>(question, reach); });
   const double scan = scan_pair * pairs_of(question);
   if (question.only_a || question.only_b) return {JoinMethod::scan, "a query of one object", 1};
@@ -272,7 +272,9 @@ JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach) {
 TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   const double length = span_of(question).length;
-  if (plan.method != JoinMethod::grid) return {question, {endless, endless}};
+  const bool is_cut =
+      plan.method == JoinMethod::grid || (has_plans(question) && plan.method != JoinMethod::scan);
+  if (!is_cut) return {question, {endless, endless}};
   const double step = plan.slabs > 1 ? length / static_cast<double>(plan.slabs) : endless;
   if (question.order == JoinOrder::any) return {question, {step, step}};
   constexpr double first_share = 1.0 / 64;

@@ -13,7 +13,7 @@ using testing::random_movers;
 using testing::rows_in_order;
 using testing::sorted_rows;
 
-constexpr JoinMethod methods[] = {JoinMethod::scan, JoinMethod::grid, JoinMethod::gpcd,
+constexpr JoinMethod methods[] = {JoinMethod::scan, JoinMethod::grid, JoinMethod::tree, JoinMethod::gpcd,
                                   JoinMethod::automatic};
 constexpr JoinOrder orders[] = {JoinOrder::any, JoinOrder::by_t, JoinOrder::by_dt, JoinOrder::by_t_and_ids};
 
