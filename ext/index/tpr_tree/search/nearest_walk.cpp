@@ -99,13 +99,15 @@ double min_point_distance(const MovingBox<D>& point, const MovingBox<D>& query) 
 
 template <int D>
 NearestWalk<D>::NearestWalk(NodeSource& source, const Vec<D>& point, const Vec<D>& velocity,
-                            const Horizon& horizon, Interrupt& interrupt, const std::optional<KindTest>& test)
+                            const Horizon& horizon, Interrupt& interrupt, const std::optional<KindTest>& test,
+                            DistanceTo to)
     : source_(source),
       interrupt_(interrupt),
       reader_(source.layout()),
       horizon_(horizon),
       query_(moving_window<D>(point, point, velocity, horizon)),
-      test_(test) {
+      test_(test),
+      to_(to) {
   if (source.find_root() != 0) open_.push_back({0, unread_root(source)});
 }
 
@@ -149,12 +151,14 @@ template <int D>
 [[gnu::flatten]] void NearestWalk<D>::find_in_leaf(const Node& leaf, double reach, LeafHits& hits) {
   near_.clear();
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
-    if (test_ && !test_->accepts(reader_.kinds(reader_.record(leaf, slot)))) continue;
-    if (reader_.is_head(reader_.record(leaf, slot))) continue;
-    const Motion<D> motion = reader_.motion(reader_.record(leaf, slot));
-    const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::Zero());
+    const double* record = reader_.record(leaf, slot);
+    if (reader_.has_plan(record)) continue;
+    if (test_ && !test_->accepts(reader_.kinds(record))) continue;
+    const bool to_centre = to_ == DistanceTo::centres;
+    const Extents<D> extents = to_centre ? Extents<D>::none() : reader_.extents(record);
+    const MovingBox<D> box = moving_box<D>(reader_.motion(record), extents, horizon_, Vec<D>::Zero());
     if (box.span.is_empty()) continue;
-    const double distance = min_point_distance(box, query_);
+    const double distance = to_centre ? min_point_distance(box, query_) : min_distance(box, query_, box.span);
     if (distance <= reach) near_.emplace_back(distance, static_cast<std::uint32_t>(slot));
   }
   std::sort(near_.begin(), near_.end());

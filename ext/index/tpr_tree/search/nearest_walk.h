@@ -8,8 +8,9 @@
 //       …                                                // measure exactly, shrink reach
 //
 // Guarantee: once next() returns false, every object that was not returned has its centre farther than
-// `reach` from the point, or `test` does not accept it. That holds at every time of the horizon at which the
-// object exists. The objects of one leaf are sorted by a lower bound of their distance.
+// `reach` from the point, or `test` does not accept it, or it has a plan. That holds at every time of the horizon at
+// which the object exists. The objects of one leaf are sorted by a lower bound of their distance. A chunk of a plan is
+// an item whose box contains the centre of its object: DistanceTo::boxes bounds by the boxes.
 #pragma once
 
 #include "base/error.h"
@@ -25,16 +26,24 @@ double min_distance(const MovingBox<D>& a, const MovingBox<D>& b, const SharedIn
 template <int D>
 double min_point_distance(const MovingBox<D>& point, const MovingBox<D>& query);
 
+enum class DistanceTo : std::uint8_t { centres, boxes };
+
 template <int D>
 class NearestWalk {
  public:
   /// The point is at `point` at `now` and then moves with `velocity`.
   NearestWalk(NodeSource& source, const Vec<D>& point, const Vec<D>& velocity, const Horizon& horizon,
-              Interrupt& interrupt, const std::optional<KindTest>& test = {});
+              Interrupt& interrupt, const std::optional<KindTest>& test = {},
+              DistanceTo to = DistanceTo::centres);
 
   /// Returns the next leaf with at least one object that may come within `reach`; false once no such leaf is
   /// left. Requires: `reach` does not increase from call to call.
   bool next(double reach, LeafHits& hits);
+
+  /// A lower bound of the distance of all that has not been returned; infinite if nothing is left.
+  double next_distance() const {
+    return open_.empty() ? std::numeric_limits<double>::infinity() : open_.front().distance;
+  }
 
  private:
   struct Open {
@@ -53,7 +62,8 @@ class NearestWalk {
   Horizon horizon_;
   MovingBox<D> query_;
   std::optional<KindTest> test_;  ///< of the objects that are returned
-  std::vector<Open> open_;        ///< a heap
+  DistanceTo to_;
+  std::vector<Open> open_;  ///< a heap
   std::vector<std::pair<double, std::uint32_t>> near_;
 };
 

@@ -10,7 +10,8 @@
 // distance that `within` adds for both together.
 //
 // Guarantee: every object is returned exactly once whose box, grown by `margin`, meets the query box at a
-// time of the horizon at which the object exists. Others may be returned too, but none that `test` rejects.
+// time of the horizon at which the object exists. Others may be returned too, but none that `test` rejects, and no
+// object with a plan.
 // The walk reads nodes on demand; between calls it holds only the numbers of unread nodes. So if the tree
 // changes between calls, the source must be a snapshot (pages.h).
 #pragma once

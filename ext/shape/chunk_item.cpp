@@ -1,0 +1,32 @@
+#include "shape/chunk_item.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/axes.h"
+#include "base/float_environment.h"
+#include "motion/plan/chunks.h"
+#include "shape/shapes.h"
+
+namespace foresee {
+
+void write_chunk_item(const Layout& layout, const double* record, std::span<const Leg> legs, double* item) {
+  const FloatEnvironment environment;
+  const Offsets from = record_offsets(layout), at = record_offsets(chunk_layout(layout));
+  const ChunkBox box = chunk_box(legs, layout.axes);
+  item[at.t] = box.t;
+  item[at.until] = std::max(box.t, std::min(box.until, record[from.until]));
+  with_axes(layout.axes, [&]<int D>(Axes<D>) {
+    const Vec<D> reach = reach_of(extents_of<D>(layout.shape, record, from));
+    for (int axis = 0; axis < D; ++axis) {
+      const auto j = static_cast<std::size_t>(axis);
+      item[at.x + axis] = box.x[j], item[at.v + axis] = box.v[j];
+      const double half = box.half[j] + reach[axis];
+      item[at.half + axis] = reach[axis] == 0 ? half : std::nextafter(half, no_end);
+    }
+  });
+  if (at.category != Offsets::absent) item[at.category] = record[from.category];
+  if (at.mask != Offsets::absent) item[at.mask] = record[from.mask];
+}
+
+}  // namespace foresee
