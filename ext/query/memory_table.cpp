@@ -1,13 +1,34 @@
 #include "query/memory_table.h"
 
+#include <algorithm>
+
 #include "base/float_environment.h"
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/search/tree_join.h"
 
 namespace foresee {
+namespace {
+
+/// Sets t, x, v and a of a record to those of a leg.
+void start_as(const Layout& layout, const Leg& leg, std::vector<double>& record) {
+  const Offsets at = record_offsets(layout);
+  record[static_cast<std::size_t>(at.t)] = leg.t;
+  std::copy_n(leg.x.begin(), layout.axes, record.data() + at.x);
+  std::copy_n(leg.v.begin(), layout.axes, record.data() + at.v);
+  if (at.a != Offsets::absent) std::copy_n(leg.a.begin(), layout.axes, record.data() + at.a);
+}
+
+}  // namespace
 
 MemoryTable::MemoryTable(std::string name, const Layout& layout, double horizon)
-    : name_(std::move(name)), pages_(layout), tree_(make_tpr_tree(pages_, horizon)) {}
+    : name_(std::move(name)), pages_(layout), tree_(make_tpr_tree(pages_, horizon)) {
+  if (!layout.has_plan) return;
+  plans_ = std::make_unique<MemoryPlans>(layout, horizon, [this](std::int64_t id) {
+    const double* record = find(id);
+    const auto size = static_cast<std::size_t>(record_offsets(pages_.layout()).size);
+    return record ? std::span(record, size) : std::span<const double>();
+  });
+}
 
 void MemoryTable::changed(std::int64_t id) {
   changed_ids_.insert(id);
@@ -15,12 +36,22 @@ void MemoryTable::changed(std::int64_t id) {
   all_.reset();
 }
 
-void MemoryTable::put(std::int64_t id, std::span<const double> record) {
+void MemoryTable::put(std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
+  std::vector<double> head;
+  if (plans_) {
+    if (const auto before = plans_->find_object(id); !before.empty()) plans_->erase(before);
+    head.assign(record.begin(), record.end());
+    if (!legs.empty()) start_as(layout(), legs[0], head);
+    plans_->put(id, head, legs);
+    record = head;
+  }
   if (!tree_->update(id, record)) tree_->insert(id, record);
   changed(id);
 }
 
 bool MemoryTable::erase(std::int64_t id) {
+  if (plans_)
+    if (const auto record = plans_->find_object(id); !record.empty()) plans_->erase(record);
   if (!tree_->erase(id)) return false;
   changed(id);
   return true;
@@ -37,6 +68,7 @@ double MemoryTable::newest_t() {
 
 std::shared_ptr<const Scene> MemoryTable::all(bool) {
   if (all_) return all_;
+  if (plans_) return all_ = read_objects({});
   NeverInterrupt never;
   const FloatEnvironment environment;  // accelerations are computed on loading
   TreeScene tree = read_tree(pages_, never);
@@ -45,6 +77,28 @@ std::shared_ptr<const Scene> MemoryTable::all(bool) {
   scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
   scene->levels = std::move(tree.levels);
   return all_ = scene;
+}
+
+std::shared_ptr<const Scene> MemoryTable::all_during(const LegTimes& times) {
+  return plans_ ? read_objects(times) : all();
+}
+
+std::shared_ptr<const Scene> MemoryTable::read_objects(const LegTimes& times) {
+  NeverInterrupt never;
+  const FloatEnvironment environment;
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  collect_objects(pages_, ids, records, never);
+  const auto size = static_cast<std::size_t>(record_offsets(layout()).size);
+  auto scene = std::make_shared<Scene>();
+  scene->name = name_, scene->layout = layout(), scene->legs_during = times;
+  std::vector<Leg> legs;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto record = std::span(records).subspan(i * size, size);
+    plans_->read_legs(record, legs);
+    scene->add(ids[i], record.data(), legs);
+  }
+  return scene;
 }
 
 const double* MemoryTable::find(std::int64_t id) {
@@ -58,8 +112,17 @@ std::shared_ptr<const Scene> MemoryTable::objects(std::span<const std::int64_t> 
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = std::make_shared<Scene>();
   scene->name = name_, scene->layout = layout();
-  for (const std::int64_t id : ids)
-    if (const double* record = find(id)) scene->add(id, record);
+  std::vector<Leg> legs;
+  for (const std::int64_t id : ids) {
+    const double* record = find(id);
+    if (!record) continue;
+    if (!plans_) {
+      scene->add(id, record);
+      continue;
+    }
+    plans_->read_legs(plans_->find_object(id), legs);
+    scene->add(id, record, legs);
+  }
   return scene;
 }
 

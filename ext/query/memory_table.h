@@ -4,15 +4,19 @@
 //   ships.put(7, std::vector<double>{0, 0, 6, 0, 30});        // record_offsets(layout)
 //   ships.commit();
 //
+//   MemoryTable robots("robots", with_plans);                  // .has_plan
+//   robots.put(1, record, legs_of(plan));                      // one object of many legs
+//
 // Between two commits the table knows which objects changed. Guarantee: scenes and the tree hold the same
-// doubles as the records that were put. Cost: an update of the tree per put; all() copies every object once per
-// change. Outlines and meshes are not kept: a layout with `shape` needs a database.
+// doubles as the records that were put. Cost: an update of the tree per put, and per chunk of a plan; all() copies
+// every object once per change. Outlines and meshes are not kept: a layout with `shape` needs a database.
 #pragma once
 
 #include <set>
 
 #include "index/memory_pages.h"
 #include "index/tpr_tree/tpr_tree.h"
+#include "query/memory_plans.h"
 #include "query/table_source.h"
 
 namespace foresee {
@@ -23,7 +27,10 @@ class MemoryTable final : public TableSource {
   MemoryTable(std::string name, const Layout& layout, double horizon = 60);
 
   /// Inserts the object, or replaces the one with this id. Requires: a valid record.
-  void put(std::int64_t id, std::span<const double> record);
+  void put(std::int64_t id, std::span<const double> record) { put(id, record, {}); }
+  /// The same with a plan; t, x, v, a of the record are set to those of its first leg. Requires: a layout with plans
+  /// and check_plan(), or no legs.
+  void put(std::int64_t id, std::span<const double> record, std::span<const Leg> legs);
   bool erase(std::int64_t id);
   /// Ends a transaction: later changes count from here on.
   void commit();
@@ -33,10 +40,13 @@ class MemoryTable final : public TableSource {
   double likely_objects() const override { return static_cast<double>(pages_.object_count()); }
   double newest_t() override;
   std::shared_ptr<const Scene> all(bool with_levels = false) override;
+  std::shared_ptr<const Scene> all_during(const LegTimes& times) override;
   bool is_loaded() override { return all_ != nullptr; }
   std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) override;
   /// Valid until the next change.
   std::shared_ptr<NodeSource> tree() override { return {std::shared_ptr<void>(), &pages_}; }
+  /// Valid until the next change.
+  std::shared_ptr<ChunkSource> chunks() override { return {std::shared_ptr<void>(), plans_.get()}; }
   std::optional<std::int64_t> stamp() override { return stamp_; }
   ChangedObjects changes_since(const std::optional<std::int64_t>& stamp) override;
 
@@ -44,10 +54,12 @@ class MemoryTable final : public TableSource {
   void changed(std::int64_t id);
   /// Valid until the next change; null if the object does not exist.
   const double* find(std::int64_t id);
+  std::shared_ptr<const Scene> read_objects(const LegTimes& times);
 
   std::string name_;
   MemoryPages pages_;
   std::unique_ptr<TprTree> tree_;
+  std::unique_ptr<MemoryPlans> plans_;          ///< null: a layout without
   std::shared_ptr<const Scene> all_ = nullptr;  ///< of the current contents, once they are read
   std::set<std::int64_t> changed_ids_;          ///< since the last commit
   std::int64_t stamp_ = 0, committed_ = 0;

@@ -32,6 +32,13 @@ struct LegTimes {
   bool meet(double t, double leg_until) const { return t <= until && from <= leg_until; }
 };
 
+/// Rows `first` to `last` - 1 of a scene.
+struct RowRange {
+  std::size_t first, last;
+
+  std::size_t size() const { return last - first; }
+};
+
 struct Scene {
   std::string name;  ///< of the table, for messages
   Layout layout;
@@ -47,6 +54,15 @@ struct Scene {
   LegTimes legs_during = {};
 
   std::size_t size() const { return ids.size(); }
+  /// Objects are numbered in the order of their rows.
+  std::size_t object_count() const {
+    return !layout.has_plan ? size() : first_rows.empty() ? 0 : first_rows.size() - 1;
+  }
+  /// The legs of an object, in order of time; the one row of an object without a plan.
+  RowRange rows_of(std::size_t object) const {
+    if (!layout.has_plan) return {object, object + 1};
+    return {first_rows[object], first_rows[object + 1]};
+  }
   Bodies bodies() const {
     Bodies bodies{layout, rows.data(), ids.size()};
     if (forms) forms->attach_to(bodies);

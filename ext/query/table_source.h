@@ -67,6 +67,11 @@ inline std::shared_ptr<const Scene> empty_scene(const TableSource& table) {
   return scene;
 }
 
+/// The trees of a table, to be searched.
+inline SearchTarget trees_of(TableSource& table) {
+  return {table.name(), nullptr, table.tree(), table.chunks()};
+}
+
 /// The tables of a join. If `b` is the same table as `a`, each pair occurs in both orders.
 struct JoinedTables {
   std::shared_ptr<TableSource> a;
