@@ -1,9 +1,7 @@
 #include "query/nearest/nearest.h"
 
 #include <algorithm>
-#include <limits>
 #include <string>
-#include <tuple>
 
 #include "base/axes.h"
 #include "base/float_environment.h"
@@ -11,47 +9,12 @@
 #include "contact/window_contact.h"
 #include "index/tpr_tree/search/nearest_walk.h"
 #include "query/input_checks.h"
+#include "query/legs/leg_scene.h"
+#include "query/nearest/nearest_rows.h"
 #include "shape/kinds.h"
 
 namespace foresee {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// The k nearest rows so far.
-class Best {
- public:
-  explicit Best(std::int64_t k) : k_(static_cast<std::uint64_t>(k)) {}
-
-  void offer(const NearestRow& row) {
-    if (rows_.size() == k_) {
-      if (!before(row, rows_.front())) return;
-      std::pop_heap(rows_.begin(), rows_.end(), before);
-      rows_.pop_back();
-    }
-    rows_.push_back(row);
-    std::push_heap(rows_.begin(), rows_.end(), before);
-  }
-
-  /// No object farther than this is a row. One double above the largest distance: an object whose distance
-  /// rounds to that may still precede it by its id.
-  double reach() const {
-    return rows_.size() == k_ ? std::nextafter(rows_.front().distance, infinity) : infinity;
-  }
-
-  std::vector<NearestRow> ranked() && {
-    std::sort_heap(rows_.begin(), rows_.end(), before);
-    return std::move(rows_);
-  }
-
- private:
-  static bool before(const NearestRow& a, const NearestRow& b) {
-    return std::tie(a.distance, a.id) < std::tie(b.distance, b.id);
-  }
-
-  std::uint64_t k_;
-  std::vector<NearestRow> rows_;  ///< a heap with the last row on top
-};
 
 template <int D>
 class Search {
@@ -60,6 +23,7 @@ class Search {
       : interrupt_(interrupt),
         horizon_{question.now, question.h},
         best_(question.k),
+        movers_(question.k),
         point_(faces_of(question), {.axes = D}, question.now) {
     if (question.mask) test_ = KindTest::of_categories(*question.mask);
     setup_.a = point_.bodies();
@@ -67,6 +31,7 @@ class Search {
   }
 
   std::vector<NearestRow> in_scene(const Scene& scene) && {
+    if (scene.layout.has_plan) return std::move(*this).in_plans(scene);
     const Bodies bodies = scene.bodies();
     setup_.b = bodies;
     const MovingBox<D> question = moving_window<D>(place(), place(), velocity(), horizon_);
@@ -76,26 +41,91 @@ class Search {
       const MovingBox<D> box =
           moving_box<D>(motion_of<D>(bodies, i), Extents<D>::none(), horizon_, Vec<D>::Zero());
       if (box.span.is_empty() || min_distance(box, question, box.span) > best_.reach()) continue;
-      offer(scene.ids[i], bodies.row(i));
+      if (const auto near = approach_of(scene.ids[i], bodies.row(i))) best_.offer(*near);
     }
     return std::move(best_).ranked();
   }
 
   std::vector<NearestRow> in_tree(NodeSource& tree) && {
     setup_.b = Bodies(tree.layout(), nullptr, 0);
-    const auto record_size = static_cast<std::size_t>(record_offsets(tree.layout()).size);
-    std::vector<double> row(static_cast<std::size_t>(setup_.b.at.size));
+    row_.resize(static_cast<std::size_t>(setup_.b.at.size));
     NearestWalk<D> walk(tree, place(), velocity(), horizon_, interrupt_, test_);
-    for (LeafHits hits; walk.next(best_.reach(), hits);)
-      for (std::size_t i = 0; i < hits.slots.size() && hits.distances[i] <= best_.reach(); ++i) {
-        const std::uint32_t slot = hits.slots[i];
-        row_from_record(tree.layout(), hits.leaf->values.data() + slot * record_size, row.data());
-        offer(hits.leaf->keys[slot], row.data());
-      }
+    while (offer_leaf(tree.layout(), walk)) {
+    }
     return std::move(best_).ranked();
   }
 
+  /// Both trees, whichever may have the nearer object next.
+  std::vector<NearestRow> in_trees(NodeSource& tree, ChunkSource& chunks) && {
+    setup_.b = Bodies(tree.layout(), nullptr, 0);
+    row_.resize(static_cast<std::size_t>(setup_.b.at.size));
+    legs_.layout = tree.layout(), legs_.legs_during = leg_times_of(horizon_);
+    NearestWalk<D> walk(tree, place(), velocity(), horizon_, interrupt_, test_);
+    NearestWalk<D> chunk_walk(chunks.tree(), place(), velocity(), horizon_, interrupt_, test_,
+                              DistanceTo::boxes);
+    for (bool more = true; more;)
+      more = chunk_walk.next_distance() < walk.next_distance()
+                 ? offer_chunks(chunks, chunk_walk)
+                 : offer_leaf(tree.layout(), walk) || offer_chunks(chunks, chunk_walk);
+    return std::move(movers_).ranked();
+  }
+
  private:
+  /// Offers the objects of the next leaf; false if no other can be a row.
+  bool offer_leaf(const Layout& layout, NearestWalk<D>& walk) {
+    const auto record_size = static_cast<std::size_t>(record_offsets(layout).size);
+    if (!walk.next(reach(layout), hits_)) return false;
+    for (std::size_t i = 0; i < hits_.slots.size() && hits_.distances[i] <= reach(layout); ++i) {
+      const std::uint32_t slot = hits_.slots[i];
+      row_from_record(layout, hits_.leaf->values.data() + slot * record_size, row_.data());
+      const auto near = approach_of(hits_.leaf->keys[slot], row_.data());
+      if (near && layout.has_plan)
+        movers_.offer(*near);
+      else if (near)
+        best_.offer(*near);
+    }
+    return true;
+  }
+  double reach(const Layout& layout) const { return layout.has_plan ? movers_.reach() : best_.reach(); }
+
+  bool offer_chunks(ChunkSource& chunks, NearestWalk<D>& walk) {
+    if (!walk.next(movers_.reach(), hits_)) return false;
+    for (std::size_t i = 0; i < hits_.slots.size() && hits_.distances[i] <= movers_.reach(); ++i) {
+      chunks.read_chunk(hits_.leaf->keys[hits_.slots[i]], chunk_);
+      const std::span<const double> record = chunks.find_object(chunk_.object);
+      if (record.empty()) throw BrokenTree("a chunk of a plan belongs to no object");
+      legs_.ids.clear(), legs_.rows.clear(), legs_.first_rows.clear();
+      legs_.add(chunk_.object, record.data(), chunk_.legs);
+      offer_legs(legs_, legs_.bodies(), {0, legs_.size()});
+    }
+    return true;
+  }
+
+  std::vector<NearestRow> in_plans(const Scene& scene) && {
+    const Bodies bodies = scene.bodies();
+    setup_.b = bodies;
+    for (std::size_t i = 0; i < scene.object_count(); ++i) {
+      if (i % 256 == 0) interrupt_.check();
+      const RowRange rows = rows_during(bodies, scene.rows_of(i), horizon_);
+      if (rows.size() == 0) continue;
+      if (test_ && !test_->accepts(kinds_of(bodies.row(rows.first), bodies.at))) continue;
+      offer_legs(scene, bodies, rows);
+    }
+    return std::move(movers_).ranked();
+  }
+
+  /// Offers the legs of one object that exist during the horizon.
+  void offer_legs(const Scene& scene, const Bodies& bodies, RowRange rows) {
+    const MovingBox<D> question = moving_window<D>(place(), place(), velocity(), horizon_);
+    for (std::size_t row = rows.first; row < rows.last; ++row) {
+      if (row % 256 == 255) interrupt_.check();
+      const MovingBox<D> box =
+          moving_box<D>(motion_of<D>(bodies, row), Extents<D>::none(), horizon_, Vec<D>::Zero());
+      if (box.span.is_empty() || min_distance(box, question, box.span) > movers_.reach()) continue;
+      if (const auto near = approach_of(scene.ids[row], bodies.row(row))) movers_.offer(*near);
+    }
+  }
+
   static WindowFaces faces_of(const NearestQuestion& question) {
     WindowFaces faces{.velocity = question.velocity};
     for (std::size_t axis = 0; axis < D; ++axis)
@@ -105,27 +135,34 @@ class Search {
   Vec<D> place() const { return Eigen::Map<const Vec<D>>(point_.faces().lower.data()); }
   Vec<D> velocity() const { return Eigen::Map<const Vec<D>>(point_.faces().velocity.data()); }
 
-  void offer(std::int64_t id, const double* row) {
+  /// Nothing if the object does not exist during the horizon.
+  std::optional<NearestRow> approach_of(std::int64_t id, const double* row) const {
     const double* from = point_.bodies().row(0);
-    if (pair_lifetime_of(setup_, from, row).none) return;
+    if (pair_lifetime_of(setup_, from, row).none) return std::nullopt;
     const ClosestApproach near = closest_approach_of<D>(setup_, from, row);
-    best_.offer({id, near.d, near.t, near.dt});
+    return NearestRow{id, near.d, near.t, near.dt};
   }
 
   Interrupt& interrupt_;
   Horizon horizon_;
-  Best best_;
+  NearestObjects best_;
+  NearestMovers movers_;  ///< of a layout with plans, in place of best_
   MovingWindow point_;
   std::optional<KindTest> test_;
   Setup setup_;
+  LeafHits hits_;
+  std::vector<double> row_;
+  Chunk chunk_;
+  Scene legs_;  ///< of one chunk
 };
 
 template <int D>
 std::vector<NearestRow> search(const NearestQuestion& question, Interrupt& interrupt) {
   Search<D> search(question, interrupt);
   const SearchTarget& objects = question.objects;
-  return objects.scene ? std::move(search).in_scene(*objects.scene)
-                       : std::move(search).in_tree(*objects.tree);
+  if (objects.scene) return std::move(search).in_scene(*objects.scene);
+  if (objects.chunks) return std::move(search).in_trees(*objects.tree, *objects.chunks);
+  return std::move(search).in_tree(*objects.tree);
 }
 
 void require_valid(const NearestQuestion& question) {

@@ -8,6 +8,7 @@
 // Guarantee: the k objects whose centre comes closest to the point during [now, now + h] while they exist, by
 // distance and then by id; fewer if fewer exist then. A distance is the real one rounded to the nearest
 // double, so the order never contradicts the real distances, and objects at equal distances come by id.
+// The distance of an object with a plan is the smallest rounded distance of its legs; of equal ones the smallest t.
 // Cost: a tree reads nodes best first until no other can hold a nearer object; a scene is scanned.
 #pragma once
 

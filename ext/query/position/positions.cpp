@@ -4,6 +4,7 @@
 #include "base/float_environment.h"
 #include "motion/position.h"
 #include "query/input_checks.h"
+#include "query/legs/leg_scene.h"
 
 namespace foresee {
 namespace {
@@ -23,6 +24,11 @@ bool place_object(const Bodies& bodies, std::size_t i, double time, PositionRow&
 }  // namespace
 
 std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i, double time) {
+  if (scene.layout.has_plan) {
+    const auto leg = row_at(bodies, scene.rows_of(i), time);
+    if (!leg) return std::nullopt;
+    i = *leg;
+  }
   PositionRow row{scene.ids[i], {}, {}};
   const bool exists =
       with_axes(bodies.layout.axes, [&]<int D>(Axes<D>) { return place_object<D>(bodies, i, time, row); });
@@ -36,7 +42,7 @@ Positions::Positions(std::shared_ptr<const Scene> scene, double time)
 
 std::optional<PositionRow> Positions::next() {
   const FloatEnvironment environment;
-  while (next_ < bodies_.count)
+  while (next_ < scene_->object_count())
     if (const auto row = position_of(*scene_, bodies_, next_++, time_)) return row;
   return std::nullopt;
 }

@@ -4,7 +4,8 @@
 //   while (auto row = positions.next()) use(row->id, row->x[0]);
 //
 // Guarantee: every object that exists at that time comes exactly once, in the scene's order; the others do
-// not come. Cost: one evaluation per object, when it is pulled.
+// not come. An object with a plan is where its leg is, at a joint where the later leg is. Cost: one evaluation per
+// object, when it is pulled; a binary search among the legs of a plan.
 #pragma once
 
 #include <array>
@@ -21,7 +22,7 @@ struct PositionRow {
   std::array<double, 3> x, v;  ///< as many as the scene has axes
 };
 
-/// The scene's object number i at `time`; empty if it does not exist then.
+/// The scene's object number i (Scene::rows_of) at `time`; empty if it does not exist then.
 /// Requires: `bodies` are the scene's, and the floating-point environment is a FloatEnvironment.
 std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i, double time);
 

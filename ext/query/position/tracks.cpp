@@ -23,12 +23,14 @@ void require_valid(const TrackTimes& instants) {
     throw Error("step is too small: from t0 to t1 there may be fewer than 2^53 times");
 }
 
-std::vector<std::size_t> rows_by_id(const std::vector<std::int64_t>& ids, Interrupt& interrupt) {
-  std::vector<std::size_t> rows(ids.size());
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
+std::vector<std::size_t> objects_by_id(const Scene& scene, Interrupt& interrupt) {
+  std::vector<std::size_t> objects(scene.object_count());
+  std::iota(objects.begin(), objects.end(), std::size_t{0});
+  const auto id = [&](std::size_t object) { return scene.ids[scene.rows_of(object).first]; };
   Steps steps(interrupt);
-  std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) { return steps(), ids[a] < ids[b]; });
-  return rows;
+  std::sort(objects.begin(), objects.end(),
+            [&](std::size_t a, std::size_t b) { return steps(), id(a) < id(b); });
+  return objects;
 }
 
 }  // namespace
@@ -41,7 +43,7 @@ Tracks::Tracks(std::shared_ptr<const Scene> scene, const TrackTimes& instants, I
       time_(instants.t0) {
   const FloatEnvironment environment;
   require_valid(instants_);
-  by_id_ = rows_by_id(scene_->ids, interrupt);
+  by_id_ = objects_by_id(*scene_, interrupt);
 }
 
 bool Tracks::to_next_time() {

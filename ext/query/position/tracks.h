@@ -38,7 +38,7 @@ class Tracks {
   Bodies bodies_;
   TrackTimes instants_;
   Interrupt& interrupt_;
-  std::vector<std::size_t> by_id_;  ///< row numbers
+  std::vector<std::size_t> by_id_;  ///< numbers of objects
   double i_ = 0, time_;
   std::size_t next_ = 0;
 };

@@ -10,6 +10,8 @@
 #include "index/tpr_tree/search/window_walk.h"
 #include "query/distinct_contacts.h"
 #include "query/input_checks.h"
+#include "query/legs/leg_scene.h"
+#include "query/window/mover_window.h"
 
 namespace foresee {
 
@@ -210,36 +212,63 @@ WindowQuestion checked(WindowQuestion question) {
 Window::Window(WindowQuestion question, Interrupt& interrupt)
     : question_(checked(std::move(question))),
       interrupt_(interrupt),
-      window_(question_.faces, question_.objects.layout(), question_.now, question_.zone),
-      candidates_(window_candidates(
-          question_.objects, faces_around(question_), question_.zone != nullptr, {question_.now, question_.h},
-          interrupt,
-          question_.mask ? std::optional(KindTest::of_categories(*question_.mask)) : std::nullopt)),
-      contact_(make_window_contact(window_, candidates_->bodies(), {question_.now, question_.h})) {
+      window_(question_.faces, question_.objects.layout(), question_.now, question_.zone) {
+  const WindowFaces faces = faces_around(question_);
+  const auto test = question_.mask ? std::optional(KindTest::of_categories(*question_.mask)) : std::nullopt;
+  const Horizon horizon{question_.now, question_.h};
+  if (question_.objects.layout().has_plan) find_plans(faces, test);
+  if (movers_ && question_.objects.scene) return;
+  candidates_ =
+      window_candidates(question_.objects, faces, question_.zone != nullptr, horizon, interrupt, test);
+  contact_ = make_window_contact(window_, candidates_->bodies(), horizon);
   contact_->set_interrupt(interrupt);
+}
+
+Window::~Window() = default;
+
+void Window::find_plans(const WindowFaces& faces, const std::optional<KindTest>& test) {
+  const FloatEnvironment environment;
+  const SearchTarget& objects = question_.objects;
+  const Horizon horizon{question_.now, question_.h};
+  std::shared_ptr<const Scene> legs = objects.scene;
+  if (!legs)
+    legs = with_axes(objects.layout().axes, [&]<int D>(Axes<D>) {
+      const MovingBox<D> box = moving_window<D>(vector_of<D>(faces.lower), vector_of<D>(faces.upper),
+                                                vector_of<D>(faces.velocity), horizon);
+      return legs_near<D>(objects, box, horizon, Vec<D>::Zero(), interrupt_, test);
+    });
+  const MoverWants wants{test, question_.wants, question_.all_contacts};
+  movers_ = std::make_unique<MoverWindow>(std::move(legs), window_, horizon, wants, interrupt_);
 }
 
 std::span<const WindowRow> Window::next() {
   const FloatEnvironment environment;
   rows_.clear();
-  while (rows_.empty() && candidates_->next(batch_)) {
-    interrupt_.check();
-    pairs_.clear(), hits_.clear(), times_.clear();
-    for (const std::uint32_t row : batch_.doubtful) pairs_.push_back({0, row});
-    take_inside();
-    const WindowWants& wants = question_.wants;
-    if (question_.all_contacts) {
-      contact_->all_contacts(pairs_, hits_, times_);
-      join_equal_contacts(0, hits_, times_);
-    } else if (wants.starts || wants.ends) {
-      contact_->first_contacts(pairs_, wants.ends ? TimesWanted::both : TimesWanted::starts, hits_, times_);
-    } else {
-      contact_->decide(pairs_, hits_);
-    }
-    times_.resize(hits_.size());
-    for (std::size_t i = 0; i < hits_.size(); ++i) rows_.push_back({candidates_->id(hits_[i].b), times_[i]});
+  while (rows_.empty() && candidates_ && decide_batch()) {
+  }
+  while (rows_.empty() && movers_ && movers_->next(rows_)) {
   }
   return rows_;
+}
+
+bool Window::decide_batch() {
+  if (!candidates_->next(batch_)) return false;
+  interrupt_.check();
+  pairs_.clear(), hits_.clear(), times_.clear();
+  for (const std::uint32_t row : batch_.doubtful) pairs_.push_back({0, row});
+  take_inside();
+  const WindowWants& wants = question_.wants;
+  if (question_.all_contacts) {
+    contact_->all_contacts(pairs_, hits_, times_);
+    join_equal_contacts(0, hits_, times_);
+  } else if (wants.starts || wants.ends) {
+    contact_->first_contacts(pairs_, wants.ends ? TimesWanted::both : TimesWanted::starts, hits_, times_);
+  } else {
+    contact_->decide(pairs_, hits_);
+  }
+  times_.resize(hits_.size());
+  for (std::size_t i = 0; i < hits_.size(); ++i) rows_.push_back({candidates_->id(hits_[i].b), times_[i]});
+  return true;
 }
 
 /// Adds the objects inside the window at `now`: they touch from then on, and only an end has to be computed.

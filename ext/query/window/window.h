@@ -8,9 +8,10 @@
 //
 // Guarantee: every object whose shape touches the closed window during [now, now + h] while it exists comes
 // exactly once; with all_contacts once per contact. Scene and tree give the same rows. Decision and times are exact
-// (contact/window_contact.h).
+// (contact/window_contact.h). An object with a plan is the union of its legs (legs/mover_contacts.h).
 // Rows come in no particular order. Times are computed only where `wants` requests them. Cost: a tree reads
-// the nodes that can intersect the window; a scene is scanned. Memory: some hundred rows.
+// the nodes that can intersect the window; a scene is scanned. Memory: some hundred rows, and the legs of the chunks
+// that the window may meet, which the constructor reads.
 #pragma once
 
 #include <memory>
@@ -80,24 +81,30 @@ struct WindowRow {
   ContactTimes contact;
 };
 
+class MoverWindow;
+
 class Window {
  public:
   /// Throws Error if h is negative or not finite, if now or a velocity is not finite, or if a lower bound is
   /// above its upper one. Also for a bound or velocity on an axis that the objects do not have, and for a
   /// zone on one axis or together with a bound in x or y. `interrupt` must outlive the window.
   Window(WindowQuestion question, Interrupt& interrupt);
+  ~Window();
 
   /// The next rows, a few hundred at most; empty at the end. Valid until the next call.
   std::span<const WindowRow> next();
 
  private:
   void take_inside();
+  void find_plans(const WindowFaces& faces, const std::optional<KindTest>& test);
+  bool decide_batch();
 
   WindowQuestion question_;
   Interrupt& interrupt_;
   MovingWindow window_;
-  std::unique_ptr<ObjectCandidates> candidates_;
+  std::unique_ptr<ObjectCandidates> candidates_;  ///< null: all objects are in movers_
   std::unique_ptr<Contact> contact_;
+  std::unique_ptr<MoverWindow> movers_;  ///< of a layout with plans: those with plans, of a scene all
   CandidateBatch batch_;
   std::vector<Pair> pairs_, hits_;
   std::vector<ContactTimes> times_;
