@@ -1,10 +1,13 @@
 #include "query/join/probe.h"
 
+#include <algorithm>
+#include <unordered_set>
+
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/window_walk.h"
 #include "query/join/question.h"
-#include "query/join/tile_scenes.h"
+#include "query/legs/leg_scene.h"
 #include "shape/swept_boxes.h"
 
 namespace foresee {
@@ -17,45 +20,58 @@ std::optional<KindTest> partners_of(const Scene& one, const Layout& others) {
   return KindTest::of_partners(kinds_of(body.row(0), body.at));
 }
 
+/// The ids of a scene's objects, ascending.
+std::vector<std::int64_t> objects_in(const Scene& scene) {
+  std::vector<std::int64_t> ids = scene.ids;
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
 template <int D>
-void walk(const Scene& one, NodeSource& tree, const Horizon& horizon, const Contact::Reach& reach,
+void walk(const Scene& one, const SearchTarget& others, const Horizon& horizon, const Contact::Reach& reach,
           Interrupt& interrupt, const std::function<bool(std::int64_t)>& keep, Scene& near) {
   const Bodies body = one.bodies();
   // The object's box is inflated by one half of the reach, those in the tree by the other.
   const Vec<D> margin = margin_of<D>(reach);
-  WindowWalk<D> found(tree, moving_box<D>(body, 0, horizon, margin), horizon, margin, interrupt,
-                      partners_of(one, tree.layout()));
+  const auto partners = partners_of(one, near.layout);
   const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
-  for (LeafHits hits; found.next(hits);)
-    for (const std::uint32_t slot : hits.slots)
-      if (const std::int64_t id = hits.leaf->keys[slot]; keep(id))
-        near.add(id, hits.leaf->values.data() + slot * record_size);
+  std::unordered_set<std::int64_t> found;  // by several legs
+  std::vector<MovingBox<D>> boxes;
+  for (std::size_t leg = 0; leg < body.count; ++leg) {
+    const MovingBox<D> box = moving_box<D>(body, leg, horizon, margin);
+    if (box.span.is_empty()) continue;
+    boxes.push_back(box);
+    WindowWalk<D> walk(*others.tree, box, horizon, margin, interrupt, partners);
+    for (LeafHits hits; walk.next(hits);)
+      for (const std::uint32_t slot : hits.slots) {
+        const std::int64_t id = hits.leaf->keys[slot];
+        if (keep(id) && (body.count == 1 || found.insert(id).second))
+          near.add(id, hits.leaf->values.data() + slot * record_size);
+      }
+  }
+  if (others.chunks) add_legs_near<D>(others, boxes, horizon, margin, interrupt, partners, keep, near);
 }
 
 }  // namespace
 
-std::shared_ptr<const Scene> objects_near(const Scene& one, NodeSource& tree, const std::string& name,
+std::shared_ptr<const Scene> objects_near(const Scene& one, const SearchTarget& others,
                                           const Horizon& horizon, const Contact::Reach& reach,
                                           Interrupt& interrupt,
                                           const std::function<bool(std::int64_t)>& keep) {
   const FloatEnvironment environment;
   auto near = std::make_shared<Scene>();
-  near->name = name, near->layout = tree.layout();
+  near->name = others.name, near->layout = others.layout(), near->legs_during = leg_times_of(horizon);
   if (one.size() == 0) return near;
   with_axes(near->layout.axes,
-            [&]<int D>(Axes<D>) { walk<D>(one, tree, horizon, reach, interrupt, keep, *near); });
-  near->take_forms(tree.forms(), interrupt);
+            [&]<int D>(Axes<D>) { walk<D>(one, others, horizon, reach, interrupt, keep, *near); });
+  near->take_forms(others.tree->forms(), interrupt);
   return near;
 }
 
 void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, JoinQuestion& question,
                           Interrupt& interrupt) {
   const bool by_a = ids.a.has_value();
-  if (tables.a->layout().has_plan || tables.last().layout().has_plan) {
-    question.only_a = ids.a, question.only_b = ids.b;
-    take_scenes(tables, question, interrupt);
-    return require_valid(question);
-  }
   const std::int64_t id = by_a ? *ids.a : *ids.b;
   TableSource &one = by_a ? *tables.a : tables.last(), &others = by_a ? tables.last() : *tables.a;
   std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
@@ -67,8 +83,10 @@ void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, Joi
     if (tables.are_one()) return other != id;
     return tables.b != nullptr || (by_a ? id < other : other < id);
   };
-  near = objects_near(*object, *others.tree(), others.name(), {question.now, question.h},
-                      contact_of(question)->reach(), interrupt, keep);
+  near = objects_near(*object, trees_of(others), {question.now, question.h}, contact_of(question)->reach(),
+                      interrupt, keep);
+  // The closest approach is that of all legs.
+  if (near->layout.has_plan && question.wants.approach) near = others.objects(objects_in(*near));
   question.method = JoinMethod::scan;
   if (by_a) question.only_b = ids.b;
 }

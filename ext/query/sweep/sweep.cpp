@@ -6,6 +6,7 @@
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/sweep_walk.h"
 #include "query/input_checks.h"
+#include "query/legs/leg_scene.h"
 
 namespace foresee {
 namespace {
@@ -22,6 +23,29 @@ Box<D> met_by_all(const std::vector<QueriedCorners>& queried) {
     box.lower[axis] = std::min(one, other), box.upper[axis] = std::max(one, other);
   }
   return box;
+}
+
+template <int D>
+SweepRow sweep_row(std::int64_t id, const Box<D>& box) {
+  SweepRow row;
+  row.id = id;
+  std::copy_n(box.lower.data(), D, row.lower.data());
+  std::copy_n(box.upper.data(), D, row.upper.data());
+  return row;
+}
+
+/// The rows of all objects with plans.
+template <int D>
+std::vector<SweepRow> sweep_plans(const SweepQuestion& question, Interrupt& interrupt) {
+  const Horizon horizon{question.now, question.h};
+  const Vec<D> margin = sweep_margin<D>(question.within, question.within_z);
+  const Box<D> queried = met_by_all<D>(question.queried);
+  std::vector<SweepRow> rows;
+  for_each_plan(*question.chunks, question.tree->layout(), horizon, interrupt, [&](const Scene& legs) {
+    const Box<D> box = swept_box_of<D>(legs.bodies(), {0, legs.size()}, horizon, margin);
+    if (!box.is_empty() && box.meets(queried)) rows.push_back(sweep_row<D>(legs.ids[0], box));
+  });
+  return rows;
 }
 
 void require_valid_sweep(const SweepQuestion& question) {
@@ -60,10 +84,7 @@ class Sweep::LeavesOfAxes final : public Sweep::Leaves {
     for (std::size_t i = 0; i < bodies.count; ++i) {
       const Box<D> box = swept_box<D>(bodies, i, horizon_, margin_);
       if (box.is_empty() || !box.meets(queried_)) continue;
-      SweepRow& row = rows.emplace_back();
-      row.id = leaf->keys[i];
-      std::copy_n(box.lower.data(), D, row.lower.data());
-      std::copy_n(box.upper.data(), D, row.upper.data());
+      rows.push_back(sweep_row<D>(leaf->keys[i], box));
     }
     return true;
   }
@@ -80,6 +101,9 @@ class Sweep::LeavesOfAxes final : public Sweep::Leaves {
 Sweep::Sweep(SweepQuestion question, Interrupt& interrupt) {
   const FloatEnvironment environment;
   require_valid_sweep(question);
+  if (question.chunks)
+    plans_ = with_axes(question.tree->layout().axes,
+                       [&]<int D>(Axes<D>) { return sweep_plans<D>(question, interrupt); });
   leaves_ = with_axes(question.tree->layout().axes, [&]<int D>(Axes<D>) -> std::unique_ptr<Leaves> {
     return std::make_unique<LeavesOfAxes<D>>(std::move(question), interrupt);
   });
@@ -92,6 +116,7 @@ std::span<const SweepRow> Sweep::next() {
   rows_.clear();
   while (rows_.empty() && leaves_->next(rows_)) {
   }
+  if (rows_.empty()) rows_.swap(plans_);
   return rows_;
 }
 

@@ -8,8 +8,9 @@
 // Guarantee: every object that exists during [now, now + h] comes exactly once, with the box of swept_box()
 // for sweep_margin(): where two objects touch, their closed boxes intersect. A box depends on the object's
 // row and the query alone, whatever else the table holds. No corner is NaN; a corner that no double bounds is
-// infinite. Bounds on the corners exclude some or all of the objects outside them, and no other. Cost: the
-// nodes that can hold such objects. Memory: one leaf.
+// infinite. Bounds on the corners exclude some or all of the objects outside them, and no other. The box of an object
+// with a plan is the hull of the boxes of its legs. Cost: the nodes that can hold such objects, and every chunk of a
+// plan that exists during the horizon. Memory: one leaf, and the rows of objects with plans.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +22,7 @@
 
 #include "base/error.h"
 #include "index/pages.h"
+#include "query/scene.h"
 #include "query/sweep_margin.h"
 #include "shape/bodies.h"
 
@@ -64,13 +66,26 @@ struct QueriedCorners {
   double lower_min, lower_max, upper_min, upper_max;
 };
 
+/// The hull of the swept boxes of an object's rows: of one row, or of the legs of a plan. Empty if the object does not
+/// exist during the horizon.
+template <int D>
+Box<D> swept_box_of(const Bodies& bodies, RowRange rows, const Horizon& horizon, const Vec<D>& margin) {
+  Box<D> hull = Box<D>::empty();
+  for (std::size_t row = rows.first; row < rows.last; ++row) {
+    const Box<D> box = swept_box<D>(bodies, row, horizon, margin);
+    hull.lower = hull.lower.min(box.lower), hull.upper = hull.upper.max(box.upper);
+  }
+  return hull;
+}
+
 struct SweepQuestion {
   std::shared_ptr<NodeSource> tree;
   double now = 0;
   double h = 0;
   double within = 0;
   std::optional<double> within_z = {};
-  std::vector<QueriedCorners> queried = {};  ///< for the first axes, in order
+  std::vector<QueriedCorners> queried = {};       ///< for the first axes, in order
+  std::shared_ptr<ChunkSource> chunks = nullptr;  ///< the plans, for a tree of a layout with plans
 };
 
 struct SweepRow {
@@ -94,7 +109,7 @@ class Sweep {
   class LeavesOfAxes;
 
   std::unique_ptr<Leaves> leaves_;
-  std::vector<SweepRow> rows_;
+  std::vector<SweepRow> rows_, plans_;  ///< of the last leaf; of the objects with plans, until they are given
 };
 
 }  // namespace foresee

@@ -39,23 +39,22 @@ void PairSearch::pairs_of(Side side, std::span<const std::int64_t> ids, const Ta
   TableSource& others = table(side == Side::a ? Side::b : Side::a);
   if (static_cast<double>(ids.size()) > std::max(few, share_of_few * others.likely_objects()))
     return join(side, ids, take);
-  const auto tree = others.tree();
-  for (const std::int64_t id : ids) probe(side, id, *tree, take);
+  const SearchTarget trees = trees_of(others);
+  for (const std::int64_t id : ids) probe(side, id, trees, take);
 }
 
-void PairSearch::probe(Side side, std::int64_t id, NodeSource& others_tree, const Take& take) {
+void PairSearch::probe(Side side, std::int64_t id, const SearchTarget& others, const Take& take) {
   const bool by_a = side == Side::a;
   const std::shared_ptr<const Scene> object = table(side).objects(std::span(&id, 1));
   if (object->size() == 0) return;
   const bool within_one = tables_.is_within_one();
-  const auto near = objects_near(*object, others_tree, table(by_a ? Side::b : Side::a).name(),
-                                 {question_.now, question_.h}, reach_, resources_.interrupt,
+  const auto near = objects_near(*object, others, {question_.now, question_.h}, reach_, resources_.interrupt,
                                  [&](std::int64_t other) { return !within_one || other != id; });
   if (near->size() == 0) return;
   JoinQuestion question = question_;
   question.a = by_a ? object : near, question.b = by_a ? near : object;
   std::vector<Pair> pairs;
-  for (std::uint32_t i = 0; i < near->size(); ++i) pairs.push_back(by_a ? Pair{0, i} : Pair{i, 0});
+  for (std::uint32_t i = 0; i < near->object_count(); ++i) pairs.push_back(by_a ? Pair{0, i} : Pair{i, 0});
   take(pair_contacts(question, pairs, resources_.interrupt));
 }
 

@@ -42,7 +42,7 @@ class PairSearch {
   void pairs_of(Side side, std::span<const std::int64_t> ids, const Take& take);
 
  private:
-  void probe(Side side, std::int64_t id, NodeSource& others_tree, const Take& take);
+  void probe(Side side, std::int64_t id, const SearchTarget& others, const Take& take);
   void join(Side side, std::span<const std::int64_t> ids, const Take& take);
   TableSource& table(Side side) const { return side == Side::b ? tables_.last() : *tables_.a; }
 

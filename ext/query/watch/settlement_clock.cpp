@@ -8,12 +8,11 @@
 namespace foresee {
 namespace {
 
-/// Appends the reference times of all objects; 0 for each in a table without t.
+/// Appends the reference times of all objects, of a plan that of its first leg; 0 for each in a table without t.
 void append_times(const Scene& scene, std::vector<double>& instants) {
-  const Offsets at = row_offsets(scene.layout);
-  for (std::size_t row = 0; row < scene.size(); ++row)
-    instants.push_back(
-        at.t < 0 ? 0 : scene.rows[row * static_cast<std::size_t>(at.size) + static_cast<std::size_t>(at.t)]);
+  const Bodies bodies = scene.bodies();
+  for (std::size_t i = 0; i < scene.object_count(); ++i)
+    instants.push_back(value_or(bodies.row(scene.rows_of(i).first), bodies.at.t, 0));
 }
 
 }  // namespace
