@@ -1,7 +1,7 @@
 #include "shape/chunk_item.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "base/axes.h"
 #include "base/float_environment.h"
@@ -13,6 +13,11 @@ namespace foresee {
 void write_chunk_item(const Layout& layout, const double* record, std::span<const Leg> legs, double* item) {
   const FloatEnvironment environment;
   const Offsets from = record_offsets(layout), at = record_offsets(chunk_layout(layout));
+  Leg cut;
+  if (legs.back().until == no_end && record[from.until] < no_end && legs.back().t <= record[from.until]) {
+    cut = legs.back(), cut.until = record[from.until];  // a leg without end is a chunk of its own
+    legs = {&cut, 1};
+  }
   const ChunkBox box = chunk_box(legs, layout.axes);
   item[at.t] = box.t;
   item[at.until] = std::max(box.t, std::min(box.until, record[from.until]));
@@ -21,8 +26,9 @@ void write_chunk_item(const Layout& layout, const double* record, std::span<cons
     for (int axis = 0; axis < D; ++axis) {
       const auto j = static_cast<std::size_t>(axis);
       item[at.x + axis] = box.x[j], item[at.v + axis] = box.v[j];
-      const double half = box.half[j] + reach[axis];
-      item[at.half + axis] = reach[axis] == 0 ? half : std::nextafter(half, no_end);
+      // The tree takes finite sizes; the largest one is no bound to it.
+      item[at.half + axis] =
+          std::min(sum_outward(box.half[j], reach[axis]), std::numeric_limits<double>::max());
     }
   });
   if (at.category != Offsets::absent) item[at.category] = record[from.category];

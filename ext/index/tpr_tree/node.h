@@ -14,8 +14,7 @@
 
 namespace foresee {
 
-/// Decodes the records of a leaf. An object with a plan is a point that exists at the start of its plan alone; walks
-/// leave it out, because its chunks are items of another tree (chunk_source.h).
+/// Decodes the records of a leaf.
 template <int D>
 class LeafReader {
  public:
@@ -23,25 +22,26 @@ class LeafReader {
 
   std::size_t record_size() const { return static_cast<std::size_t>(at_.size); }
 
+  /// True for an object with a plan.
+  bool is_head(const double* record) const { return has_plan(at_, record); }
   Motion<D> motion(const double* record) const {
+    if (is_head(record)) return {t(record), vector(record, at_.x), Vec<D>::Zero(), Vec<D>::Zero(), t(record)};
     Motion<D> motion{t(record), vector(record, at_.x), vector(record, at_.v), vector(record, at_.a),
                      until(record)};
     if (at_.force != Offsets::absent) motion.a = vector(record, at_.force) / record[at_.mass];
-    if (has_plan(record)) motion.v = motion.a = Vec<D>::Zero();  // a point at the start of its plan
     return motion;
   }
   Extents<D> extents(const double* record) const {
-    return has_plan(record) ? Extents<D>::none() : extents_of<D>(shape_, record, at_);
+    return is_head(record) ? Extents<D>::none() : extents_of<D>(shape_, record, at_);
   }
   Vec<D> growth(const double* record) const { return growth_of<D>(shape_, record, at_); }
   bool grows() const { return at_.growth != Offsets::absent || at_.growth_z != Offsets::absent; }
   Kinds kinds(const double* record) const { return kinds_of(record, at_); }
   double t(const double* record) const { return value_or(record, at_.t, 0); }
   double until(const double* record) const {
-    if (has_plan(record)) return t(record);
+    if (is_head(record)) return t(record);
     return value_or(record, at_.until, std::numeric_limits<double>::infinity());
   }
-  bool has_plan(const double* record) const { return foresee::has_plan(at_, record); }
   /// False if no object has an end: the table does not declare `until`.
   bool ends() const { return at_.until != Offsets::absent; }
   const double* record(const Node& leaf, std::size_t slot) const {

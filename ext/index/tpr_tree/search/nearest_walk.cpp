@@ -151,12 +151,12 @@ template <int D>
 [[gnu::flatten]] void NearestWalk<D>::find_in_leaf(const Node& leaf, double reach, LeafHits& hits) {
   near_.clear();
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
-    const double* record = reader_.record(leaf, slot);
-    if (reader_.has_plan(record)) continue;
-    if (test_ && !test_->accepts(reader_.kinds(record))) continue;
+    if (test_ && !test_->accepts(reader_.kinds(reader_.record(leaf, slot)))) continue;
+    if (reader_.is_head(reader_.record(leaf, slot))) continue;
+    const Motion<D> motion = reader_.motion(reader_.record(leaf, slot));
     const bool to_centre = to_ == DistanceTo::centres;
-    const Extents<D> extents = to_centre ? Extents<D>::none() : reader_.extents(record);
-    const MovingBox<D> box = moving_box<D>(reader_.motion(record), extents, horizon_, Vec<D>::Zero());
+    const Extents<D> extents = to_centre ? Extents<D>::none() : reader_.extents(reader_.record(leaf, slot));
+    const MovingBox<D> box = moving_box<D>(motion, extents, horizon_, Vec<D>::Zero());
     if (box.span.is_empty()) continue;
     const double distance = to_centre ? min_point_distance(box, query_) : min_distance(box, query_, box.span);
     if (distance <= reach) near_.emplace_back(distance, static_cast<std::uint32_t>(slot));

@@ -52,10 +52,9 @@ template <int D>
 template <int D>
 [[gnu::flatten]] void WindowWalk<D>::find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const {
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
-    const double* record = reader_.record(leaf, slot);
-    if (reader_.has_plan(record)) continue;
-    if (test_ && !test_->accepts(reader_.kinds(record))) continue;
-    const Mover<D> mover(reader_, record);
+    if (test_ && !test_->accepts(reader_.kinds(reader_.record(leaf, slot)))) continue;
+    if (reader_.is_head(reader_.record(leaf, slot))) continue;
+    const Mover<D> mover(reader_, reader_.record(leaf, slot));
     const MovingBox<D> box = mover.box(horizon_, Vec<D>::Zero());
     SharedInterval span = shared_span(box, query_);
     if (!span.is_empty() && narrow_to_contact(box, query_, span))
