@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motion/plan/plan_legs.h"
+#include "query/legs/mover_contacts.h"
 #include "query/memory_table.h"
 #include "scenes.h"
 
@@ -24,8 +25,12 @@ struct Movers {
   std::vector<Mover> all;
 };
 
-/// What numbers of a plan are: short ones touch at joints, thirds are rounded everywhere.
-enum class PlanNumbers { halves, thirds };
+/// What numbers of a plan are: short ones touch at joints, thirds are rounded everywhere, late ones have few digits left
+/// behind the point of a time.
+enum class PlanNumbers { halves, thirds, late };
+
+inline constexpr PlanNumbers all_plan_numbers[] = {PlanNumbers::halves, PlanNumbers::thirds,
+                                                   PlanNumbers::late};
 
 inline std::vector<Layout> layouts_with_plans() {
   const auto layout = [](int axes, Law law, Shape shape, bool kinds = false) {
@@ -55,9 +60,13 @@ class PlanMaker {
     return whole / (numbers_ == PlanNumbers::halves ? 2 : 3);
   }
 
+  double time(int lower, int upper) {
+    return number(lower, upper) + (numbers_ == PlanNumbers::late ? 1.7e9 : 0);
+  }
+
   std::vector<Leg> legs() {
     std::vector<Leg> legs;
-    double t = number(-6, 24);
+    double t = time(-6, 24);
     std::array<double, 3> x = place();
     const std::uint64_t count = random.below(5) == 0 ? 20 + random.below(30) : 1 + random.below(6);
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -154,6 +163,20 @@ inline Scene legs_as_rows(const Layout& layout, const Mover& mover) {
     add();
   }
   return scene;
+}
+
+/// The plain contacts of two movers: of all pairs of their legs, merged by rule 3.
+inline std::vector<ContactTimes> plain_contacts(const Bodies& legs_a, const Bodies& legs_b,
+                                                const Horizon& horizon, double within) {
+  const auto contact = make_contact(legs_a, legs_b, {.horizon = horizon, .within = within}, "a", "b");
+  std::vector<Pair> pairs, hits;
+  for (std::uint32_t i = 0; i < legs_a.count; ++i)
+    for (std::uint32_t k = 0; k < legs_b.count; ++k) pairs.push_back({i, k});
+  std::vector<ContactTimes> times;
+  contact->all_contacts(pairs, hits, times);
+  std::vector<LegContact> contacts;
+  for (std::size_t i = 0; i < hits.size(); ++i) contacts.push_back({hits[i].a, hits[i].b, times[i]});
+  return mover_contacts(contacts);
 }
 
 /// The same table as every kind of target: all legs, those of the horizon, and both trees.

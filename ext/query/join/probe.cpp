@@ -6,6 +6,7 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/window_walk.h"
+#include "motion/plan/chunks.h"
 #include "query/join/question.h"
 #include "query/legs/leg_scene.h"
 #include "shape/swept_boxes.h"
@@ -28,25 +29,56 @@ std::vector<std::int64_t> objects_in(const Scene& scene) {
   return ids;
 }
 
+/// The leg of a row.
+Leg leg_of(const Bodies& bodies, std::size_t i) {
+  const double* const row = bodies.row(i);
+  const Offsets& at = bodies.at;
+  Leg leg{.t = row[at.t], .until = row[at.until], .x = {}, .v = {}, .a = {}};
+  std::copy_n(row + at.x, bodies.layout.axes, leg.x.begin());
+  std::copy_n(row + at.v, bodies.layout.axes, leg.v.begin());
+  if (at.a != Offsets::absent) std::copy_n(row + at.a, bodies.layout.axes, leg.a.begin());
+  return leg;
+}
+
+/// The moving boxes of an object during the horizon: of one row, or of chunks of its legs.
+template <int D>
+std::vector<MovingBox<D>> boxes_of(const Scene& one, const Horizon& horizon, const Vec<D>& margin) {
+  const Bodies bodies = one.bodies();
+  if (bodies.count == 1) return {moving_box<D>(bodies, 0, horizon, margin)};
+  std::vector<Leg> legs;
+  const RowRange rows = rows_during(bodies, one.rows_of(0), horizon);
+  for (std::size_t row = rows.first; row < rows.last; ++row) legs.push_back(leg_of(bodies, row));
+  const Vec<D> reach = reach_of(extents_of<D>(bodies, 0));
+  std::vector<MovingBox<D>> boxes;
+  for (const ChunkRange& range : cut_into_chunks(legs)) {
+    const ChunkBox box = chunk_box(std::span(legs).subspan(range.first, range.count), D);
+    Motion<D> chord{box.t, Vec<D>::Zero(), Vec<D>::Zero(), Vec<D>::Zero(), box.until};
+    Vec<D> half;
+    for (int axis = 0; axis < D; ++axis) {
+      const auto j = static_cast<std::size_t>(axis);
+      chord.x[axis] = box.x[j], chord.v[axis] = box.v[j];
+      half[axis] = sum_outward(box.half[j], reach[axis]);
+    }
+    boxes.push_back(moving_box<D>(chord, symmetric<D>(half), horizon, margin));
+  }
+  return boxes;
+}
+
 template <int D>
 void walk(const Scene& one, const SearchTarget& others, const Horizon& horizon, const Contact::Reach& reach,
           Interrupt& interrupt, const std::function<bool(std::int64_t)>& keep, Scene& near) {
-  const Bodies body = one.bodies();
   // The object's box is inflated by one half of the reach, those in the tree by the other.
   const Vec<D> margin = margin_of<D>(reach);
   const auto partners = partners_of(one, near.layout);
   const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
-  std::unordered_set<std::int64_t> found;  // by several legs
-  std::vector<MovingBox<D>> boxes;
-  for (std::size_t leg = 0; leg < body.count; ++leg) {
-    const MovingBox<D> box = moving_box<D>(body, leg, horizon, margin);
-    if (box.span.is_empty()) continue;
-    boxes.push_back(box);
+  const std::vector<MovingBox<D>> boxes = boxes_of<D>(one, horizon, margin);
+  std::unordered_set<std::int64_t> found;  // by several boxes
+  for (const MovingBox<D>& box : boxes) {
     WindowWalk<D> walk(*others.tree, box, horizon, margin, interrupt, partners);
     for (LeafHits hits; walk.next(hits);)
       for (const std::uint32_t slot : hits.slots) {
         const std::int64_t id = hits.leaf->keys[slot];
-        if (keep(id) && (body.count == 1 || found.insert(id).second))
+        if (keep(id) && (boxes.size() == 1 || found.insert(id).second))
           near.add(id, hits.leaf->values.data() + slot * record_size);
       }
   }

@@ -46,14 +46,14 @@ class NearestOfMovers : public ::testing::TestWithParam<Layout> {};
 
 TEST_P(NearestOfMovers, IsTheNearestOfTheLegs) {
   std::size_t found = 0;
-  for (const PlanNumbers numbers : {PlanNumbers::halves, PlanNumbers::thirds})
+  for (const PlanNumbers numbers : all_plan_numbers)
     for (std::uint64_t seed = 1; seed <= (sanitized ? 2 : 6); ++seed) {
       const Movers movers = random_movers(GetParam(), numbers, 60, seed);
       const auto table = table_of(movers);
       PlanMaker maker(GetParam(), numbers, seed + 200);
       for (int i = 0; i < 16; ++i) {
         NearestQuestion question{
-            .objects = {}, .now = maker.number(-8, 40), .h = i % 4 == 0 ? 0 : maker.number(0, 24)};
+            .objects = {}, .now = maker.time(-8, 40), .h = i % 4 == 0 ? 0 : maker.number(0, 24)};
         question.k = i % 5 == 4 ? 1000 : 1 + i % 4;
         const std::array<double, 3> at = maker.place();
         for (std::size_t axis = 0; axis < static_cast<std::size_t>(GetParam().axes); ++axis) {

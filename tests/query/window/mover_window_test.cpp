@@ -9,6 +9,7 @@
 #include "query/legs/mover_contacts.h"
 #include "query/plan_cases.h"
 #include "query/window/window.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee::testing {
 namespace {
@@ -36,12 +37,15 @@ std::vector<ContactRow> plain_rows(const Movers& movers, const WindowQuestion& q
     const Bodies bodies = rows.bodies();
     if (question.mask && !KindTest::of_categories(*question.mask).accepts(kinds_of(bodies.row(0), bodies.at)))
       continue;
-    const MovingWindow window(question.faces, rows.layout, question.now);
+    const MovingWindow window(question.faces, rows.layout, question.now, question.zone);
     const auto contact = make_window_contact(window, bodies, horizon);
     std::vector<Pair> pairs, hits;
     std::vector<ContactTimes> times;
     for (std::uint32_t row = 0; row < rows.size(); ++row) pairs.push_back({0, row});
-    contact->all_contacts(pairs, hits, times);
+    if (question.zone)
+      contact->first_contacts(pairs, TimesWanted::both, hits, times);
+    else
+      contact->all_contacts(pairs, hits, times);
     std::vector<LegContact> contacts;
     for (std::size_t i = 0; i < hits.size(); ++i) contacts.push_back({0, hits[i].b, times[i]});
     std::vector<ContactTimes> merged = mover_contacts(contacts);
@@ -56,7 +60,7 @@ std::vector<ContactRow> plain_rows(const Movers& movers, const WindowQuestion& q
 
 WindowQuestion random_window(PlanMaker& maker, const Layout& layout, int i) {
   WindowQuestion question{
-      .objects = {}, .now = maker.number(-8, 40), .h = i % 4 == 0 ? 0 : maker.number(0, 24)};
+      .objects = {}, .now = maker.time(-8, 40), .h = i % 4 == 0 ? 0 : maker.number(0, 24)};
   const std::array<double, 3> at = maker.place();
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout.axes); ++axis) {
     question.faces.lower[axis] = at[axis], question.faces.upper[axis] = at[axis] + maker.number(0, 16);
@@ -72,7 +76,7 @@ class WindowOfMovers : public ::testing::TestWithParam<Layout> {};
 
 TEST_P(WindowOfMovers, IsTheUnionOfTheLegs) {
   std::size_t found = 0, merged = 0;
-  for (const PlanNumbers numbers : {PlanNumbers::halves, PlanNumbers::thirds})
+  for (const PlanNumbers numbers : all_plan_numbers)
     for (std::uint64_t seed = 1; seed <= (sanitized ? 2 : 6); ++seed) {
       const Movers movers = random_movers(GetParam(), numbers, 60, seed);
       const auto table = table_of(movers);
@@ -105,6 +109,63 @@ TEST_P(WindowOfMovers, IsTheUnionOfTheLegs) {
     }
   EXPECT_GT(found, 500u);
   EXPECT_GT(merged, 50u);
+}
+
+/// A zone with a corner inwards: a leg may enter it twice, and the first contact ends where the mover leaves it.
+TEST_P(WindowOfMovers, MayBeAZone) {
+  if (GetParam().axes != 2) return;
+  const auto zone = std::make_shared<const SharedOutline>(
+      read_outline("POLYGON((-4 -4, 8 -4, 8 0, 0 0, 0 8, -4 8, -4 -4))"));
+  std::size_t found = 0;
+  for (const PlanNumbers numbers : all_plan_numbers) {
+    const Movers movers = random_movers(GetParam(), numbers, 60, 9);
+    const auto table = table_of(movers);
+    PlanMaker maker(GetParam(), numbers, 10);
+    for (int i = 0; i < 20; ++i) {
+      WindowQuestion question{
+          .objects = {}, .now = maker.time(-8, 40), .h = maker.number(0, 24), .zone = zone};
+      const auto wanted = plain_rows(movers, question);
+      for (const SearchTarget& target : targets_of(*table, {question.now, question.h})) {
+        question.objects = target;
+        ASSERT_EQ(window_rows(question), wanted) << i << (target.scene ? " scene" : " trees");
+      }
+      found += wanted.size();
+    }
+  }
+  EXPECT_GT(found, 100u);
+}
+
+/// Thousands of legs among plain rows.
+TEST(MoverWindow, OfOneLongPlan) {
+  const Layout layout = layouts_with_plans()[1];
+  PlanMaker maker(layout, PlanNumbers::thirds, 11);
+  Movers movers = random_movers(layout, PlanNumbers::thirds, 20, 12);
+  Mover patrol = maker.mover(99, false);
+  patrol.legs.clear();
+  std::array<double, 3> x = maker.place();
+  for (int i = 0; i < 5000; ++i) {
+    const std::array<double, 3> to = maker.place();
+    Leg leg{.t = i / 3.0, .until = (i + 1) / 3.0, .x = x, .v = {}, .a = {}};
+    for (const std::size_t j : {0, 1}) leg.v[j] = velocity_between(x[j], to[j], leg.t, leg.until);
+    patrol.legs.push_back(leg);
+    x = to;
+  }
+  patrol.record[static_cast<std::size_t>(record_offsets(layout).until)] = no_end;
+  movers.all.push_back(patrol);
+  const auto table = table_of(movers);
+  std::size_t found = 0;
+  for (int i = 0; i < 30; ++i) {
+    WindowQuestion question = random_window(maker, layout, i);
+    question.now = maker.number(0, 5000), question.all_contacts = i % 2;
+    if (i % 6 == 5) question.h = 200;
+    const auto wanted = plain_rows(movers, question);
+    for (const SearchTarget& target : targets_of(*table, {question.now, question.h})) {
+      question.objects = target;
+      ASSERT_EQ(window_rows(question), wanted) << i << (target.scene ? " scene" : " trees");
+    }
+    found += wanted.size();
+  }
+  EXPECT_GT(found, 50u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Layouts, WindowOfMovers, ::testing::ValuesIn(layouts_with_plans()));
