@@ -21,7 +21,7 @@ std::map<std::int64_t, std::vector<double>> rows_by_id(const Scene& scene) {
   std::map<std::int64_t, std::vector<double>> rows;
   const auto size = static_cast<std::size_t>(row_offsets(scene.layout).size);
   for (std::size_t i = 0; i < scene.object_count(); ++i) {
-    const RowRange range = scene.rows_of(i);
+    const auto range = scene.rows_of(i);
     const double* from = scene.rows.data() + range.first * size;
     EXPECT_TRUE(
         rows.emplace(scene.ids[range.first], std::vector<double>(from, from + range.size() * size)).second);

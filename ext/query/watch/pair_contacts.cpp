@@ -6,6 +6,7 @@
 #include "base/float_environment.h"
 #include "query/join/contact_stage.h"
 #include "query/join/pair_kinds.h"
+#include "query/legs/mover_pair.h"
 
 namespace foresee {
 namespace {
@@ -18,16 +19,52 @@ class NoCandidates final : public Candidates {
   bool next(std::vector<Pair>&) override { return false; }
 };
 
-std::optional<std::uint32_t> row_of(const Scene& scene, std::int64_t id) {
+/// The number of an object in a scene whose ids ascend.
+std::optional<std::uint32_t> object_of(const Scene& scene, std::int64_t id) {
   const auto found = std::lower_bound(scene.ids.begin(), scene.ids.end(), id);
   if (found == scene.ids.end() || *found != id) return std::nullopt;
-  return static_cast<std::uint32_t>(found - scene.ids.begin());
+  const auto row = static_cast<std::uint32_t>(found - scene.ids.begin());
+  if (!scene.layout.has_plan) return row;
+  const auto& first_rows = scene.first_rows;
+  return static_cast<std::uint32_t>(std::lower_bound(first_rows.begin(), first_rows.end(), row) -
+                                    first_rows.begin());
 }
 
 std::vector<std::int64_t> sorted_ids(std::vector<std::int64_t> ids) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
+}
+
+/// The first legs of two movers that exist together at `now` or later. Requires: such legs exist.
+Pair legs_together(const Movers& a, const Movers& b, const Pair& movers, double now) {
+  Pair first{};
+  for_leg_pairs(a, b, movers, now, [&](const Pair& legs) {
+    first = legs;
+    return false;
+  });
+  return first;
+}
+
+/// The same as ContactStage for movers: the first contact of each pair.
+void append_mover_contacts(const JoinQuestion& question, std::span<const Pair> pairs, Interrupt& interrupt,
+                           std::vector<JoinRow>& rows) {
+  const Movers a(question.a), b(question.b ? question.b : question.a);
+  const auto contact = contact_of(question);
+  contact->set_interrupt(interrupt);
+  MoverPair both(a, b, *contact, {question.now, question.h}, interrupt);
+  std::vector<ContactTimes> contacts;
+  for (const Pair& pair : pairs) {
+    interrupt.check();
+    if (question.kinds && !question.kinds->may_meet({a.first(pair.a), b.first(pair.b)})) continue;
+    both.contacts_within(pair, question.now, std::numeric_limits<double>::infinity(), contacts);
+    if (contacts.empty()) continue;
+    JoinRow& row = rows.emplace_back();
+    row.a = a.id(pair.a), row.b = b.id(pair.b), row.contact = contacts.front();
+    if (!question.b && row.b < row.a) std::swap(row.a, row.b);
+    if (question.wants.approach)
+      row.approach = both.closest_approach(legs_together(a, b, pair, question.now));
+  }
 }
 
 void append_contacts(const JoinedTables& tables, JoinQuestion question, std::span<const PairIds> pairs,
@@ -39,9 +76,9 @@ void append_contacts(const JoinedTables& tables, JoinQuestion question, std::spa
   if (tables.b) question.b = one_scene ? question.a : tables.b->objects(sorted_ids(std::move(b)));
   std::vector<Pair> numbers;
   for (const PairIds& pair : pairs) {
-    const auto row_a = row_of(*question.a, pair.a);
-    const auto row_b = row_of(question.b ? *question.b : *question.a, pair.b);
-    if (row_a && row_b) numbers.push_back({*row_a, *row_b});
+    const auto object_a = object_of(*question.a, pair.a);
+    const auto object_b = object_of(question.b ? *question.b : *question.a, pair.b);
+    if (object_a && object_b) numbers.push_back({*object_a, *object_b});
   }
   const std::vector<JoinRow> found = pair_contacts(question, numbers, interrupt);
   rows.insert(rows.end(), found.begin(), found.end());
@@ -87,6 +124,10 @@ std::vector<JoinRow> pair_contacts(const JoinQuestion& queried, std::span<const 
   std::optional<JoinQuestion> with;
   if (has_kinds(queried)) with = with_kinds(queried);
   const JoinQuestion& question = with ? *with : queried;
+  if (has_plans(question)) {
+    append_mover_contacts(question, pairs, interrupt, rows);
+    return rows;
+  }
   ContactStage stage(question, interrupt);
   const TimeSlab all{-inf, inf, {question.now, question.h}};
   const NoCandidates none;

@@ -4,7 +4,8 @@
 //   for (const JoinRow& row : contacts_of(tables, question, pairs, interrupt)) use(row.a, row.b, row.contact.t);
 //
 // Guarantee: a row for each pair that may meet and touches during [now, now + h], with the same numbers as
-// the join gives; the others are left out. Rows come in the order of the pairs, within one scene the smaller id first.
+// the join gives; the others are left out. Objects with plans have the contacts of their legs, joined
+// (legs/mover_contacts.h). Rows come in the order of the pairs, within one scene the smaller id first.
 // Cost: some hundred nanoseconds per pair, and a look-up per object.
 #pragma once
 
@@ -35,7 +36,7 @@ struct PairIds {
 std::vector<JoinRow> contacts_of(const JoinedTables& tables, const JoinQuestion& question,
                                  std::span<const PairIds> pairs, Interrupt& interrupt);
 
-/// `pairs`: row numbers in the scenes of `queried`. Throws Error as Join does.
+/// `pairs`: numbers of objects in the scenes of `queried` (Scene::rows_of). Throws Error as Join does.
 std::vector<JoinRow> pair_contacts(const JoinQuestion& queried, std::span<const Pair> pairs,
                                    Interrupt& interrupt);
 

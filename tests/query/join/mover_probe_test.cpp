@@ -33,7 +33,7 @@ TEST_P(ProbeOfMovers, FindsEveryContact) {
       const auto object = table->objects(std::span(&one.id, 1));
       const auto near = objects_near(*object, trees_of(*table), horizon, {0.5, 0.5}, never,
                                      [&](std::int64_t id) { return id != one.id; });
-      std::map<std::int64_t, RowRange> rows;
+      std::map<std::int64_t, foresee::RowRange> rows;
       for (std::size_t i = 0; i < near->object_count(); ++i)
         ASSERT_TRUE(rows.emplace(near->ids[near->rows_of(i).first], near->rows_of(i)).second);
       EXPECT_FALSE(rows.contains(one.id));

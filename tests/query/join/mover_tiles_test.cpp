@@ -100,7 +100,7 @@ TEST_P(BoxesOfMovers, GiveEachPairOneOwner) {
         question = in_tile(question, never);
         const Scene& scene = *question.a;
         for (std::size_t a = 0; a < scene.object_count(); ++a) {
-          const RowRange rows = scene.rows_of(a);
+          const auto rows = scene.rows_of(a);
           for (std::size_t row = rows.first; question.own && row < rows.last; ++row)
             ASSERT_EQ(question.own->a[row], question.own->a[rows.first]);
           for (std::size_t b = a + 1; b < scene.object_count(); ++b) {

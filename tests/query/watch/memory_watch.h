@@ -1,0 +1,118 @@
+// A watch in memory over tables in memory, and a reader of its log.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "never_interrupt.h"
+#include "query/join_cases.h"
+#include "query/memory_table.h"
+#include "query/watch/pair_contacts.h"
+#include "query/watch/settlement.h"
+
+namespace foresee::testing {
+
+inline constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
+
+class MemoryWatch final : public WatchPairs, public WatchLog {
+ public:
+  using Ids = std::pair<std::int64_t, std::int64_t>;
+
+  std::vector<WatchedPair> pairs() override {
+    return those([](const WatchedPair&) { return true; });
+  }
+  std::vector<WatchedPair> pairs_of_a(std::int64_t id) override {
+    return those([&](const WatchedPair& pair) { return pair.a == id; });
+  }
+  std::vector<WatchedPair> pairs_of_b(std::int64_t id) override {
+    return those([&](const WatchedPair& pair) { return pair.b == id; });
+  }
+  std::vector<WatchedPair> due_pairs(bool held, double until) override {
+    return those([&](const WatchedPair& pair) { return pair.held == held && pair.due <= until; });
+  }
+  std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) override {
+    const auto found = rows.find({a, b});
+    return found == rows.end() ? std::nullopt : std::optional(found->second);
+  }
+  void write_pair(const WatchedPair& pair, PairWrite how, bool with_told) override {
+    EXPECT_EQ(rows.contains({pair.a, pair.b}), how != PairWrite::adds);
+    WatchedPair& row = rows[{pair.a, pair.b}];
+    if (how == PairWrite::moves) {
+      EXPECT_EQ(row.held, pair.held);
+      EXPECT_EQ(row.due, pair.due);
+    }
+    row = pair;
+    if (!with_told) row.told = row.t;
+  }
+  void erase_pair(std::int64_t a, std::int64_t b) override { EXPECT_EQ(rows.erase({a, b}), 1u); }
+  void erase_all_pairs() override { rows.clear(); }
+  void append(const LoggedChange& change) override { log.push_back(change); }
+  void trim(std::int64_t up_to) override {
+    std::erase_if(log, [&](const LoggedChange& change) { return change.seq <= up_to; });
+  }
+
+  std::map<Ids, WatchedPair> rows;
+  std::vector<LoggedChange> log;
+
+ private:
+  template <class Keep>
+  std::vector<WatchedPair> those(Keep keep) const {
+    std::vector<WatchedPair> found;
+    for (const auto& [ids, row] : rows)
+      if (keep(row)) found.push_back(row);
+    return found;
+  }
+};
+
+/// A watch within one table, or between two, and what a reader of its log knows.
+struct Watched {
+  Watched(bool between, WatchDeclaration declaration, const Layout& layout = boats)
+      : ships(std::make_shared<MemoryTable>("ships", layout)),
+        ferries(std::make_shared<MemoryTable>("ferries", layout)) {
+    tables.a = ships;
+    if (between) tables.b = ferries;
+    static_cast<WatchDeclaration&>(state) = std::move(declaration);
+  }
+
+  void settle() {
+    const std::size_t known = watch.log.size();
+    Settlement settlement(tables, state, watch, watch, {never});
+    if (const auto after = settlement.settle()) state = *after;
+    ships->commit(), ferries->commit();
+    for (std::size_t i = known; i < watch.log.size(); ++i) {
+      const LoggedChange& change = watch.log[i];
+      if (change.op == '-')
+        EXPECT_EQ(reader.erase({change.a, change.b}), 1u);
+      else
+        EXPECT_EQ(reader.insert_or_assign({change.a, change.b}, change.t).second, change.op == '+');
+    }
+  }
+
+  /// Its held pairs with the times that readers see: those of the join at the clock, and of the log.
+  void expect_join() {
+    JoinQuestion all = question_of_all(tables, state, {state.now(), state.horizon}, {never});
+    std::map<MemoryWatch::Ids, double> joined;
+    for (const JoinRow& row : rows_of(all)) joined[{row.a, row.b}] = row.contact.t;
+    expect_pairs(joined);
+  }
+
+  /// The same for pairs with their times, by another way.
+  void expect_pairs(const std::map<MemoryWatch::Ids, double>& joined) {
+    std::map<MemoryWatch::Ids, double> held;
+    for (const auto& [ids, row] : watch.rows)
+      if (row.held) held[ids] = std::max(row.t, state.now());
+    EXPECT_TRUE(held == joined) << held.size() << " pairs, of the join " << joined.size();
+    for (auto& [ids, t] : reader) t = std::max(t, state.now());
+    EXPECT_TRUE(reader == joined) << reader.size() << " pairs in the log, of the join " << joined.size();
+  }
+
+  NeverInterrupt never;
+  std::shared_ptr<MemoryTable> ships, ferries;
+  JoinedTables tables;
+  MemoryWatch watch;
+  WatchState state;
+  std::map<MemoryWatch::Ids, double> reader;
+};
+
+}  // namespace foresee::testing
