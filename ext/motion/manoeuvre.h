@@ -1,8 +1,7 @@
-// Manoeuvres: five changes of a motion, each a function of one number k; the result can be stored in a table.
+// Manoeuvres of one object, and the numbers of its motion as a table stores them.
 //
 //   const OwnMotion base = motion_from(ship, 600);            // the same motion as of t = 600
-//   // 15 degrees to starboard
-//   const OwnMotion turned = changed(base, {Manoeuvre::turn, speed_of(base)}, 15);
+//   changes_by(Manoeuvre::turn, base)->changed(15)            // 15 degrees to starboard (changes.h)
 //
 //   turn         turns velocity and acceleration by k degrees clockwise (x east, y north), and the heading
 //                of a shape that has one
@@ -12,9 +11,8 @@
 //   accelerate   adds k to the acceleration along the course: a + k v / m
 //   delay        shifts start and end by k: later, or earlier where k < 0
 //
-// k = 0 changes nothing. Each number is the exact value rounded once, the same on every machine; 0 is never
-// -0. If a force gives the acceleration, the force is changed. Changes are instantaneous, as in all velocity
-// obstacles: the result must be a motion that a row can hold. Cost: microseconds.
+// Changes are instantaneous, as in all velocity obstacles: the result must be a motion that a row can hold. Each
+// number is the exact value rounded once. Cost: microseconds.
 #pragma once
 
 #include <array>
@@ -45,19 +43,6 @@ OwnMotion motion_from(const OwnMotion& motion, double s);
 
 /// The length of the velocity, rounded once; infinite where no double holds it.
 double speed_of(const OwnMotion& motion);
-
-/// The manoeuvre and the speed of the base motion, which scales its course.
-struct Change {
-  Manoeuvre manoeuvre;
-  double speed;      ///< speed_of() the base motion
-  double later = 0;  ///< of motions_between(): start of the motion to delay, minus the base's
-  bool scales_bend =
-      false;  ///< of Manoeuvre::speed: the path remains, so its acceleration is by speed squared
-};
-
-/// The base motion after a change by k; numbers that overflow are infinite. Requires: k finite; speed > 0 for
-/// Manoeuvre::speed and accelerate.
-OwnMotion changed(const OwnMotion& base, const Change& change, double k);
 
 /// Whether all numbers are finite, except perhaps `until`.
 bool is_finite(const OwnMotion& motion);

@@ -1,7 +1,7 @@
-// Set of all motions that a manoeuvre by any k of a range can give, described by support functions: how far
-// positions, velocities and accelerations reach along a direction n.
+// Sets of motions, described by support functions: how far positions, velocities and accelerations reach along a
+// direction n.
 //
-//   const MotionSet<2> turns = motions_between<2>(base, change, -10, 10);
+//   const MotionSet<2> turns = changes_by(Manoeuvre::turn, base)->between<2>(-10, 10);    // motion/changes.h
 //   turns.velocity.support({0, 1})                               // no changed motion is faster northward
 //
 // The support functions are upper bounds that include all rounding: of these computations, and of the stored
@@ -12,9 +12,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
-#include "motion/manoeuvre.h"
 #include "motion/motion.h"
 #include "numbers/correct_rounding.h"
 
@@ -67,20 +69,52 @@ struct VectorSet {
   }
 };
 
-/// The changed motions as of the base's t: tau seconds later, each position is in place + velocity tau +
-/// acceleration tau^2 / 2, relative to the base's position.
+/// Relative error of stored numbers: eight units in the last place cover four beside the stored number, its
+/// rounding, and the roundings of these lines.
+inline constexpr double pad_of_stored = 0x1p-49;
+/// Covers the underflow of a number that is not 0.
+inline constexpr double lost_by_underflow = 8 * std::numeric_limits<double>::denorm_min();
+
+template <int D>
+Vec<D> vector_of(const std::array<double, 3>& values) {
+  return Eigen::Map<const Vec<D>>(values.data());
+}
+
+/// One vector as it is stored.
+template <int D>
+VectorSet<D> stored_vector(const Vec<D>& vector);
+
+/// `vector` turned by any angle of [middle - half, middle + half], in degrees.
+template <int D>
+VectorSet<D> turned_vectors(const Vec<D>& vector, double middle, double half);
+
+/// `vector` + s `course` for all |s - middle| <= half.
+template <int D>
+VectorSet<D> added_vectors(const Vec<D>& vector, const Vec<D>& course, double middle, double half);
+
+/// `vector` times ((m + k) / m)^2 for all k of [p, q].
+template <int D>
+VectorSet<D> vectors_scaled_by_square(const Vec<D>& vector, double m, double p, double q);
+
+/// Motions relative to a reference motion: tau seconds after its t, each position is in place + velocity tau +
+/// acceleration tau^2 / 2, relative to its position.
 template <int D>
 struct MotionSet {
   VectorSet<D> place, velocity, acceleration;
-  double begin = 0, end = 0;  ///< no changed motion exists before or after, in seconds since the base's t
+  double begin = 0, end = 0;  ///< no motion exists before or after, in seconds since the reference's t
+  /// Of motions that each start at a time of their own, all at one position with one velocity.
+  struct Starts {
+    double from = 0, to = 0;
+    VectorSet<D> velocity;
+  };
+  std::optional<Starts> starts = {};
 };
 
-/// The smallest difference between two k of [p, q] that exceeds the pads of their motions: no finer end can
-/// be proven.
-double min_change(const OwnMotion& base, const Change& change, double p, double q);
-
-/// The motions of all k in [p, q]. Requires: p <= q.
+/// One approximate motion of a set, relative to the position of the reference, and when it exists.
 template <int D>
-MotionSet<D> motions_between(const OwnMotion& base, const Change& change, double p, double q);
+struct TrajectoryEstimate {
+  Vec<D> x, v, a;
+  double begin = 0, end = 0;
+};
 
 }  // namespace foresee

@@ -1,11 +1,9 @@
 // The five manoeuvres; a set of changed motions contains each of them.
-#include "motion/manoeuvre.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "motion/motion_set.h"
+#include "motion/changes.h"
 #include "scenes.h"
 
 namespace foresee {
@@ -21,33 +19,42 @@ OwnMotion drone(Random& random) {
   return motion;
 }
 
+std::unique_ptr<Changes> changes(Manoeuvre manoeuvre, const OwnMotion& base, double lo = 0,
+                                 bool scales_bend = false) {
+  return manoeuvre == Manoeuvre::delay ? delays_of(base, lo) : changes_by(manoeuvre, base, scales_bend);
+}
+
+OwnMotion changed(Manoeuvre manoeuvre, const OwnMotion& base, double k) {
+  return changes(manoeuvre, base)->changed(k);
+}
+
 constexpr Manoeuvre all[] = {Manoeuvre::turn, Manoeuvre::speed, Manoeuvre::climb, Manoeuvre::accelerate,
                              Manoeuvre::delay};
 
 TEST(Manoeuvre, ChangesNothingByZero) {
   Random random(1);
   const OwnMotion base = drone(random);
-  for (const Manoeuvre manoeuvre : all) EXPECT_EQ(changed(base, {manoeuvre, speed_of(base)}, 0), base);
+  for (const Manoeuvre manoeuvre : all) EXPECT_EQ(changed(manoeuvre, base, 0), base);
 }
 
 TEST(Manoeuvre, ChangesWhatItSays) {
   OwnMotion ship;
   ship.t = 10, ship.v = {3, 4, 0};
   EXPECT_EQ(speed_of(ship), 5);
-  EXPECT_EQ(changed(ship, {Manoeuvre::turn, 5}, 90).v, (std::array<double, 3>{4, -3, 0}));
-  EXPECT_EQ(changed(ship, {Manoeuvre::speed, 5}, 5).v, (std::array<double, 3>{6, 8, 0}));
-  const OwnMotion stopped = changed(ship, {Manoeuvre::speed, 5}, -5);
+  EXPECT_EQ(changed(Manoeuvre::turn, ship, 90).v, (std::array<double, 3>{4, -3, 0}));
+  EXPECT_EQ(changed(Manoeuvre::speed, ship, 5).v, (std::array<double, 3>{6, 8, 0}));
+  const OwnMotion stopped = changed(Manoeuvre::speed, ship, -5);
   EXPECT_EQ(stopped.v, (std::array<double, 3>{0, 0, 0}));
-  EXPECT_EQ(changed(ship, {Manoeuvre::climb, 5}, 2).v[2], 2);
-  EXPECT_EQ(changed(ship, {Manoeuvre::accelerate, 5}, 0.5).a, (std::array<double, 3>{0.3, 0.4, 0}));
-  EXPECT_EQ(changed(ship, {Manoeuvre::delay, 5}, 7).t, 17);
+  EXPECT_EQ(changed(Manoeuvre::climb, ship, 2).v[2], 2);
+  EXPECT_EQ(changed(Manoeuvre::accelerate, ship, 0.5).a, (std::array<double, 3>{0.3, 0.4, 0}));
+  EXPECT_EQ(changed(Manoeuvre::delay, ship, 7).t, 17);
   ship.a = {0, 0, -2};
-  const Change along_the_earth{.manoeuvre = Manoeuvre::speed, .speed = 5, .scales_bend = true};
-  EXPECT_EQ(changed(ship, along_the_earth, 5).a, (std::array<double, 3>{0, 0, -8}));
-  EXPECT_EQ(changed(ship, along_the_earth, -5).a, (std::array<double, 3>{0, 0, 0}));
-  EXPECT_EQ(changed(ship, along_the_earth, -10).a, ship.a) << "backwards on the same path";
+  const auto along_the_earth = changes(Manoeuvre::speed, ship, 0, true);
+  EXPECT_EQ(along_the_earth->changed(5).a, (std::array<double, 3>{0, 0, -8}));
+  EXPECT_EQ(along_the_earth->changed(-5).a, (std::array<double, 3>{0, 0, 0}));
+  EXPECT_EQ(along_the_earth->changed(-10).a, ship.a) << "backwards on the same path";
   ship.mass = 2, ship.force = {2, 0, 0}, ship.a = {1, 0, 0};
-  const OwnMotion pushed = changed(ship, {Manoeuvre::accelerate, 5}, 0.5);
+  const OwnMotion pushed = changed(Manoeuvre::accelerate, ship, 0.5);
   EXPECT_EQ(pushed.force, (std::array<double, 3>{2.6, 0.8, 0}));
   EXPECT_EQ(pushed.a, (std::array<double, 3>{1.3, 0.4, 0}));
 }
@@ -66,15 +73,13 @@ TEST(MotionSet, HoldsEachOfItsMotions) {
   for (int i = 0; i < 2000; ++i) {
     const OwnMotion base = drone(random);
     const Manoeuvre manoeuvre = all[i % 5];
-    const double later = manoeuvre == Manoeuvre::delay ? random.in(0, 5) : 0;
-    const Change change{manoeuvre, speed_of(base), later, i % 2 == 0};
-    OwnMotion from = base;
-    from.t -= later;
+    const auto set_of = changes(manoeuvre, base, -random.in(2, 5), i % 2 == 0);
+    const OwnMotion& from = set_of->reference();
     const double width = std::exp2(random.in(-40, 2)) * (manoeuvre == Manoeuvre::turn ? 90 : 1);
     const double p = random.in(-2, 2), q = p + width;
-    const MotionSet<3> set = motions_between<3>(from, change, p, q);
+    const MotionSet<3> set = set_of->between<3>(p, q);
     const double k = i % 3 == 0 ? p : i % 3 == 1 ? q : p + width * random.unit();
-    const OwnMotion one = changed(base, change, k);
+    const OwnMotion one = set_of->changed(k);
     Vec<3> n;
     for (double& part : n) part = random.in(-1, 1);
     const double tau = random.in(0, 20);

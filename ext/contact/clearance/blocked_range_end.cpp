@@ -7,16 +7,15 @@
 namespace foresee {
 
 template <int D>
-SignedDistance gap_of(const Encounter<D>& encounter, const OwnMotion& base, const Change& change, double k) {
-  const TrajectoryEstimate<D> path = relative(encounter, trajectory_estimate<D>(base, change, k));
+SignedDistance gap_of(const Encounter<D>& encounter, const Changes& changes, double k) {
+  const TrajectoryEstimate<D> path = relative(encounter, changes.estimate<D>(k));
   if ((path.a != 0).any() || !(path.begin <= path.end)) return std::nullopt;
   return straight_approach<D>(encounter.extents, path.x, path.v, path.begin, path.end).gap;
 }
 
 template <int D>
-SignedDistance opening_rate_of(const Encounter<D>& encounter, const OwnMotion& base, const Change& change,
-                               double k) {
-  const TrajectoryEstimate<D> path = relative(encounter, trajectory_estimate<D>(base, change, k));
+SignedDistance opening_rate_of(const Encounter<D>& encounter, const Changes& changes, double k) {
+  const TrajectoryEstimate<D> path = relative(encounter, changes.estimate<D>(k));
   if ((path.a != 0).any() || encounter.extents.grows || encounter.extents.sum) return std::nullopt;
   return (encounter.x * path.v).sum();
 }
@@ -44,11 +43,11 @@ std::optional<double> end_between(const std::function<SignedDistance(double)>& d
   return low + 0.5 * (high - low);
 }
 
-template SignedDistance gap_of<1>(const Encounter<1>&, const OwnMotion&, const Change&, double);
-template SignedDistance gap_of<2>(const Encounter<2>&, const OwnMotion&, const Change&, double);
-template SignedDistance gap_of<3>(const Encounter<3>&, const OwnMotion&, const Change&, double);
-template SignedDistance opening_rate_of<1>(const Encounter<1>&, const OwnMotion&, const Change&, double);
-template SignedDistance opening_rate_of<2>(const Encounter<2>&, const OwnMotion&, const Change&, double);
-template SignedDistance opening_rate_of<3>(const Encounter<3>&, const OwnMotion&, const Change&, double);
+template SignedDistance gap_of<1>(const Encounter<1>&, const Changes&, double);
+template SignedDistance gap_of<2>(const Encounter<2>&, const Changes&, double);
+template SignedDistance gap_of<3>(const Encounter<3>&, const Changes&, double);
+template SignedDistance opening_rate_of<1>(const Encounter<1>&, const Changes&, double);
+template SignedDistance opening_rate_of<2>(const Encounter<2>&, const Changes&, double);
+template SignedDistance opening_rate_of<3>(const Encounter<3>&, const Changes&, double);
 
 }  // namespace foresee

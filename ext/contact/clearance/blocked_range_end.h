@@ -14,13 +14,12 @@ using SignedDistance = std::optional<double>;
 
 /// The smallest distance of a changed motion from the other object; 0 or less if it touches.
 template <int D>
-SignedDistance gap_of(const Encounter<D>& encounter, const OwnMotion& base, const Change& change, double k);
+SignedDistance gap_of(const Encounter<D>& encounter, const Changes& changes, double k);
 
 /// Half the slope of the squared distance of the centres at the change, of two that touch then; below 0 if
 /// they approach.
 template <int D>
-SignedDistance opening_rate_of(const Encounter<D>& encounter, const OwnMotion& base, const Change& change,
-                               double k);
+SignedDistance opening_rate_of(const Encounter<D>& encounter, const Changes& changes, double k);
 
 /// The change between p and q at which `distance_at` passes 0, within `width`. No value unless the distance
 /// is above 0 at exactly one of the two.

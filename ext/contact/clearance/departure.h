@@ -19,7 +19,7 @@ struct Departure {
   bool all_touch;     ///< every change very probably touches at once
 };
 
-/// Requires: encounter.beside, and not family.delayed.
+/// Requires: encounter.beside, and no family.all.starts.
 template <int D>
 Departure departure_of(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 

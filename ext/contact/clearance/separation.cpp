@@ -26,15 +26,16 @@ struct SeenFromStart {
 template <int D>
 TrajectoryEstimate<D> estimate_from_start(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
                                           double k) {
-  const double duration = family.all.end - family.delay_to;
-  return {-k * (encounter.v + (0.5 * k) * encounter.a), family.at_start.centre - k * encounter.a,
+  const double duration = family.all.end - family.all.starts->to;
+  return {-k * (encounter.v + (0.5 * k) * encounter.a), family.all.starts->velocity.centre - k * encounter.a,
           family.middle.a, std::max(0.0, encounter.begin - k), std::min(duration, encounter.end - k)};
 }
 
 template <int D>
 SeenFromStart<D> seen_from_start(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
   SeenFromStart<D> seen{encounter, {}};
-  const double p = family.delay_from, q = family.delay_to, middle = p + 0.5 * (q - p),
+  const auto& starts = *family.all.starts;
+  const double p = starts.from, q = starts.to, middle = p + 0.5 * (q - p),
                half = std::max(middle - p, q - middle) * (1 + 0x1p-50), far = std::max(std::abs(p), q);
   seen.encounter.begin = std::max(0.0, encounter.begin - q * (1 + 0x1p-50) - 0x1p-50 * encounter.begin);
   seen.encounter.end = encounter.end - p + 0x1p-50 * (std::abs(encounter.end) + std::abs(p));
@@ -45,11 +46,11 @@ SeenFromStart<D> seen_from_start(const Encounter<D>& encounter, const Trajectory
   after.all.place.along = half * (encounter.v + middle * encounter.a);
   after.all.place.pad = 0.5 * half * half * a * (1 + rounding) + far * encounter.ev * (1 + rounding) +
                         rounding * (far * (v + far * a));
-  after.all.velocity = family.at_start;
+  after.all.velocity = starts.velocity;
   if (encounter.bends()) {
     after.all.velocity.centre -= middle * encounter.a;
     after.all.velocity.along = half * encounter.a;
-    after.all.velocity.pad += rounding * (family.at_start.centre.abs() + 2 * far * a);
+    after.all.velocity.pad += rounding * (starts.velocity.centre.abs() + 2 * far * a);
   }
   after.all.acceleration = family.all.acceleration;
   after.all.begin = 0;
@@ -72,7 +73,7 @@ ClearanceVerdict certified(SeparationCase<D>& separation, const Encounter<D>& en
   std::optional<double> nearest[2];  // of the first and the last change, once known
   const TrajectoryEstimate<D>* const ends[] = {&family.first, &family.last};
   ProbeResult probe = separation.probe(family.middle, tau);
-  if (encounter.beside && !family.delayed && probe != ProbeResult::separated) {
+  if (encounter.beside && !family.all.starts && probe != ProbeResult::separated) {
     const Departure leaving = departure_of<D>(encounter, family);
     const double length = separation.end() - separation.begin();
     if (length <= 0 || leaving.away_until >= length) return ClearanceVerdict::clear;
@@ -136,7 +137,7 @@ ClearanceVerdict certified(const Encounter<D>& encounter, const TrajectoryFamily
 template <int D>
 ClearanceVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
                                    std::uint64_t& evaluations) {
-  if (family.delayed) {
+  if (family.all.starts) {
     const SeenFromStart<D> seen = seen_from_start<D>(encounter, family);
     const ClearanceVerdict verdict = certified<D>(seen.encounter, seen.family, evaluations);
     if (verdict != ClearanceVerdict::open) return verdict;

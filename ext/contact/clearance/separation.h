@@ -1,6 +1,6 @@
 // Separating-plane certificate that an object keeps clear of another for every change of a range.
 //
-//   const TrajectoryFamily<2> turns = trajectory_family<2>(base, change, 10, 20);
+//   const TrajectoryFamily<2> turns = trajectory_family<2>(*changes, 10, 20);
 //   // for every double of [10, 20]: a proof
 //   certify_clearance(encounter, turns, evaluations) == ClearanceVerdict::clear
 //

@@ -18,14 +18,6 @@ double horizon_end(const Horizon& horizon, double s) {
   return left.high + 0x1p-50 * (horizon.h + std::abs(passed.high));
 }
 
-template <int D>
-Vec<D> turned(Vec<D> vector, const SineCosine<double>& by) {
-  const double x = vector[0];
-  vector[0] = x * by.cosine + vector[1] * by.sine;
-  vector[1] = vector[1] * by.cosine - x * by.sine;
-  return vector;
-}
-
 /// Both ends on each axis; most sets of a scene contain only 0.
 template <int D>
 void find_ends(const VectorSet<D>& set, Vec<D>& lower, Vec<D>& upper) {
@@ -80,41 +72,22 @@ void find_ends(TrajectoryFamily<D>& family) {
 }
 
 template <int D>
-TrajectoryEstimate<D> trajectory_estimate(const OwnMotion& base, const Change& change, double k) {
-  if constexpr (D > 1)
-    if (change.manoeuvre == Manoeuvre::turn) {
-      const SineCosine<double> by = quick_sine_cosine(k);
-      return {Vec<D>::Zero(), turned<D>(Eigen::Map<const Vec<D>>(base.v.data()), by),
-              turned<D>(Eigen::Map<const Vec<D>>(base.a.data()), by), 0, base.until - base.t};
-    }
-  const MotionSet<D> one = motions_between<D>(base, change, k, k);
-  return {one.place.centre, one.velocity.centre, one.acceleration.centre, one.begin, one.end};
-}
-
-template <int D>
-TrajectoryFamily<D> trajectory_family(const OwnMotion& base, const Change& change, double p, double q) {
+TrajectoryFamily<D> trajectory_family(const Changes& changes, double p, double q) {
   TrajectoryFamily<D> family;
-  family.all = motions_between<D>(base, change, p, q);
+  family.all = changes.between<D>(p, q);
   const auto& all = family.all;
-  family.delayed = change.manoeuvre == Manoeuvre::delay;
   family.middle = {all.place.centre, all.velocity.centre, all.acceleration.centre, all.begin, all.end};
-  family.first = trajectory_estimate<D>(base, change, p),
-  family.last = trajectory_estimate<D>(base, change, q);
+  family.first = changes.estimate<D>(p), family.last = changes.estimate<D>(q);
   find_ends<D>(family);
   const auto off_chord = [](const VectorSet<D>& set) {
     return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : 0;
   };
-  family.turned[0] = (family.delayed ? all.place.pad.sum() : 0);
+  family.turned[0] = all.place.pad.sum();
   family.turned[1] = off_chord(all.velocity), family.turned[2] = off_chord(all.acceleration);
   // For turns by more than a third of a circle the middle is not typical: the mean velocity is near 0.
   if (all.velocity.turns && all.velocity.cosine < 0.5) family.middle.v *= all.velocity.cosine > 0 ? 0.5 : 0;
-  if (family.delayed) {
-    family.at_start = motions_between<D>(base, {Manoeuvre::accelerate, 1}, 0, 0).velocity;
-    const double unsure = min_change(base, change, p, q);
-    family.delay_from = p + change.later - unsure, family.delay_to = q + change.later + unsure;
-  }
   family.bends = (family.upper[2] != 0).any() || (family.lower[2] != 0).any();
-  family.one_interval = change.manoeuvre != Manoeuvre::turn && p < q;
+  family.one_interval = !changes.turns() && p < q;
   return family;
 }
 
@@ -127,11 +100,8 @@ template Encounter<3> encounter_of<3>(const OwnMotion&, const Horizon&, const Bo
 template void find_ends<1>(TrajectoryFamily<1>&);
 template void find_ends<2>(TrajectoryFamily<2>&);
 template void find_ends<3>(TrajectoryFamily<3>&);
-template TrajectoryEstimate<1> trajectory_estimate<1>(const OwnMotion&, const Change&, double);
-template TrajectoryEstimate<2> trajectory_estimate<2>(const OwnMotion&, const Change&, double);
-template TrajectoryEstimate<3> trajectory_estimate<3>(const OwnMotion&, const Change&, double);
-template TrajectoryFamily<1> trajectory_family<1>(const OwnMotion&, const Change&, double, double);
-template TrajectoryFamily<2> trajectory_family<2>(const OwnMotion&, const Change&, double, double);
-template TrajectoryFamily<3> trajectory_family<3>(const OwnMotion&, const Change&, double, double);
+template TrajectoryFamily<1> trajectory_family<1>(const Changes&, double, double);
+template TrajectoryFamily<2> trajectory_family<2>(const Changes&, double, double);
+template TrajectoryFamily<3> trajectory_family<3>(const Changes&, double, double);
 
 }  // namespace foresee

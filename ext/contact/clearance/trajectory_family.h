@@ -4,8 +4,8 @@
 //   const Encounter<2> encounter = encounter_of<2>(base, {now, h}, others, row,
 //                                                  extents_of_both<2>(rule, own_row, row, base.t));
 //   if (encounter.begin > encounter.end) …                             // they never exist together
-//   // 10 to 20 degrees to starboard
-//   const TrajectoryFamily<2> turns = trajectory_family<2>(base, change, 10, 20);
+//   const auto changes = changes_by(Manoeuvre::turn, base);
+//   const TrajectoryFamily<2> turns = trajectory_family<2>(*changes, 10, 20);      // degrees to starboard
 //
 // The reference frame of both is the time and position of the change. At tau seconds after the change the
 // other object is at x + v tau + a tau^2 / 2, each number within its error. Differences of positions are
@@ -16,7 +16,7 @@
 #pragma once
 
 #include "contact/clearance/pair_extents.h"
-#include "motion/motion_set.h"
+#include "motion/changes.h"
 #include "shape/bodies.h"
 
 namespace foresee {
@@ -46,37 +46,24 @@ template <int D>
 Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
                           const double* row, const GrowingExtents<D>& extents);
 
-/// One approximate motion, relative to the position of the change, and when it exists.
-template <int D>
-struct TrajectoryEstimate {
-  Vec<D> x, v, a;
-  double begin = 0, end = 0;
-};
-
 /// The changed motions of a range, and estimates of three of them.
 template <int D>
 struct TrajectoryFamily {
   MotionSet<D> all;
   TrajectoryEstimate<D> middle, first, last;
-  Vec<D> upper[3], lower[3];            ///< of positions, velocities and accelerations on each axis
-  double turned[3]{};                   ///< the height of an arc of these over its chord; 0: a segment
-  bool delayed = false;                 ///< each has its own start, at one position …
-  double delay_from = 0, delay_to = 0;  ///< … at this time after the t of the base …
-  VectorSet<D> at_start;                ///< … and with one velocity
-  bool is_from_start = false;           ///< seen_from_start(): only the other object's position differs
-  bool bends;                           ///< any of them is accelerated
-  bool one_interval;                    ///< if no path is bent, the changes that touch are one interval
+  Vec<D> upper[3], lower[3];   ///< of positions, velocities and accelerations on each axis
+  double turned[3]{};          ///< the height of an arc of these over its chord; 0: a segment
+  bool is_from_start = false;  ///< seen_from_start(): only the other object's position differs
+  bool bends;                  ///< any of them is accelerated
+  bool one_interval;           ///< if no path is bent, the changes that touch are one interval
 };
 
 template <int D>
-TrajectoryFamily<D> trajectory_family(const OwnMotion& base, const Change& change, double p, double q);
+TrajectoryFamily<D> trajectory_family(const Changes& changes, double p, double q);
 
 /// Computes `upper` and `lower` of `all`.
 template <int D>
 void find_ends(TrajectoryFamily<D>& family);
-
-template <int D>
-TrajectoryEstimate<D> trajectory_estimate(const OwnMotion& base, const Change& change, double k);
 
 /// The other object relative to one estimate.
 template <int D>

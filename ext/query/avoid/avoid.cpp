@@ -11,6 +11,7 @@
 #include "query/avoid/clear_ranges.h"
 #include "query/avoid/initial_state.h"
 #include "query/avoid/intruders.h"
+#include "query/avoid/own_state.h"
 #include "query/join/question.h"
 
 namespace foresee {
@@ -21,16 +22,13 @@ constexpr double min_number = std::numeric_limits<double>::denorm_min();
 /// The rows of one manoeuvre.
 class ManoeuvreRows {
  public:
-  ManoeuvreRows(const AvoidQuestion& question, const OwnMotion& stored, const OwnMotion& base,
-                const QueriedChanges& queried, Interrupt& interrupt)
+  ManoeuvreRows(const AvoidQuestion& question, const OwnState& own, const QueriedChanges& queried,
+                Interrupt& interrupt)
       : question_(question),
-        stored_(stored),
-        base_(base),
+        own_(own),
         queried_(queried),
-        change_{queried.manoeuvre, speed_of(base), stored.t - earliest(stored, queried),
-                question.bend_follows_speed},
-        reference_motion_(reference_motion(base, stored, queried)),
-        turns_(turns_with_course(question, queried.manoeuvre)),
+        changes_(changes_of(question, own, queried)),
+        turns_(turns_with_course(question, *changes_)),
         interrupt_(interrupt),
         exact_(question, scenes(), interrupt) {}
 
@@ -46,22 +44,10 @@ class ManoeuvreRows {
   }
 
  private:
-  /// The earliest start of a delayed motion: no k of the range makes it start before.
-  static double earliest(const OwnMotion& stored, const QueriedChanges& queried) {
-    return queried.manoeuvre == Manoeuvre::delay && queried.lo < 0 ? stored.t + queried.lo : stored.t;
-  }
-  /// The reference of all changed motions: time counts from its start, so none exists before.
-  static OwnMotion reference_motion(OwnMotion base, const OwnMotion& stored, const QueriedChanges& queried) {
-    const double t = earliest(stored, queried);
-    if (t < stored.t) base.until -= stored.t - t, base.t = t;
-    return base;
-  }
-
   ExactAvoidance::Scenes scenes() {
     ExactAvoidance::Scenes near;
     const auto search = [&](const SearchTarget& others, std::optional<std::int64_t> itself) {
-      near.push_back(intruders(question_, reference_motion_, change_, queried_, others, itself,
-                               reach_to(others), interrupt_));
+      near.push_back(intruders(question_, *changes_, queried_, others, itself, reach_to(others), interrupt_));
     };
     search(question_.others, question_.own->ids[0]);
     if (question_.also) search(*question_.also, std::nullopt);
@@ -81,25 +67,20 @@ class ManoeuvreRows {
   /// An object at rest cannot turn, except an outline with a heading: all changes are one.
   bool changes_nothing() const {
     const auto none = [](const std::array<double, 3>& v) { return v[0] == 0 && v[1] == 0; };
-    return queried_.manoeuvre == Manoeuvre::turn && none(base_.v) && none(base_.a) && !turns_;
+    return changes_->turns() && none(own_.base.v) && none(own_.base.a) && !turns_;
   }
 
-  OwnMotion motion_at(double k) const { return k == 0 ? stored_ : changed(base_, change_, k); }
+  OwnMotion motion_at(double k) const { return k == 0 ? own_.stored : changes_->changed(k); }
   std::vector<double> record_at(double k) const {
-    if (k == 0) return question_.record;
-    return ExactAvoidance::with_motion(question_.own->layout, question_.record, motion_at(k));
+    return k == 0 ? own_.record : own_.record_of(motion_at(k));
   }
-
-  bool delays() const { return queried_.manoeuvre == Manoeuvre::delay; }
   /// What this touches at first touches already: the object at the change; for a delay, at its stored start.
-  std::vector<double> record_at_first() const {
-    return ExactAvoidance::with_motion(question_.own->layout, question_.record, delays() ? stored_ : base_);
-  }
+  std::vector<double> record_at_first() const { return own_.record_of(changes_->unchanged()); }
 
   /// The intruders that a change touches, by exact contact.
   std::vector<Intruder> touching_at(double k) {
-    if (k == 0 || !(delays() || turns_)) return exact_.touching(record_at(k));
-    if (delays() && question_.touching == Touching::part)
+    if (k == 0 || !(changes_->starts_vary() || turns_)) return exact_.touching(record_at(k));
+    if (changes_->starts_vary() && question_.touching == Touching::part)
       return exact_.touching(record_at(k), &no_intruders_);
     const std::vector<Intruder> first = exact_.touching_at_start(record_at_first());
     return exact_.touching(record_at(k), &first);
@@ -121,7 +102,7 @@ class ManoeuvreRows {
   /// The proven ranges, and the exact decision on 0.
   std::vector<KRange> clear_ranges() {
     std::vector<KRange> clear;
-    if (is_finite(base_))
+    if (is_finite(own_.base))
       clear = with_axes(question_.own->layout.axes, [&]<int D>(Axes<D>) { return proven<D>(); });
     if (queried_.lo > 0 || queried_.hi < 0) return clear;
     const auto after = std::find_if(clear.begin(), clear.end(), [](const KRange& r) { return r.to >= 0; });
@@ -147,7 +128,7 @@ class ManoeuvreRows {
       return marks;
     };
     const auto first = marked(exact_.touching_at_start(record_at_first()));
-    const auto at_start = delays() ? marked(touching_at_rest()) : first;
+    const auto at_start = changes_->starts_vary() ? marked(touching_at_rest()) : first;
     struct Ordered {
       double nearness;
       std::size_t table;
@@ -169,15 +150,16 @@ class ManoeuvreRows {
         if (i % 4096 == 0) interrupt_.check();
         const bool touches = first[table][i] != 0;
         if (touches && question_.touching == Touching::ignore) continue;
-        const auto extents = extents_of_both<D>(rule, own.row(0), there.row(i), reference_motion_.t);
-        auto encounter = encounter_of<D>(reference_motion_, horizon, there, there.row(i), extents);
+        const auto extents = extents_of_both<D>(rule, own.row(0), there.row(i), changes_->reference().t);
+        auto encounter = encounter_of<D>(changes_->reference(), horizon, there, there.row(i), extents);
         if (encounter.begin > encounter.end) continue;
         const double far = (encounter.x.abs() - encounter.extents.half).maxCoeff() - encounter.extents.radius;
         const auto pair = outlines ? std::make_shared<const OutlinePair>(own_outline, there, i) : nullptr;
         const auto known = at_first<D>(encounter, touches, at_start[table][i] != 0);
         if (needs_exact_state(encounter, touches)) {
           const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(i)};
-          take_exact_state(encounter, exact_.initial_state(record_at_first(), intruder), delays());
+          take_exact_state(encounter, exact_.initial_state(record_at_first(), intruder),
+                           changes_->starts_vary());
         }
         ordered.push_back({far, table, near_[table]->ids[i], {encounter, known, std::move(pair)}});
       }
@@ -187,17 +169,15 @@ class ManoeuvreRows {
     });
     std::vector<IntruderCertificate<D>> certificates;
     for (Ordered& one : ordered) certificates.push_back(std::move(one.certificate));
-    return ClearRanges<D>(reference_motion_, change_, std::move(certificates), interrupt_)
-        .between(queried_.lo, queried_.hi);
+    return ClearRanges<D>(*changes_, std::move(certificates), interrupt_).between(queried_.lo, queried_.hi);
   }
 
   /// The intruders that the object touches at any time if it remains at its start.
   std::vector<Intruder> touching_at_rest() {
-    OwnMotion resting = stored_;
-    resting.t = reference_motion_.t, resting.until = std::numeric_limits<double>::infinity();
+    OwnMotion resting = own_.stored;
+    resting.t = changes_->reference().t, resting.until = std::numeric_limits<double>::infinity();
     resting.v = resting.a = resting.force = {};
-    return exact_.touching(ExactAvoidance::with_motion(question_.own->layout, question_.record, resting),
-                           &no_intruders_);
+    return exact_.touching(own_.record_of(resting), &no_intruders_);
   }
 
   /// For a delay only the state of a resting intruder is known: it has the same position at every start.
@@ -205,7 +185,7 @@ class ManoeuvreRows {
   typename IntruderCertificate<D>::AtFirst at_first(const Encounter<D>& encounter, bool touches,
                                                     bool touches_at_start) const {
     using AtFirst = typename IntruderCertificate<D>::AtFirst;
-    if (delays()) {
+    if (changes_->starts_vary()) {
       const bool rests = (encounter.v == 0).all() && (encounter.ev == 0).all() && !encounter.bends() &&
                          !encounter.extents.grows;
       return rests && !touches_at_start ? AtFirst::apart : AtFirst::unknown;
@@ -269,10 +249,9 @@ class ManoeuvreRows {
 
   const std::vector<Intruder> no_intruders_{};
   const AvoidQuestion& question_;
-  const OwnMotion &stored_, &base_;
+  const OwnState& own_;
   QueriedChanges queried_;
-  Change change_;
-  const OwnMotion reference_motion_;
+  std::unique_ptr<Changes> changes_;
   bool turns_;  ///< the own outline rotates with the course
   Interrupt& interrupt_;
   ExactAvoidance::Scenes near_;
@@ -287,11 +266,10 @@ std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt)
   require_valid(question);
   std::vector<AvoidRow> rows;
   if (question.own->size() == 0) return rows;
-  const OwnMotion stored = ExactAvoidance::motion_in(question.own->layout, question.record);
-  if (life_of(stored.t, stored.until, {question.now, question.h}).none) return rows;
-  const OwnMotion base = motion_from(stored, std::max(question.now, stored.t));
-  for (const QueriedChanges& queried : queried_changes(question, stored, base)) {
-    std::vector<AvoidRow> some = ManoeuvreRows(question, stored, base, queried, interrupt).rows();
+  const OwnState own(question);
+  if (life_of(own.stored.t, own.stored.until, {question.now, question.h}).none) return rows;
+  for (const QueriedChanges& queried : queried_changes(question, own)) {
+    std::vector<AvoidRow> some = ManoeuvreRows(question, own, queried, interrupt).rows();
     std::move(some.begin(), some.end(), std::back_inserter(rows));
   }
   return rows;

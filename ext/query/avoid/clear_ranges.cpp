@@ -22,22 +22,21 @@ constexpr std::size_t max_split = 1 << 15;
 }  // namespace
 
 template <int D>
-ClearRanges<D>::ClearRanges(const OwnMotion& base, const Change& change,
-                            std::vector<IntruderCertificate<D>> intruders, Interrupt& interrupt)
-    : base_(base), change_(change), intruders_(std::move(intruders)), step_(interrupt) {}
+ClearRanges<D>::ClearRanges(const Changes& changes, std::vector<IntruderCertificate<D>> intruders,
+                            Interrupt& interrupt)
+    : changes_(changes), intruders_(std::move(intruders)), step_(interrupt) {}
 
 template <int D>
 std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
   width_ = hi - lo;
-  min_change_ = min_change(base_, change_, lo, hi);
+  min_change_ = changes_.min_change(lo, hi);
   clear_.clear();
   const std::size_t all = intruders_.size();
   open_.resize(all);
   std::iota(open_.begin(), open_.end(), 0U);
   whole_ = open_;
   evaluations_.assign(all, 0);
-  const int parts =
-      change_.manoeuvre == Manoeuvre::turn ? static_cast<int>(std::ceil(width_ / widest_arc)) : 1;
+  const int parts = changes_.turns() ? static_cast<int>(std::ceil(width_ / widest_arc)) : 1;
   const auto part_start = [&](int part) { return lo + part * (width_ / parts); };
   for (int part = 0; part < parts; ++part)
     search(part_start(part), part + 1 < parts ? part_start(part + 1) : hi, 0, all, nowhere);
@@ -115,7 +114,7 @@ bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::siz
 
 template <int D>
 void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size_t end, double near) {
-  const Range range{from, to, begin == 0, trajectory_family<D>(base_, change_, from, to)};
+  const Range range{from, to, begin == 0, trajectory_family<D>(changes_, from, to)};
   const std::size_t first_open = open_.size();
   for (std::size_t i = begin; i < end; ++i) {
     if (!blocks(open_[i], range, open_.size())) continue;
@@ -166,8 +165,8 @@ std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::s
   const IntruderCertificate<D>& intruder = intruders_[open_[begin]];
   if (end - begin > few || intruder.has_parts()) return std::nullopt;
   const auto distance_at = [&](double k) {
-    return intruder.touches_first() ? opening_rate_of<D>(intruder.encounter(), base_, change_, k)
-                                    : gap_of<D>(intruder.encounter_at(k), base_, change_, k);
+    return intruder.touches_first() ? opening_rate_of<D>(intruder.encounter(), changes_, k)
+                                    : gap_of<D>(intruder.encounter_at(k), changes_, k);
   };
   return end_between(distance_at, from, to, 0.25 * narrowest(begin, end));
 }

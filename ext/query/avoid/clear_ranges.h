@@ -1,6 +1,6 @@
 // The ranges of changes that are clear of all intruders: certificates and bisection.
 //
-//   ClearRanges<2> search(base, change, certificates, interrupt);
+//   ClearRanges<2> search(*changes, certificates, interrupt);
 //   for (const KRange& range : search.between(-180, 180)) …
 //
 // Guarantee: every double of a returned range is clear (contact/clearance/separation.h), including its ends.
@@ -34,8 +34,7 @@ template <int D>
 class ClearRanges {
  public:
   /// The intruders are tested in their order: the nearest should be first.
-  ClearRanges(const OwnMotion& base, const Change& change, std::vector<IntruderCertificate<D>> intruders,
-              Interrupt& interrupt);
+  ClearRanges(const Changes& changes, std::vector<IntruderCertificate<D>> intruders, Interrupt& interrupt);
 
   /// Requires: lo < hi.
   std::vector<KRange> between(double lo, double hi);
@@ -66,8 +65,7 @@ class ClearRanges {
   double narrowest(std::uint32_t intruder) const;
   double narrowest(std::size_t begin, std::size_t end) const;
 
-  const OwnMotion& base_;
-  Change change_;
+  const Changes& changes_;
   std::vector<IntruderCertificate<D>> intruders_;  ///< followed by parts of them
   std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> parts_;
   Steps step_;

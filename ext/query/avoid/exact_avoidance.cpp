@@ -39,23 +39,6 @@ bool grows_at_all(const Bodies& bodies, const double* row) {
   return (growth_of<D>(bodies.layout.shape, row, bodies.at) > 0).any();
 }
 
-/// Calls use(number of the record, number of the motion) for each number that both have.
-template <class Record, class Motion, class Use>
-void with_places(const Layout& layout, Record& record, Motion& motion, Use&& use) {
-  const Offsets at = record_offsets(layout);
-  const auto vector = [&](int place, auto& numbers) {
-    if (place == Offsets::absent) return;
-    for (int axis = 0; axis < layout.axes; ++axis)
-      use(record[static_cast<std::size_t>(place + axis)], numbers[static_cast<std::size_t>(axis)]);
-  };
-  const auto number = [&](int place, auto& value) {
-    if (place != Offsets::absent) use(record[static_cast<std::size_t>(place)], value);
-  };
-  number(at.t, motion.t), number(at.until, motion.until), number(at.mass, motion.mass);
-  number(at.heading, motion.heading);
-  vector(at.x, motion.x), vector(at.v, motion.v), vector(at.a, motion.a), vector(at.force, motion.force);
-}
-
 /// Writes a row of the same object with the sizes that it has after growing for `age`, rounded up.
 /// `out_layout`: the same layout without omitted sizes.
 void grow_row(const Layout& layout, const double* row, double age, Layout out_layout, double* out) {
@@ -93,20 +76,6 @@ bool are_convex(const PairRule& rule, const Bodies& own, const Bodies& others, s
 }
 
 }  // namespace
-
-OwnMotion ExactAvoidance::motion_in(const Layout& layout, const std::vector<double>& record) {
-  OwnMotion motion;
-  with_places(layout, record, motion, [](double stored, double& number) { number = stored; });
-  if (motion.mass != 0)
-    for (std::size_t j = 0; j < 3; ++j) motion.a[j] = motion.force[j] / motion.mass;
-  return motion;
-}
-
-std::vector<double> ExactAvoidance::with_motion(const Layout& layout, std::vector<double> record,
-                                                const OwnMotion& motion) {
-  with_places(layout, record, motion, [](double& stored, double number) { stored = number; });
-  return record;
-}
 
 ExactAvoidance::ExactAvoidance(const AvoidQuestion& question, Scenes near, Interrupt& interrupt)
     : question_(question), interrupt_(interrupt), near_(std::move(near)) {
@@ -236,7 +205,7 @@ bool ExactAvoidance::separates(const Intruder& intruder) {
       outlines =
           std::make_shared<OutlinePair>(std::make_shared<OwnOutline>(own, 0, false), others, intruder.row);
     return is_clear_of<D>({encounter, IntruderCertificate<D>::AtFirst::touches, outlines},
-                          trajectory_family<D>(base, {Manoeuvre::speed, 1}, 0, 0), 0);
+                          trajectory_family<D>(*no_changes_of(base), 0, 0), 0);
   });
 }
 

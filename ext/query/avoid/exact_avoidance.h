@@ -58,11 +58,6 @@ class ExactAvoidance {
   std::optional<Blocker> first_touching(const std::vector<double>& record,
                                         const std::vector<Intruder>& touching);
 
-  /// The object's motion in a record of its table, and back.
-  static OwnMotion motion_in(const Layout& layout, const std::vector<double>& record);
-  static std::vector<double> with_motion(const Layout& layout, std::vector<double> record,
-                                         const OwnMotion& motion);
-
  private:
   void take(const std::vector<double>& record);
   /// Rotates the own form by the heading of the row.

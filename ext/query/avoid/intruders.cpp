@@ -11,9 +11,9 @@ namespace {
 
 /// The extents of the object; if its outline rotates with its course, those of all rotations.
 template <int D>
-Extents<D> extents_of_changed(const AvoidQuestion& question, const Change& change, const Bodies& own) {
+Extents<D> extents_of_changed(const AvoidQuestion& question, const Changes& changes, const Bodies& own) {
   Extents<D> extents = extents_of<D>(own, 0);
-  if (!turns_with_course(question, change.manoeuvre)) return extents;
+  if (!turns_with_course(question, changes)) return extents;
   const double far = reach_of(extents).template head<std::min(D, 2)>().sum();
   for (int axis = 0; axis < std::min(D, 2); ++axis) extents.lower[axis] = -far, extents.upper[axis] = far;
   return extents;
@@ -21,10 +21,11 @@ Extents<D> extents_of_changed(const AvoidQuestion& question, const Change& chang
 
 /// A box around all changed motions, and when any of them exists.
 template <int D>
-MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, const Change& change,
-                        const MotionSet<D>& all, const Vec<D>& margin) {
+MovingBox<D> box_around(const AvoidQuestion& question, const Changes& changes, const MotionSet<D>& all,
+                        const Vec<D>& margin) {
+  const OwnMotion& base = changes.reference();
   const Bodies own = question.own->bodies();
-  const Extents<D> extents = extents_of_changed<D>(question, change, own);
+  const Extents<D> extents = extents_of_changed<D>(question, changes, own);
   const Horizon horizon{question.now, question.h};
   Bounds<D> bounds;
   for (int axis = 0; axis < D; ++axis) {
@@ -88,19 +89,19 @@ void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
 
 }  // namespace
 
-std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnMotion& base,
-                                       const Change& change, const QueriedChanges& queried,
-                                       const SearchTarget& others, std::optional<std::int64_t> itself,
-                                       const Contact::Reach& reach, Interrupt& interrupt) {
+std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const Changes& changes,
+                                       const QueriedChanges& queried, const SearchTarget& others,
+                                       std::optional<std::int64_t> itself, const Contact::Reach& reach,
+                                       Interrupt& interrupt) {
   auto near = std::make_shared<Scene>();
   near->name = others.name, near->layout = others.layout();
   const Horizon horizon{question.now, question.h};
   const Bodies own = question.own->bodies();
   const KindTest partners = KindTest::of_partners(kinds_of(own.row(0), own.at));
   with_axes(near->layout.axes, [&]<int D>(Axes<D>) {
-    const MotionSet<D> all = motions_between<D>(base, change, queried.lo, queried.hi);
+    const MotionSet<D> all = changes.between<D>(queried.lo, queried.hi);
     const Vec<D> margin = 2 * margin_of<D>(reach);  // of both together
-    const MovingBox<D> box = box_around<D>(question, base, change, all, margin);
+    const MovingBox<D> box = box_around<D>(question, changes, all, margin);
     if (others.scene)
       walk_scene<D>(*others.scene, box, horizon, itself, partners, interrupt, *near);
     else

@@ -12,15 +12,15 @@
 
 #include "base/error.h"
 #include "contact/contact.h"
-#include "motion/motion_set.h"
+#include "motion/changes.h"
 #include "query/avoid/question.h"
 
 namespace foresee {
 
 /// `itself`: the object of this id is left out. `reach`: that of the contact.
-std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnMotion& base,
-                                       const Change& change, const QueriedChanges& queried,
-                                       const SearchTarget& others, std::optional<std::int64_t> itself,
-                                       const Contact::Reach& reach, Interrupt& interrupt);
+std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const Changes& changes,
+                                       const QueriedChanges& queried, const SearchTarget& others,
+                                       std::optional<std::int64_t> itself, const Contact::Reach& reach,
+                                       Interrupt& interrupt);
 
 }  // namespace foresee

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "query/avoid/own_state.h"
 #include "query/input_checks.h"
 #include "query/join/question.h"
 
@@ -45,6 +46,9 @@ void require_columns(const AvoidQuestion& question) {
   const std::string& name = question.own->name;
   const auto how = question.how;
   if (!how) return;
+  if (question.on_globe && *how != Manoeuvre::speed && *how != Manoeuvre::delay)
+    throw Error("'" + std::string(name_of(*how)) + "' is for tables on a plane, " + name +
+                " is on the globe; write 'speed' or 'delay'");
   if (*how == Manoeuvre::turn && layout.axes < 2)
     throw Error("a turn needs x and y: " + name + " has one axis; write 'speed'");
   if (*how == Manoeuvre::climb) {
@@ -124,13 +128,18 @@ void require_valid(const AvoidQuestion& question) {
                 "; a change from " + shown(question.now) + " on cannot be stored there");
 }
 
-bool turns_with_course(const AvoidQuestion& question, Manoeuvre manoeuvre) {
-  return manoeuvre == Manoeuvre::turn && question.own->layout.has_heading && question.form;
+bool turns_with_course(const AvoidQuestion& question, const Changes& changes) {
+  return changes.turns() && question.own->layout.has_heading && question.form;
 }
 
-std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnMotion& stored,
-                                            const OwnMotion& base) {
-  const double m = speed_of(base);
+std::unique_ptr<Changes> changes_of(const AvoidQuestion& question, const OwnState& own,
+                                    const QueriedChanges& queried) {
+  if (queried.manoeuvre == Manoeuvre::delay) return delays_of(own.stored, queried.lo);
+  return changes_by(queried.manoeuvre, own.base, question.on_globe);
+}
+
+std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnState& own) {
+  const double m = speed_of(own.base);
   std::vector<QueriedChanges> queried;
   const auto add = [&](Manoeuvre manoeuvre, double lo, double hi) {
     queried.push_back({manoeuvre, question.lo.value_or(lo), question.hi.value_or(hi)});
@@ -152,8 +161,8 @@ std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const
       add(Manoeuvre::climb, 0, 0);
       break;
     case Manoeuvre::delay:
-      if (stored.t < question.now) break;
-      require_start_to_come(question, stored);
+      if (own.stored.t < question.now) break;
+      require_start_to_come(question, own.stored);
       add(Manoeuvre::delay, 0, 0);
       break;
   }

@@ -6,10 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/manoeuvre.h"
+#include "motion/changes.h"
 #include "query/scene.h"
 
 namespace foresee {
+
+struct OwnState;
 
 /// What is required of objects that touch already when the change is made.
 enum class Touching : std::uint8_t {
@@ -31,9 +33,9 @@ struct AvoidQuestion {
   std::optional<Manoeuvre> how = {};       ///< default: turn and speed; on one axis speed
   std::optional<double> lo = {}, hi = {};  ///< default: those of the manoeuvre
   Touching touching = Touching::part;
-  bool bend_follows_speed = false;  ///< Change::scales_bend
-  bool wants_motion = true;         ///< record
-  bool wants_ends = true;           ///< below, above
+  bool on_globe = false;     ///< paths bend towards the Earth, and another speed or start keeps them
+  bool wants_motion = true;  ///< record
+  bool wants_ends = true;    ///< below, above
 };
 
 /// The object that is touched at an end of a row.
@@ -60,17 +62,19 @@ Touching touching_of(std::string_view name);
 void require_valid(const AvoidQuestion& question);
 
 /// Whether the outline of the object rotates with its course.
-bool turns_with_course(const AvoidQuestion& question, Manoeuvre manoeuvre);
+bool turns_with_course(const AvoidQuestion& question, const Changes& changes);
 
 /// A manoeuvre and the range of changes that is queried.
 struct QueriedChanges {
   Manoeuvre manoeuvre;
   double lo, hi;
 };
-/// The manoeuvres and ranges of a valid `question`. `stored`, `base`: the object's motion, and the same at
-/// the change. Empty if the object has no course for them, or has started. Throws Error for a delay to before
-/// now.
-std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnMotion& stored,
-                                            const OwnMotion& base);
+/// The manoeuvres and ranges of a valid `question`. Empty if the object has no course for them, or has started. Throws
+/// Error for a delay to before now.
+std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnState& own);
+
+/// The changed motions of one of them.
+std::unique_ptr<Changes> changes_of(const AvoidQuestion& question, const OwnState& own,
+                                    const QueriedChanges& queried);
 
 }  // namespace foresee

@@ -200,15 +200,6 @@ SearchTarget searched(const Connection::OpenTable& table) {
   return {table.table, nullptr, table.store->take_snapshot()};
 }
 
-/// The paths of the globe bend towards the Earth: another speed or another start keeps such a path.
-void take_globe(const std::string& table, AvoidQuestion& question) {
-  if (!question.how) question.how = Manoeuvre::speed;
-  question.bend_follows_speed = true;
-  if (*question.how == Manoeuvre::speed || *question.how == Manoeuvre::delay) return;
-  throw Error("'" + std::string(name_of(*question.how)) + "' is for tables on a plane, " + table +
-              " is on the globe; write 'speed' or 'delay'");
-}
-
 void read_numbers(const FunctionCall& call, AvoidQuestion& question) {
   question.h = call.required_number(in_h);
   question.within = call.number(in_within).value_or(0);
@@ -227,7 +218,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const TableName tbl{call.text(in_tbl), call.text(in_schema)};
   const auto table = open_table(connection, tbl);
   require_upright(table, question.within_z);
-  if (table.store->frame().on_globe()) take_globe(table.table, question);
+  question.on_globe = table.store->frame().on_globe();
+  if (question.on_globe && !question.how) question.how = Manoeuvre::speed;
   std::array<std::string, 2> tables{table.table, ""};
   question.others = searched(table);
   double newest = read_newest_t(*question.others.tree);

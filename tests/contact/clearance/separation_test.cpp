@@ -57,7 +57,7 @@ struct Meeting {
     encounter = {{0, 1000}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {{{0, 0}, 20, 2}}, 0, 200};
   }
   ClearanceVerdict turn(double p, double q) const {
-    return verdict_of(encounter, trajectory_family<2>(base, {Manoeuvre::turn, 10}, p, q));
+    return verdict_of(encounter, trajectory_family<2>(*changes_by(Manoeuvre::turn, base), p, q));
   }
 };
 
@@ -67,12 +67,14 @@ TEST(Separation, DistinguishesClearBlockedAndOpen) {
   EXPECT_EQ(stone.turn(-180, -1.146), ClearanceVerdict::clear);
   EXPECT_EQ(stone.turn(-1.1459, 1.1459), ClearanceVerdict::blocked);
   EXPECT_EQ(stone.turn(1, 2), ClearanceVerdict::open);
-  const auto gap = [&](double k) { return gap_of<2>(stone.encounter, stone.base, {Manoeuvre::turn, 10}, k); };
+  const auto gap = [&](double k) {
+    return gap_of<2>(stone.encounter, *changes_by(Manoeuvre::turn, stone.base), k);
+  };
   EXPECT_NEAR(*end_between(gap, 0, 9, 1e-11), 1.1459919983885926, 1e-10);
   EXPECT_FALSE(end_between(gap, 2, 9, 1e-11));
   // Touching at the change, the two separate if it turns away by more than a right angle.
   const auto separating = [&](double k) {
-    return opening_rate_of<2>(stone.encounter, stone.base, {Manoeuvre::turn, 10}, k);
+    return opening_rate_of<2>(stone.encounter, *changes_by(Manoeuvre::turn, stone.base), k);
   };
   EXPECT_NEAR(*end_between(separating, 0, 100, 1e-11), 90, 1e-10);
   EXPECT_FALSE(end_between(separating, 0, 89, 1e-11));
@@ -80,10 +82,11 @@ TEST(Separation, DistinguishesClearBlockedAndOpen) {
 
 TEST(Separation, ProvesAWholeRangeBesideOneThatTouches) {
   const Meeting stone;
-  const auto speeds = trajectory_family<2>(stone.base, {Manoeuvre::speed, 10}, -10, -5.1000001);
+  const auto speeds = trajectory_family<2>(*changes_by(Manoeuvre::speed, stone.base), -10, -5.1000001);
   EXPECT_EQ(verdict_of(stone.encounter, speeds), ClearanceVerdict::clear);  // 980 in 200 s
-  EXPECT_EQ(verdict_of(stone.encounter, trajectory_family<2>(stone.base, {Manoeuvre::speed, 10}, -5, 10)),
-            ClearanceVerdict::blocked);
+  EXPECT_EQ(
+      verdict_of(stone.encounter, trajectory_family<2>(*changes_by(Manoeuvre::speed, stone.base), -5, 10)),
+      ClearanceVerdict::blocked);
 }
 
 TEST(Separation, CertifiesNothingThatIsNotFinite) {
@@ -100,7 +103,7 @@ TEST(SeparationIncrease, NeedsADistanceThatNeverShrinks) {
   const auto separating = [&](double p, double q) {
     std::uint64_t evaluations = 0;
     return certify_separation_increases<2>(
-        beside.encounter, trajectory_family<2>(beside.base, {Manoeuvre::turn, 10}, p, q), evaluations);
+        beside.encounter, trajectory_family<2>(*changes_by(Manoeuvre::turn, beside.base), p, q), evaluations);
   };
   EXPECT_EQ(separating(-179, -1), ClearanceVerdict::clear);
   EXPECT_EQ(separating(1, 179), ClearanceVerdict::blocked);
