@@ -49,9 +49,10 @@ class Changes {
     return one;
   }
 
-  /// Whether the motions turn, and an outline with a heading with them. Else, if no path is bent, the k that touch
-  /// another object are one interval.
+  /// Whether the motions turn, and an outline with a heading with them.
   virtual bool turns() const { return false; }
+  /// Whether the k that touch another object are one interval, if no path is bent.
+  virtual bool touches_in_one_interval() const { return !turns(); }
   /// Whether each motion starts at a time of its own.
   virtual bool starts_vary() const { return false; }
 
@@ -74,6 +75,13 @@ std::unique_ptr<Changes> changes_by(Manoeuvre manoeuvre, const OwnMotion& base, 
 
 /// Start and end of `stored` are later by k, which is at least `lo`.
 std::unique_ptr<Changes> delays_of(const OwnMotion& stored, double lo);
+
+/// The object rests at the place of `base` from its t on, for k. Requires: k >= 0.
+std::unique_ptr<Changes> rests_of(const OwnMotion& base);
+
+/// What follows changes of `base` at `time`: the velocity that it would have had then, at the place that the changed
+/// motion has reached. Requires: turn, speed or climb; time >= base.t.
+std::unique_ptr<Changes> resumed_after(std::unique_ptr<Changes> changes, const OwnMotion& base, double time);
 
 /// The motion itself, for every k.
 std::unique_ptr<Changes> no_changes_of(const OwnMotion& motion);

@@ -1,4 +1,4 @@
-// Changes of the time at which an object starts.
+// Changes of the time at which an object starts, and legs that follow a change.
 #include <algorithm>
 #include <cmath>
 
@@ -57,6 +57,90 @@ class DelayChanges final : public ChangesOf<DelayChanges> {
   double later_;
 };
 
+/// It stands until k after the start: the set is that of the longest stand.
+class RestChanges final : public ChangesOf<RestChanges> {
+ public:
+  explicit RestChanges(OwnMotion base) : ChangesOf(resting(base)) {}
+
+  double min_change(double p, double q) const override {
+    return 0x1p-51 * (std::abs(reference().t) + std::max(std::abs(p), std::abs(q)));
+  }
+
+  template <int D>
+  MotionSet<D> set_of(double /*p*/, double q) const {
+    MotionSet<D> set;
+    set.end = q * (1 + 0x1p-50) + 0x1p-52 * (std::abs(reference().t) + q);
+    return set;
+  }
+
+ private:
+  static OwnMotion resting(OwnMotion base) {
+    base.v = base.a = base.force = {}, base.until = std::numeric_limits<double>::infinity();
+    return base;
+  }
+  void change(OwnMotion& motion, double k) const override { motion.until = motion.t + k; }
+};
+
+/// The leg after a change that lasts until the t of the reference.
+class ResumedChanges final : public ChangesOf<ResumedChanges> {
+ public:
+  ResumedChanges(std::unique_ptr<Changes> changes, const OwnMotion& base, double time)
+      : ChangesOf(reference_of(base, time)),
+        changes_(std::move(changes)),
+        unchanged_(motion_from(base, time)),
+        lasts_(time - base.t) {}
+
+  const OwnMotion& unchanged() const override { return unchanged_; }
+  bool touches_in_one_interval() const override { return changes_->touches_in_one_interval(); }
+  double min_change(double p, double q) const override { return changes_->min_change(p, q); }
+
+  template <int D>
+  MotionSet<D> set_of(double p, double q) const {
+    MotionSet<D> set = unchanged_set<D>();
+    const MotionSet<D> before = changes_->between<D>(p, q);
+    set.place = reached(before.velocity, before.acceleration, p, q);
+    // The stored place is rounded, and so are these lines.
+    const Vec<D> x = vector_of<D>(reference().x).abs();
+    set.place.pad += 0x1p-50 * (x + set.place.centre.abs() + set.place.along.abs() + set.place.radius);
+    return set;
+  }
+
+ private:
+  static OwnMotion reference_of(const OwnMotion& base, double time) {
+    OwnMotion reference = motion_from(base, time);
+    reference.x = base.x;
+    return reference;
+  }
+  /// Where the changed motions are when they end, relative to their start.
+  template <int D>
+  VectorSet<D> reached(const VectorSet<D>& velocity, const VectorSet<D>& acceleration, double p,
+                       double q) const {
+    const double bend = 0.5 * lasts_ * lasts_;
+    VectorSet<D> place = velocity;
+    if (velocity.turns) {
+      const double middle = p + 0.5 * (q - p);
+      const Vec<D> v = vector_of<D>(changes_->reference().v), a = vector_of<D>(changes_->reference().a);
+      place =
+          turned_vectors<D>(lasts_ * v + bend * a, middle, std::max(middle - p, q - middle) * (1 + 0x1p-50));
+      place.pad += lasts_ * velocity.pad + bend * acceleration.pad +
+                   0x1p-50 * (lasts_ * v.abs().sum() + bend * a.abs().sum());
+      return place;
+    }
+    place.centre = lasts_ * velocity.centre + bend * acceleration.centre;
+    place.along = lasts_ * velocity.along;
+    place.pad = lasts_ * velocity.pad + bend * (acceleration.pad + acceleration.along.abs()) +
+                0x1p-50 * (lasts_ * velocity.centre.abs() + bend * acceleration.centre.abs());
+    return place;
+  }
+  void change(OwnMotion& motion, double k) const override {
+    motion.x = motion_from(changes_->changed(k), motion.t).x;
+  }
+
+  std::unique_ptr<Changes> changes_;
+  OwnMotion unchanged_;
+  double lasts_;
+};
+
 class NoChanges final : public ChangesOf<NoChanges> {
  public:
   using ChangesOf::ChangesOf;
@@ -75,6 +159,14 @@ class NoChanges final : public ChangesOf<NoChanges> {
 
 std::unique_ptr<Changes> delays_of(const OwnMotion& stored, double lo) {
   return std::make_unique<DelayChanges>(stored, lo);
+}
+
+std::unique_ptr<Changes> rests_of(const OwnMotion& base) {
+  return std::make_unique<RestChanges>(base);
+}
+
+std::unique_ptr<Changes> resumed_after(std::unique_ptr<Changes> changes, const OwnMotion& base, double time) {
+  return std::make_unique<ResumedChanges>(std::move(changes), base, time);
 }
 
 std::unique_ptr<Changes> no_changes_of(const OwnMotion& motion) {

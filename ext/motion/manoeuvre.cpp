@@ -6,7 +6,7 @@
 
 namespace foresee {
 std::string_view name_of(Manoeuvre manoeuvre) {
-  constexpr std::string_view names[] = {"turn", "speed", "climb", "accelerate", "delay"};
+  constexpr std::string_view names[] = {"turn", "speed", "climb", "accelerate", "delay", "wait"};
   return names[static_cast<std::size_t>(manoeuvre)];
 }
 

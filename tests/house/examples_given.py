@@ -151,8 +151,10 @@ GIVEN = {
     "tree_join.h": {"source": "NodeSource&"},
     "callback.h": {"cursor": "sqlite3_vtab_cursor*"},
     "mesh_check.h": {"mesh": "const Mesh&"},
-    "initial_state.h": {"encounter": "Encounter<2>&", "exact": "ExactAvoidance&",
-                        "record": "const std::vector<double>&", "intruder": "const Intruder&"},
-    "clear_ranges.h": {"certificates": "const std::vector<IntruderCertificate<2>>&"},
+    "clear_ranges.h": {"certificates": "const std::vector<IntruderCertificate<2>>&", "changed": "const ChangedLegs&"},
+    "proven_ranges.h": {"manoeuvre": "const ManoeuvreCase&", "exact": "ExactAvoidance&"},
+    "intruder_certificate.h": {"changes": "const std::unique_ptr<Changes>&"},
+    "separation.h": {"changes": "const std::unique_ptr<Changes>&"},
+    "blocked_range_end.h": {"changes": "const std::unique_ptr<Changes>&"},
     "time_slabs.h": {"pair": "Pair", "times": "const ContactTimes&"},
 }

@@ -82,12 +82,15 @@ TrajectoryFamily<D> trajectory_family(const Changes& changes, double p, double q
   const auto off_chord = [](const VectorSet<D>& set) {
     return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : 0;
   };
-  family.turned[0] = all.place.pad.sum();
+  family.turned[0] = off_chord(all.place) + all.place.pad.sum();
   family.turned[1] = off_chord(all.velocity), family.turned[2] = off_chord(all.acceleration);
-  // For turns by more than a third of a circle the middle is not typical: the mean velocity is near 0.
-  if (all.velocity.turns && all.velocity.cosine < 0.5) family.middle.v *= all.velocity.cosine > 0 ? 0.5 : 0;
+  // For turns by more than a third of a circle the middle is not typical: the mean is near 0.
+  const auto shorten = [](const VectorSet<D>& set, Vec<D>& middle) {
+    if (set.turns && set.cosine < 0.5) middle *= set.cosine > 0 ? 0.5 : 0;
+  };
+  shorten(all.velocity, family.middle.v), shorten(all.place, family.middle.x);
   family.bends = (family.upper[2] != 0).any() || (family.lower[2] != 0).any();
-  family.one_interval = !changes.turns() && p < q;
+  family.one_interval = changes.touches_in_one_interval() && p < q;
   return family;
 }
 

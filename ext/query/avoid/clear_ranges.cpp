@@ -22,21 +22,22 @@ constexpr std::size_t max_split = 1 << 15;
 }  // namespace
 
 template <int D>
-ClearRanges<D>::ClearRanges(const Changes& changes, std::vector<IntruderCertificate<D>> intruders,
+ClearRanges<D>::ClearRanges(const Legs& legs, std::vector<IntruderCertificate<D>> intruders,
                             Interrupt& interrupt)
-    : changes_(changes), intruders_(std::move(intruders)), step_(interrupt) {}
+    : legs_(legs), intruders_(std::move(intruders)), step_(interrupt) {}
 
 template <int D>
 std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
   width_ = hi - lo;
-  min_change_ = changes_.min_change(lo, hi);
+  min_change_ = 0;
+  for (const auto& leg : legs_) min_change_ = std::max(min_change_, leg->min_change(lo, hi));
   clear_.clear();
   const std::size_t all = intruders_.size();
   open_.resize(all);
   std::iota(open_.begin(), open_.end(), 0U);
   whole_ = open_;
   evaluations_.assign(all, 0);
-  const int parts = changes_.turns() ? static_cast<int>(std::ceil(width_ / widest_arc)) : 1;
+  const int parts = legs_[0]->turns() ? static_cast<int>(std::ceil(width_ / widest_arc)) : 1;
   const auto part_start = [&](int part) { return lo + part * (width_ / parts); };
   for (int part = 0; part < parts; ++part)
     search(part_start(part), part + 1 < parts ? part_start(part + 1) : hi, 0, all, nowhere);
@@ -74,7 +75,8 @@ template <int D>
 ClearanceVerdict ClearRanges<D>::certify(const IntruderCertificate<D>& intruder, std::uint32_t whole,
                                          const Range& range) {
   std::uint64_t evaluations = 0;
-  const ClearanceVerdict verdict = intruder.certify(range.family, range.from, range.to, evaluations);
+  const ClearanceVerdict verdict =
+      intruder.certify(range.family(intruder), range.from, range.to, evaluations);
   step_.costly(static_cast<std::uint32_t>(16 * (1 + evaluations)));
   if (!range.is_first) evaluations_[whole] += evaluations, all_evaluations_ += evaluations;
   return verdict;
@@ -85,7 +87,7 @@ ClearanceVerdict ClearRanges<D>::certify_parts(const IntruderCertificate<D>& int
                                                const Range& range) {
   for (const IntruderCertificate<D>& part : intruder.parts()) {
     ClearanceVerdict verdict = certify(part, whole, range);
-    if (verdict == ClearanceVerdict::open && part.is_worth_splitting(range.family))
+    if (verdict == ClearanceVerdict::open && part.is_worth_splitting(range.family(part)))
       verdict = certify_parts(part, whole, range);
     if (verdict != ClearanceVerdict::clear) return verdict;
   }
@@ -96,8 +98,8 @@ template <int D>
 bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::size_t first) {
   const std::uint32_t whole = whole_[intruder];
   ClearanceVerdict verdict = certify(intruders_[intruder], whole, range);
-  const bool is_split =
-      verdict == ClearanceVerdict::open && intruders_[intruder].is_worth_splitting(range.family);
+  const bool is_split = verdict == ClearanceVerdict::open &&
+                        intruders_[intruder].is_worth_splitting(range.family(intruders_[intruder]));
   const bool kept = is_split && (parts_.size() < max_split || parts_.count(intruder) > 0);
   if (is_split && !kept) verdict = certify_parts(intruders_[intruder], whole, range);
   if (verdict == ClearanceVerdict::open && !kept) open_.push_back(intruder);
@@ -114,7 +116,7 @@ bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::siz
 
 template <int D>
 void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size_t end, double near) {
-  const Range range{from, to, begin == 0, trajectory_family<D>(changes_, from, to)};
+  const Range range(legs_, from, to, begin == 0);
   const std::size_t first_open = open_.size();
   for (std::size_t i = begin; i < end; ++i) {
     if (!blocks(open_[i], range, open_.size())) continue;
@@ -164,9 +166,10 @@ std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::s
   constexpr std::size_t few = 2;
   const IntruderCertificate<D>& intruder = intruders_[open_[begin]];
   if (end - begin > few || intruder.has_parts()) return std::nullopt;
+  const Changes& leg = *legs_[intruder.leg()];
   const auto distance_at = [&](double k) {
-    return intruder.touches_first() ? opening_rate_of<D>(intruder.encounter(), changes_, k)
-                                    : gap_of<D>(intruder.encounter_at(k), changes_, k);
+    return intruder.touches_first() ? opening_rate_of<D>(intruder.encounter(), leg, k)
+                                    : gap_of<D>(intruder.encounter_at(k), leg, k);
   };
   return end_between(distance_at, from, to, 0.25 * narrowest(begin, end));
 }

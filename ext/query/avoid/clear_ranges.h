@@ -1,6 +1,6 @@
 // The ranges of changes that are clear of all intruders: certificates and bisection.
 //
-//   ClearRanges<2> search(*changes, certificates, interrupt);
+//   ClearRanges<2> search(changed.legs, certificates, interrupt);
 //   for (const KRange& range : search.between(-180, 180)) …
 //
 // Guarantee: every double of a returned range is clear (contact/clearance/separation.h), including its ends.
@@ -17,6 +17,8 @@
 // Cost: one certificate per intruder, some 100 per end. Memory: four bytes per undecided intruder and level.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -33,17 +35,41 @@ struct KRange {
 template <int D>
 class ClearRanges {
  public:
-  /// The intruders are tested in their order: the nearest should be first.
-  ClearRanges(const Changes& changes, std::vector<IntruderCertificate<D>> intruders, Interrupt& interrupt);
+  using Legs = std::vector<std::unique_ptr<Changes>>;
+
+  /// The intruders are tested in their order: the nearest should be first. An object that several legs meet is several
+  /// intruders.
+  ClearRanges(const Legs& legs, std::vector<IntruderCertificate<D>> intruders, Interrupt& interrupt);
 
   /// Requires: lo < hi.
   std::vector<KRange> between(double lo, double hi);
 
  private:
-  struct Range {
-    double from, to;
-    bool is_first;
-    TrajectoryFamily<D> family;
+  /// A range, and the families of its legs; those of later legs once they are asked for.
+  class Range {
+   public:
+    Range(const Legs& legs, double from_k, double to_k, bool first)
+        : from(from_k),
+          to(to_k),
+          is_first(first),
+          legs_(legs),
+          first_(trajectory_family<D>(*legs[0], from, to)) {}
+
+    const TrajectoryFamily<D>& family(const IntruderCertificate<D>& intruder) const {
+      const std::size_t leg = intruder.leg();
+      if (leg == 0) return first_;
+      const auto known = later_.find(leg);
+      if (known != later_.end()) return known->second;
+      return later_.emplace(leg, trajectory_family<D>(*legs_[leg], from, to)).first->second;
+    }
+
+    const double from, to;
+    const bool is_first;
+
+   private:
+    const Legs& legs_;
+    TrajectoryFamily<D> first_;
+    mutable std::unordered_map<std::size_t, TrajectoryFamily<D>> later_;
   };
   /// `near`: a known end beside the range, or infinite.
   void search(double from, double to, std::size_t begin, std::size_t end, double near);
@@ -65,7 +91,7 @@ class ClearRanges {
   double narrowest(std::uint32_t intruder) const;
   double narrowest(std::size_t begin, std::size_t end) const;
 
-  const Changes& changes_;
+  const Legs& legs_;
   std::vector<IntruderCertificate<D>> intruders_;  ///< followed by parts of them
   std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> parts_;
   Steps step_;

@@ -4,11 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <unordered_set>
 
-#include "base/axes.h"
-#include "contact/minkowski/relative_motion.h"
-#include "numbers/dyadic.h"
-#include "query/avoid/intruder_certificate.h"
 #include "query/join/question.h"
 #include "shape/shapes.h"
 
@@ -17,27 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t pairs_at_once = 4096;
-
-/// Whether the distance of the centres never decreases. On straight paths its slope increases, so the first
-/// decides.
-template <int D>
-bool separates_exactly(const Setup& setup, const double* own, const double* other) {
-  const auto relative = relative_motion_of<Dyadic, D>(setup, own, other);
-  Dyadic slope;
-  for (int axis = 0; axis < D; ++axis) slope = slope + relative.x[axis] * relative.v[axis];
-  return slope.sign() >= 0;
-}
-
-bool bends(const Bodies& bodies, const double* row) {
-  if (bodies.at.a == Offsets::absent) return false;
-  return std::any_of(row + bodies.at.a, row + bodies.at.a + bodies.layout.axes,
-                     [](double a) { return a != 0; });
-}
-
-template <int D>
-bool grows_at_all(const Bodies& bodies, const double* row) {
-  return (growth_of<D>(bodies.layout.shape, row, bodies.at) > 0).any();
-}
 
 /// Writes a row of the same object with the sizes that it has after growing for `age`, rounded up.
 /// `out_layout`: the same layout without omitted sizes.
@@ -68,23 +44,18 @@ struct OneForm final : FormSource {
   std::shared_ptr<const Form> only;
 };
 
-bool are_convex(const PairRule& rule, const Bodies& own, const Bodies& others, std::size_t row) {
-  if (rule.pieces == PieceKind::none) return true;
-  ObjectPieces one, other;
-  one.take_row(own, own.outlines, 0), other.take_row(others, others.outlines, row);
-  return one.count() == 1 && other.count() == 1;
-}
-
 }  // namespace
 
-ExactAvoidance::ExactAvoidance(const AvoidQuestion& question, Scenes near, Interrupt& interrupt)
-    : question_(question), interrupt_(interrupt), near_(std::move(near)) {
-  own_.name = question.own->name, own_.layout = question.own->layout;
+ExactAvoidance::ExactAvoidance(const AvoidQuestion& question, const OwnState& own, std::size_t max_legs,
+                               Scenes near, Interrupt& interrupt)
+    : question_(question), own_state_(own), interrupt_(interrupt), near_(std::move(near)) {
+  own_.name = question.own->name, own_.layout = own.layout;
   own_.layout.starts_as_point = false;
   if (own_.layout.shape == Shape::outline && grows(own_.layout)) own_.layout.has_radius = true;
-  own_.ids = {0};
-  own_.rows.resize(static_cast<std::size_t>(row_offsets(own_.layout).size));
-  take(question.record);
+  own_.ids.resize(max_legs);
+  own_.rows.resize(max_legs * static_cast<std::size_t>(row_offsets(own_.layout).size));
+  for (std::size_t leg = 0; leg < max_legs; ++leg) take_row(leg, own.record);
+  take({own.record});
   for (std::size_t table = 0; table < near_.size(); ++table)
     contacts_.push_back(contact(table, {question.now, question.h}));
   at_first_.resize(near_.size());
@@ -92,36 +63,43 @@ ExactAvoidance::ExactAvoidance(const AvoidQuestion& question, Scenes near, Inter
 
 ExactAvoidance::~ExactAvoidance() = default;
 
-void ExactAvoidance::take(const std::vector<double>& record) {
-  const Layout& layout = question_.own->layout;
-  const double t = value_or(record.data(), record_offsets(layout).t, 0);
-  if (grows(layout)) {
-    std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
-    row_from_record(layout, record.data(), row.data());
-    const double age = t - value_or(question_.record.data(), record_offsets(layout).t, 0);
-    grow_row(layout, row.data(), age, own_.layout, own_.rows.data());
-  } else {
-    row_from_record(layout, record.data(), own_.rows.data());
-  }
-  if (layout.shape == Shape::outline) take_form();
-  const double first = std::max(question_.now, t);
+void ExactAvoidance::take(const Records& legs) {
+  legs_ = static_cast<std::uint32_t>(legs.size());
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) take_row(leg, legs[leg]);
+  if (own_.layout.shape == Shape::outline) take_forms();
+  const double first =
+      std::max(question_.now, value_or(legs[0].data(), record_offsets(own_state_.layout).t, 0));
   if (first == start_) return;
   start_ = first;
   for (auto& contact : at_first_) contact.reset();
 }
 
-void ExactAvoidance::take_form() {
+void ExactAvoidance::take_row(std::size_t leg, const std::vector<double>& record) {
+  const Layout& layout = own_state_.layout;
+  double* const own_row = own_.rows.data() + leg * static_cast<std::size_t>(row_offsets(own_.layout).size);
+  if (!grows(layout)) return row_from_record(layout, record.data(), own_row);
+  std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
+  row_from_record(layout, record.data(), row.data());
+  const int t = record_offsets(layout).t;
+  const double age = value_or(record.data(), t, 0) - value_or(own_state_.record.data(), t, 0);
+  grow_row(layout, row.data(), age, own_.layout, own_row);
+}
+
+void ExactAvoidance::take_forms() {
   const Offsets at = row_offsets(own_.layout);
-  const double heading = value_or(own_.rows.data(), at.heading, 0);
-  if (question_.form) {
-    const Extents<3> around = question_.form->extents(heading);
+  std::vector<double> headings;
+  for (std::size_t leg = 0; leg < own_.size(); ++leg) {
+    double* const row = own_.rows.data() + leg * static_cast<std::size_t>(at.size);
+    headings.push_back(value_or(row, at.heading, 0));
+    if (!question_.form) continue;
+    const Extents<3> around = question_.form->extents(headings.back());
     for (int axis = 0; axis < 2; ++axis) {
-      own_.rows[static_cast<std::size_t>(at.bounds + axis)] = around.lower[axis];
-      own_.rows[static_cast<std::size_t>(at.bounds + 2 + axis)] = around.upper[axis];
+      row[at.bounds + axis] = around.lower[axis];
+      row[at.bounds + 2 + axis] = around.upper[axis];
     }
   }
-  if (own_.forms && heading == heading_) return;
-  heading_ = heading;
+  if (own_.forms && headings == headings_) return;
+  headings_ = headings;
   if (!own_.forms) own_.forms = std::make_unique<RowForms>();
   OneForm source(question_.form);
   own_.forms->assign(own_.bodies(), source, interrupt_);
@@ -135,87 +113,75 @@ std::unique_ptr<Contact> ExactAvoidance::contact(std::size_t table, const Horizo
   return contact;
 }
 
+bool ExactAvoidance::may_meet(std::uint32_t leg, std::size_t table, std::uint32_t row) const {
+  if (legs_ == 1) return true;
+  const Bodies own = own_.bodies(), others = near_[table]->bodies();
+  const double *one = own.row(leg), *other = others.row(row);
+  return value_or(other, others.at.t, -infinity) <= value_or(one, own.at.until, infinity) &&
+         value_or(one, own.at.t, -infinity) <= value_or(other, others.at.until, infinity);
+}
+
 std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contact>>& contacts,
                                               const std::vector<std::vector<std::uint8_t>>& left_out) {
   std::vector<Intruder> touching;
   for (std::size_t table = 0; table < near_.size(); ++table) {
     std::vector<Pair> pairs, hits;
     const auto count = static_cast<std::uint32_t>(near_[table]->size());
-    for (std::uint32_t row = 0; row < count;) {
-      interrupt_.check();
-      pairs.clear();
-      for (; row < count && pairs.size() < pairs_at_once; ++row)
-        if (left_out.empty() || !left_out[table][row]) pairs.push_back({0, row});
-      contacts[table]->decide(pairs, hits);
+    for (std::uint32_t leg = 0; leg < legs_; ++leg)
+      for (std::uint32_t row = 0; row < count;) {
+        interrupt_.check();
+        pairs.clear();
+        for (; row < count && pairs.size() < pairs_at_once; ++row)
+          if ((left_out.empty() || !left_out[table][row]) && may_meet(leg, table, row))
+            pairs.push_back({leg, row});
+        contacts[table]->decide(pairs, hits);
+      }
+    std::vector<std::uint8_t> known(legs_ > 1 ? count : 0);
+    for (const Pair& hit : hits) {
+      if (legs_ > 1 && known[hit.b]++ > 0) continue;
+      touching.push_back({static_cast<int>(table), hit.b});
     }
-    for (const Pair& hit : hits) touching.push_back({static_cast<int>(table), hit.b});
   }
   return touching;
 }
 
-std::vector<Intruder> ExactAvoidance::touching_at_start(const std::vector<double>& record) {
-  take(record);
+void ExactAvoidance::complete(std::vector<Intruder>& touching) const {
+  for (std::size_t table = 0; table < near_.size(); ++table) {
+    const Scene& near = *near_[table];
+    if (!near.layout.has_plan) continue;
+    std::unordered_set<std::int64_t> ids;
+    for (const Intruder& one : touching)
+      if (static_cast<std::size_t>(one.table) == table) ids.insert(near.ids[one.row]);
+    std::erase_if(touching,
+                  [&](const Intruder& one) { return static_cast<std::size_t>(one.table) == table; });
+    for (std::uint32_t row = 0; row < near.size(); ++row)
+      if (ids.count(near.ids[row]) > 0) touching.push_back({static_cast<int>(table), row});
+  }
+}
+
+std::vector<Intruder> ExactAvoidance::touching_at_start(const Records& legs) {
+  take(legs);
   if (!(start_ - question_.now <= question_.h)) return {};
   for (std::size_t table = 0; table < near_.size(); ++table)
     if (!at_first_[table]) at_first_[table] = contact(table, {start_, 0});
-  return decided(at_first_, {});
+  std::vector<Intruder> touching = decided(at_first_, {});
+  if (question_.touching == Touching::ignore) complete(touching);
+  return touching;
 }
 
-bool ExactAvoidance::touches(Contact& contact, const Intruder& intruder) const {
-  const Pair pair{0, intruder.row};
+bool ExactAvoidance::touches(Contact& contact, std::uint32_t leg, const Intruder& intruder) const {
+  const Pair pair{leg, intruder.row};
   std::vector<Pair> hits;
   contact.decide({&pair, 1}, hits);
   return !hits.empty();
 }
 
-bool ExactAvoidance::touches_at_start(const Intruder& intruder) {
-  const auto table = static_cast<std::size_t>(intruder.table);
-  if (!at_first_[table]) at_first_[table] = contact(table, {start_, 0});
-  return touches(*at_first_[table], intruder);
-}
-
-bool ExactAvoidance::separates(const Intruder& intruder) {
-  const Scene& near = *near_[static_cast<std::size_t>(intruder.table)];
-  const Bodies own = own_.bodies(), others = near.bodies();
-  const double *own_row = own.row(0), *row = others.row(intruder.row);
-  const PairLifetime lifetime = pair_lifetime_of({own, others, {question_.now, question_.h}}, own_row, row);
-  if (lifetime.none || (lifetime.t_start == lifetime.t_end && lifetime.dt_start == lifetime.dt_end))
-    return true;
-  const Horizon first{start_, 0};
-  const PairRule rule(own.layout, others.layout, question_.within, question_.within_z);
-  const bool has_outlines = rule.pieces == PieceKind::planar;
-  if (has_outlines && !touches_at_start(intruder))
-    return !touches(*contacts_[static_cast<std::size_t>(intruder.table)], intruder);
-  return with_axes(own.layout.axes, [&]<int D>(Axes<D>) {
-    const bool grow = grows_at_all<D>(own, own_row) || grows_at_all<D>(others, row);
-    if (!grow && !bends(own, own_row) && !bends(others, row) && are_convex(rule, own, others, intruder.row))
-      return separates_exactly<D>({own, others, first}, own_row, row);
-    OwnMotion motion;
-    motion.t = value_or(own_row, own.at.t, 0), motion.until = value_or(own_row, own.at.until, infinity);
-    for (int axis = 0; axis < D; ++axis) {
-      const AxisMotion<double> one = axis_motion(own, own_row, axis);
-      const auto j = static_cast<std::size_t>(axis);
-      motion.x[j] = one.x, motion.v[j] = one.v, motion.a[j] = one.a;
-    }
-    const OwnMotion base = motion_from(motion, std::max(start_, motion.t));
-    const auto encounter = encounter_of<D>(base, {question_.now, question_.h}, others, row,
-                                           extents_of_both<D>(rule, own_row, row, base.t));
-    std::shared_ptr<const OutlinePair> outlines;
-    if (has_outlines)
-      outlines =
-          std::make_shared<OutlinePair>(std::make_shared<OwnOutline>(own, 0, false), others, intruder.row);
-    return is_clear_of<D>({encounter, IntruderCertificate<D>::AtFirst::touches, outlines},
-                          trajectory_family<D>(*no_changes_of(base), 0, 0), 0);
-  });
-}
-
-std::vector<Intruder> ExactAvoidance::touching(const std::vector<double>& record,
-                                               const std::vector<Intruder>* first) {
+std::vector<Intruder> ExactAvoidance::touching(const Records& legs, const std::vector<Intruder>* first) {
   std::vector<Intruder> own_first;
   if (first)
-    take(record);
+    take(legs);
   else
-    own_first = touching_at_start(record), first = &own_first;
+    own_first = touching_at_start(legs), first = &own_first;
   std::vector<std::vector<std::uint8_t>> left_out;
   for (const auto& near : near_) left_out.emplace_back(near->size());
   for (const Intruder& intruder : *first)
@@ -223,20 +189,21 @@ std::vector<Intruder> ExactAvoidance::touching(const std::vector<double>& record
   std::vector<Intruder> touching = decided(contacts_, left_out);
   if (question_.touching == Touching::part)
     for (const Intruder& intruder : *first)
-      if (!separates(intruder)) touching.push_back(intruder);
+      if (!all_separate(intruder)) touching.push_back(intruder);
   return touching;
 }
 
-std::optional<Blocker> ExactAvoidance::first_touching(const std::vector<double>& record,
+std::optional<Blocker> ExactAvoidance::first_touching(const Records& legs,
                                                       const std::vector<Intruder>& touching) {
-  take(record);
+  take(legs);
   std::optional<Blocker> first;
   std::vector<Pair> pairs, hits;
   std::vector<ContactTimes> times;
   for (std::size_t table = 0; table < near_.size(); ++table) {
     pairs.clear(), hits.clear(), times.clear();
     for (const Intruder& intruder : touching)
-      if (static_cast<std::size_t>(intruder.table) == table) pairs.push_back({0, intruder.row});
+      for (std::uint32_t leg = 0; leg < legs_ && static_cast<std::size_t>(intruder.table) == table; ++leg)
+        if (may_meet(leg, table, intruder.row)) pairs.push_back({leg, intruder.row});
     contacts_[table]->first_contacts(pairs, TimesWanted::starts, hits, times);
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const Blocker blocker{near_[table]->ids[hits[i].b], static_cast<int>(table), times[i].t};

@@ -1,7 +1,7 @@
 // The intruders that one motion touches, decided by exact contact for the motion as it would be stored.
 //
-//   ExactAvoidance exact(question, intruders, interrupt);
-//   exact.touching(record, spared).empty()             // clear
+//   ExactAvoidance exact(question, own, 1, intruders, interrupt);
+//   exact.touching({record}, &spared).empty()          // clear
 //
 // It decides k = 0 and queries of a single change, and names the intruder at the end of a row. Extents grow
 // from the stored t, whichever t the motion has: a change continues, without a new report, what is known now.
@@ -9,7 +9,7 @@
 // Intruders that touch at the first time of the object are exempt as Touching says. With `ignore` they never
 // count. With `part` they do not count if the distance of the centres never decreases and they do not touch
 // again. That is decided exactly if neither path is bent and both shapes are convex; else it is proven, or
-// the intruder counts.
+// the intruder counts. A leg that starts while they touch counts as touching again.
 // Cost: some 100 ns per intruder.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 #include "base/error.h"
 #include "contact/contact.h"
-#include "query/avoid/question.h"
+#include "query/avoid/own_state.h"
 
 namespace foresee {
 
@@ -34,16 +34,19 @@ class ExactAvoidance {
  public:
   using Scenes = std::vector<std::shared_ptr<const Scene>>;  ///< one per table
 
-  ExactAvoidance(const AvoidQuestion& question, Scenes near, Interrupt& interrupt);
+  using Records = OwnState::Records;  ///< of the legs of one motion, in order of time
+
+  /// `max_legs`: of any motion that is asked about.
+  ExactAvoidance(const AvoidQuestion& question, const OwnState& own, std::size_t max_legs, Scenes near,
+                 Interrupt& interrupt);
   ~ExactAvoidance();
 
   /// The intruders that touch at the first time of the object, whatever follows.
-  std::vector<Intruder> touching_at_start(const std::vector<double>& record);
+  std::vector<Intruder> touching_at_start(const Records& legs);
 
   /// The intruders that the motion touches. `first`: those that touch when the change is made, if these are not
   /// the ones that this motion touches at its first time.
-  std::vector<Intruder> touching(const std::vector<double>& record,
-                                 const std::vector<Intruder>* first = nullptr);
+  std::vector<Intruder> touching(const Records& legs, const std::vector<Intruder>* first = nullptr);
 
   /// An intruder relative to the object at its first time: position and velocity in the nearest doubles, with
   /// errors. `square_gap`, for balls, discs and upright shapes: the squared distance of the centres on the
@@ -52,29 +55,38 @@ class ExactAvoidance {
     std::array<double, 3> x{}, ex{}, v{}, ev{};
     double square_gap = 0;
   };
-  InitialState initial_state(const std::vector<double>& record, const Intruder& intruder);
+  InitialState initial_state(const Records& legs, const Intruder& intruder);
 
   /// The one of these that is touched first; ties by table, then by id.
-  std::optional<Blocker> first_touching(const std::vector<double>& record,
-                                        const std::vector<Intruder>& touching);
+  std::optional<Blocker> first_touching(const Records& legs, const std::vector<Intruder>& touching);
 
  private:
-  void take(const std::vector<double>& record);
-  /// Rotates the own form by the heading of the row.
-  void take_form();
+  void take(const Records& legs);
+  void take_row(std::size_t leg, const std::vector<double>& record);
+  /// Rotates the own form by the heading of each row.
+  void take_forms();
   std::unique_ptr<Contact> contact(std::size_t table, const Horizon& horizon) const;
+  /// Whether the leg and the intruder's row exist at one time; true where this is not worth a test.
+  bool may_meet(std::uint32_t leg, std::size_t table, std::uint32_t row) const;
   std::vector<Intruder> decided(std::vector<std::unique_ptr<Contact>>& contacts,
                                 const std::vector<std::vector<std::uint8_t>>& left_out);
-  bool touches(Contact& contact, const Intruder& intruder) const;
-  bool touches_at_start(const Intruder& intruder);
-  bool separates(const Intruder& intruder);
+  /// Appends all legs of the objects of which one leg is in the list.
+  void complete(std::vector<Intruder>& touching) const;
+  bool touches(Contact& contact, std::uint32_t leg, const Intruder& intruder) const;
+  bool touches_at_start(std::uint32_t leg, const Intruder& intruder);
+  bool separates(std::uint32_t leg, const Intruder& intruder);
+  /// Each leg separates from the intruder or never touches it.
+  bool all_separate(const Intruder& intruder);
 
   const AvoidQuestion& question_;
+  const OwnState& own_state_;
   Interrupt& interrupt_;
   Scenes near_;
-  Scene own_;  ///< one row, which take() changes
+  Scene own_;               ///< a row for each leg, which take() changes
+  std::uint32_t legs_ = 1;  ///< rows in use
   std::vector<std::unique_ptr<Contact>> contacts_, at_first_;
-  double start_ = 0, heading_ = 0;
+  double start_ = 0;
+  std::vector<double> headings_;
 };
 
 }  // namespace foresee

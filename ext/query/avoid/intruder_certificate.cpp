@@ -19,11 +19,12 @@ double chord_of(double degrees) {
 
 template <int D>
 IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& encounter, AtFirst at_first,
-                                            std::shared_ptr<const OutlinePair> outlines)
+                                            std::shared_ptr<const OutlinePair> outlines, std::size_t leg)
     : encounter_(encounter),
       at_first_(at_first),
       stage_(outlines ? Stage::whole : Stage::simple),
       outlines_(std::move(outlines)),
+      leg_(leg),
       round_(encounter.extents.radius) {
   if (outlines_)
     encounter_.extents.radius += outlines_->reach() * (1 + 0x1p-50);

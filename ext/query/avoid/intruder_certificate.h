@@ -1,7 +1,7 @@
 // The clearance certificate of one intruder for a range of changes, refined from bounds to convex pieces.
 //
 //   IntruderCertificate<2> ship(encounter, IntruderCertificate<2>::AtFirst::apart);
-//   ship.certify(trajectory_family<2>(base, change, 10, 20), 10, 20, evaluations)
+//   ship.certify(trajectory_family<2>(*changes, 10, 20), 10, 20, evaluations)
 //
 // Guarantee: a range certified clear is so for every change of it (contact/clearance/separation.h). An
 // intruder of several parts is clear if all of them are. An outline starts as the disc around both objects.
@@ -26,11 +26,12 @@ class IntruderCertificate {
     apart,
     unknown
   };
-  /// `outlines`: null for shapes without outlines.
+  /// `outlines`: null for shapes without outlines. `leg`: of the object that changes, to which the encounter refers.
   IntruderCertificate(const Encounter<D>& encounter, AtFirst at_first,
-                      std::shared_ptr<const OutlinePair> outlines = {});
+                      std::shared_ptr<const OutlinePair> outlines = {}, std::size_t leg = 0);
 
   const Encounter<D>& encounter() const { return encounter_; }
+  std::size_t leg() const { return leg_; }
   bool touches_first() const { return at_first_ == AtFirst::touches; }
   ClearanceVerdict certify(const TrajectoryFamily<D>& family, double p, double q,
                            std::uint64_t& evaluations) const;
@@ -58,7 +59,8 @@ class IntruderCertificate {
   std::shared_ptr<const OutlinePair> outlines_;
   OutlinePair::Part part_;
   std::shared_ptr<PieceSum> sum_, turning_;  ///< turning_: if the own part rotates
-  double round_ = 0;                         ///< the radius without discs around rotating boxes
+  std::size_t leg_ = 0;
+  double round_ = 0;  ///< the radius without discs around rotating boxes
 };
 
 /// Whether one single change is proven clear.

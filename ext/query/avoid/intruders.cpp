@@ -1,5 +1,8 @@
 #include "query/avoid/intruders.h"
 
+#include <unordered_map>
+#include <utility>
+
 #include "base/axes.h"
 #include "index/tpr_tree/search/window_walk.h"
 #include "query/join/question.h"
@@ -56,23 +59,74 @@ MovingBox<D> box_around(const AvoidQuestion& question, const Changes& changes, c
   return moving_box<D>(bounds, base.t, span_between(begin, end, horizon), horizon);
 }
 
+/// Appends the rows of each object or leg that is found, once.
+class Found {
+ public:
+  explicit Found(Scene& near, bool several_legs) : near_(near), several_legs_(several_legs) {}
+
+  void start_leg() { rows_of_leg_.emplace_back(); }
+  /// `add` appends the rows of what has this key.
+  template <class Add>
+  void take(std::int64_t key, std::unordered_map<std::int64_t, std::pair<std::size_t, std::size_t>>& known,
+            const Add& add) {
+    if (!several_legs_) return add();
+    const auto [place, is_new] = known.try_emplace(key);
+    if (is_new) {
+      place->second.first = near_.size();
+      add();
+      place->second.second = near_.size();
+    }
+    for (std::size_t row = place->second.first; row < place->second.second; ++row)
+      rows_of_leg_.back().push_back(static_cast<std::uint32_t>(row));
+  }
+  std::vector<std::vector<std::uint32_t>> rows_of_leg() {
+    return several_legs_ ? std::move(rows_of_leg_) : std::vector<std::vector<std::uint32_t>>{};
+  }
+
+  std::unordered_map<std::int64_t, std::pair<std::size_t, std::size_t>> objects, chunks;
+
+ private:
+  Scene& near_;
+  bool several_legs_;
+  std::vector<std::vector<std::uint32_t>> rows_of_leg_;
+};
+
 template <int D>
 void walk_tree(NodeSource& tree, const MovingBox<D>& box, const Horizon& horizon,
                std::optional<std::int64_t> itself, const KindTest& partners, Interrupt& interrupt,
-               Scene& near) {
+               Scene& near, Found& found) {
   WindowWalk<D> walk(tree, box, horizon, Vec<D>::Zero(), interrupt, partners);
   const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
   for (LeafHits hits; walk.next(hits);)
     for (const std::uint32_t slot : hits.slots)
       if (const std::int64_t id = hits.leaf->keys[slot]; id != itself)
-        near.add(id, hits.leaf->values.data() + slot * record_size);
+        found.take(id, found.objects, [&] { near.add(id, hits.leaf->values.data() + slot * record_size); });
+}
+
+/// The legs of plans near it.
+template <int D>
+void walk_chunks(ChunkSource& source, const MovingBox<D>& box, const Horizon& horizon,
+                 std::optional<std::int64_t> itself, const KindTest& partners, Interrupt& interrupt,
+                 Scene& near, Found& found) {
+  std::vector<std::int64_t> numbers;
+  WindowWalk<D> walk(source.tree(), box, horizon, Vec<D>::Zero(), interrupt, partners);
+  for (LeafHits hits; walk.next(hits);)
+    for (const std::uint32_t slot : hits.slots) numbers.push_back(hits.leaf->keys[slot]);
+  Chunk chunk;
+  for (const std::int64_t number : numbers)
+    found.take(number, found.chunks, [&] {
+      interrupt.check();
+      source.read_chunk(number, chunk);
+      if (chunk.object == itself) return;
+      near.add(chunk.object, source.find_object(chunk.object).data(), chunk.legs);
+    });
 }
 
 /// The same objects as from a tree: those whose boxes meet the box.
 template <int D>
 void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
                 std::optional<std::int64_t> itself, const KindTest& partners, Interrupt& interrupt,
-                Scene& near) {
+                Scene& near, Found& found) {
   box.lower = lower_end<D>(box.lower, box.lower.abs() * rounding_pad);
   box.upper = upper_end<D>(box.upper, box.upper.abs() * rounding_pad);
   const Bodies bodies = all.bodies();
@@ -82,33 +136,42 @@ void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
     const MovingBox<D> other = moving_box<D>(bodies, i, horizon, Vec<D>::Zero());
     SharedInterval span = shared_span(other, box);
     if (all.ids[i] == itself || span.is_empty() || !narrow_to_contact(other, box, span)) continue;
-    near.ids.push_back(all.ids[i]);
-    near.rows.insert(near.rows.end(), bodies.row(i), bodies.row(i) + bodies.at.size);
+    found.take(static_cast<std::int64_t>(i), found.objects, [&] {
+      near.ids.push_back(all.ids[i]);
+      near.rows.insert(near.rows.end(), bodies.row(i), bodies.row(i) + bodies.at.size);
+    });
   }
 }
 
 }  // namespace
 
-std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const Changes& changes,
-                                       const QueriedChanges& queried, const SearchTarget& others,
-                                       std::optional<std::int64_t> itself, const Contact::Reach& reach,
-                                       Interrupt& interrupt) {
+NearObjects intruders(const AvoidQuestion& question, const std::vector<std::unique_ptr<Changes>>& legs,
+                      const QueriedChanges& queried, const SearchTarget& others,
+                      std::optional<std::int64_t> itself, const Contact::Reach& reach, Interrupt& interrupt) {
   auto near = std::make_shared<Scene>();
   near->name = others.name, near->layout = others.layout();
+  near->legs_during = {question.now, question.now + question.h};
+  Found found(*near, legs.size() > 1);
   const Horizon horizon{question.now, question.h};
   const Bodies own = question.own->bodies();
   const KindTest partners = KindTest::of_partners(kinds_of(own.row(0), own.at));
   with_axes(near->layout.axes, [&]<int D>(Axes<D>) {
-    const MotionSet<D> all = changes.between<D>(queried.lo, queried.hi);
     const Vec<D> margin = 2 * margin_of<D>(reach);  // of both together
-    const MovingBox<D> box = box_around<D>(question, changes, all, margin);
-    if (others.scene)
-      walk_scene<D>(*others.scene, box, horizon, itself, partners, interrupt, *near);
-    else
-      walk_tree<D>(*others.tree, box, horizon, itself, partners, interrupt, *near);
+    for (const auto& leg : legs) {
+      found.start_leg();
+      const MotionSet<D> all = leg->between<D>(queried.lo, queried.hi);
+      const MovingBox<D> box = box_around<D>(question, *leg, all, margin);
+      if (others.scene) {
+        walk_scene<D>(*others.scene, box, horizon, itself, partners, interrupt, *near, found);
+        continue;
+      }
+      walk_tree<D>(*others.tree, box, horizon, itself, partners, interrupt, *near, found);
+      if (others.chunks)
+        walk_chunks<D>(*others.chunks, box, horizon, itself, partners, interrupt, *near, found);
+    }
   });
   if (others.tree) near->take_forms(others.tree->forms(), interrupt);
-  return near;
+  return {near, found.rows_of_leg()};
 }
 
 }  // namespace foresee

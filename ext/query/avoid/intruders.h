@@ -3,7 +3,7 @@
 // All changed motions together are bounds of positions, velocities and accelerations, like an entry of the
 // tree. So one query of the tree finds the intruders.
 //
-// Guarantee: every object that any change can touch during the horizon, once, and possibly others. All of
+// Guarantee: every object that any change can touch during the horizon, once, and possibly others. Of a plan every leg. All of
 // them may meet the own object (shape/kinds.h). A scene and a tree give the same. Cost: the nodes that meet
 // the moving box around all changes. A scene is read completely, and must not have outlines.
 #pragma once
@@ -17,10 +17,16 @@
 
 namespace foresee {
 
-/// `itself`: the object of this id is left out. `reach`: that of the contact.
-std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const Changes& changes,
-                                       const QueriedChanges& queried, const SearchTarget& others,
-                                       std::optional<std::int64_t> itself, const Contact::Reach& reach,
-                                       Interrupt& interrupt);
+/// The objects of one table near the object that changes: a row each, or a row for each leg near it.
+struct NearObjects {
+  std::shared_ptr<const Scene> scene;
+  /// The rows that each leg of the changed object can touch; empty for one leg: all.
+  std::vector<std::vector<std::uint32_t>> of_leg = {};
+};
+
+/// `itself`: the object of this id is left out. `reach`: that of the contact. `legs`: ChangedLegs::legs.
+NearObjects intruders(const AvoidQuestion& question, const std::vector<std::unique_ptr<Changes>>& legs,
+                      const QueriedChanges& queried, const SearchTarget& others,
+                      std::optional<std::int64_t> itself, const Contact::Reach& reach, Interrupt& interrupt);
 
 }  // namespace foresee

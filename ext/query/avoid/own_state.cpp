@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "motion/plan/plan_legs.h"
+#include "query/join/question.h"
+
 namespace foresee {
 namespace {
 
@@ -22,6 +25,22 @@ void with_places(const Layout& layout, Record& record, Motion& motion, Use&& use
   vector(at.x, motion.x), vector(at.v, motion.v), vector(at.a, motion.a), vector(at.force, motion.force);
 }
 
+bool has_legs(const AvoidQuestion& question) {
+  return question.plan || question.resume || question.how == Manoeuvre::wait;
+}
+
+/// Adds t and until, and leaves out what records say of plans.
+void take_life(Layout& layout, std::vector<double>& record) {
+  const auto place = [](int offset) { return static_cast<std::ptrdiff_t>(offset); };
+  if (layout.has_plan) layout.has_plan = false, record.resize(record.size() - 2);
+  if (!layout.has_t) layout.has_t = true, record.insert(record.begin(), 0.0);
+  if (layout.has_until) return;
+  layout.has_until = true;
+  record.insert(record.begin() + place(record_offsets(layout).until), no_end);
+}
+
+}  // namespace
+
 OwnMotion motion_in(const Layout& layout, const std::vector<double>& record) {
   OwnMotion motion;
   with_places(layout, record, motion, [](double stored, double& number) { number = stored; });
@@ -30,18 +49,75 @@ OwnMotion motion_in(const Layout& layout, const std::vector<double>& record) {
   return motion;
 }
 
-}  // namespace
+std::vector<double> with_motion(const Layout& layout, std::vector<double> record, const OwnMotion& motion) {
+  with_places(layout, record, motion, [](double& stored, double number) { stored = number; });
+  return record;
+}
 
-OwnState::OwnState(const AvoidQuestion& question)
-    : layout(question.own->layout),
-      record(question.record),
-      stored(motion_in(layout, record)),
-      base(motion_from(stored, std::max(question.now, stored.t))) {}
+OwnState::OwnState(const AvoidQuestion& question) : layout(question.own->layout), record(question.record) {
+  if (has_legs(question)) take_life(layout, record);
+  stored = motion_in(layout, record);
+  if (question.plan) {
+    const double end = stored.until;
+    for (const Leg& one : legs_of(*question.plan)) {
+      if (one.t > end) break;
+      OwnMotion motion = stored;
+      motion.t = one.t, motion.until = std::min(one.until, end);
+      motion.x = one.x, motion.v = one.v, motion.a = one.a;
+      if (legs.empty() && legs_before == 0) stored = motion;
+      if (motion.until < question.now)
+        ++legs_before;
+      else
+        legs.push_back(motion);
+    }
+    while (leg + 1 < legs.size() && legs[leg + 1].t <= question.now) ++leg;
+  }
+  const OwnMotion& here = legs.empty() ? stored : legs[leg];
+  base = motion_from(here, std::max(question.now, here.t));
+}
+
+bool OwnState::is_there(const Horizon& horizon) const {
+  const auto lives = [&](const OwnMotion& one) { return !life_of(one.t, one.until, horizon).none; };
+  return legs.empty() ? legs_before == 0 && lives(stored) : std::any_of(legs.begin(), legs.end(), lives);
+}
 
 std::vector<double> OwnState::record_of(const OwnMotion& motion) const {
-  std::vector<double> numbers = record;
-  with_places(layout, numbers, motion, [](double& stored_number, double number) { stored_number = number; });
-  return numbers;
+  return with_motion(layout, record, motion);
+}
+
+OwnState::Records OwnState::records_of(const std::vector<OwnMotion>& motions) const {
+  Records records;
+  for (const OwnMotion& motion : motions) records.push_back(record_of(motion));
+  return records;
+}
+
+ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, const QueriedChanges& queried) {
+  ChangedLegs changed;
+  const auto add = [&](std::unique_ptr<Changes> leg) { changed.legs.push_back(std::move(leg)); };
+  const Manoeuvre how = queried.manoeuvre;
+  if (how == Manoeuvre::wait) {
+    changed.are_later = true;
+    add(rests_of(own.base)), add(delays_of(own.base, 0));
+    for (std::size_t i = own.leg + 1; i < own.legs.size(); ++i) add(delays_of(own.legs[i], 0));
+    for (std::size_t i = 0; i <= own.leg && i < own.legs.size(); ++i) {
+      OwnMotion before = own.legs[i];
+      before.until = std::min(before.until, own.base.t);
+      if (before.t < own.base.t) add(no_changes_of(before));
+    }
+  } else if (how == Manoeuvre::delay) {
+    changed.are_later = true;
+    if (own.legs.empty()) add(delays_of(own.stored, queried.lo));
+    for (const OwnMotion& leg : own.legs) add(delays_of(leg, queried.lo));
+  } else if (question.resume) {
+    OwnMotion first = own.base;
+    const double time = own.base.t + *question.resume;
+    first.until = std::min(first.until, time);
+    add(changes_by(how, first));
+    if (time <= own.base.until) add(resumed_after(changes_by(how, first), own.base, time));
+  } else {
+    add(changes_by(how, own.base, question.on_globe));
+  }
+  return changed;
 }
 
 }  // namespace foresee

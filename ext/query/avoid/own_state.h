@@ -1,30 +1,64 @@
-// The object that changes: what is stored of it, and its motion at the change.
+// The object that changes: what is stored of it, its motion at the change, and the legs of its plan.
 //
 //   const OwnState own(question);
 //   own.record_of(own.base)                                    // what a change at once would store
 //
 // Everything that avoidance asks about the own motion starts from these numbers; sets of changed motions are Changes
-// (motion/changes.h). Cost: a microsecond.
+// (motion/changes.h). Cost: a microsecond, and some ns per leg.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
-#include "motion/manoeuvre.h"
+#include "motion/changes.h"
 #include "query/avoid/question.h"
 
 namespace foresee {
 
 struct OwnState {
+  using Records = std::vector<std::vector<double>>;
+
   /// Requires: a record.
   explicit OwnState(const AvoidQuestion& question);
 
+  /// Whether it exists at some time of the horizon.
+  bool is_there(const Horizon& horizon) const;
   /// The record with another motion.
   std::vector<double> record_of(const OwnMotion& motion) const;
+  Records records_of(const std::vector<OwnMotion>& motions) const;
 
+  /// Of `record`. Where the object has, or gets, several legs it has t and until, which the table need not have.
   Layout layout;
   std::vector<double> record;
-  OwnMotion stored;  ///< the motion of the record
-  OwnMotion base;    ///< the same from the change on, at max(now, t)
+  OwnMotion stored;                  ///< the motion of the record; with a plan its first leg
+  OwnMotion base;                    ///< the motion from the change on, at max(now, t)
+  std::vector<OwnMotion> legs = {};  ///< of its plan: those that do not end before now, `until` cuts them
+  std::size_t leg = 0;               ///< the one of `base`
+  std::size_t legs_before = 0;       ///< how many legs of the plan are not in `legs`
 };
+
+/// The numbers of a record that are the motion of the object.
+OwnMotion motion_in(const Layout& layout, const std::vector<double>& record);
+std::vector<double> with_motion(const Layout& layout, std::vector<double> record, const OwnMotion& motion);
+
+/// What a manoeuvre makes of the object.
+struct ChangedLegs {
+  /// In order of time from the change on; last what exists at the change alone, if there is such a leg.
+  std::vector<std::unique_ptr<Changes>> legs;
+  /// All that follows is later by k: an object in contact at the start is not exempt.
+  bool are_later = false;
+};
+
+/// Requires: `queried` is of the question.
+ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, const QueriedChanges& queried);
+
+/// The plan to store for k: of an object with a plan, or where the manoeuvre gives several legs. Nothing else, and for a
+/// k of an object without a plan that changes nothing. A plan of knots remains one if knots have just these legs.
+std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& own,
+                                 const QueriedChanges& queried, double k);
+
+/// The numbers to store for k; of several legs the first, and the last `until`.
+std::vector<double> changed_record(const AvoidQuestion& question, const OwnState& own,
+                                   const QueriedChanges& queried, double k);
 
 }  // namespace foresee

@@ -25,7 +25,8 @@ void require_range(const AvoidQuestion& question) {
   if (!lo) return;
   if (!question.how)
     throw Error(
-        "lo and hi are those of one manoeuvre: write how, 'turn', 'speed', 'climb', 'accelerate' or 'delay'");
+        "lo and hi are those of one manoeuvre: write how, 'turn', 'speed', 'climb', 'accelerate', 'delay' or "
+        "'wait'");
   require_finite("lo", *lo);
   require_finite("hi", *hi);
   require_order("lo", *lo, "hi", *hi);
@@ -46,9 +47,10 @@ void require_columns(const AvoidQuestion& question) {
   const std::string& name = question.own->name;
   const auto how = question.how;
   if (!how) return;
-  if (question.on_globe && *how != Manoeuvre::speed && *how != Manoeuvre::delay)
+  if (question.on_globe &&
+      (*how == Manoeuvre::turn || *how == Manoeuvre::climb || *how == Manoeuvre::accelerate))
     throw Error("'" + std::string(name_of(*how)) + "' is for tables on a plane, " + name +
-                " is on the globe; write 'speed' or 'delay'");
+                " is on the globe; write 'speed', 'delay' or 'wait'");
   if (*how == Manoeuvre::turn && layout.axes < 2)
     throw Error("a turn needs x and y: " + name + " has one axis; write 'speed'");
   if (*how == Manoeuvre::climb) {
@@ -61,12 +63,31 @@ void require_columns(const AvoidQuestion& question) {
     if (layout.law != Law::accelerated && layout.law != Law::forced)
       throw Error("'accelerate' changes an acceleration or a force: declare ax … or fx … with m in " + name);
   }
+  if (*how == Manoeuvre::wait) {
+    require_range_given(question, "'wait', 0, 600");
+    if (*question.lo < 0)
+      throw Error("'wait' lasts for lo to hi: lo must not be less than 0; lo is " + shown(*question.lo));
+  }
   if (*how == Manoeuvre::delay) {
     require_range_given(question, "'delay', 0, 600");
     if (!layout.has_t) throw Error("'delay' changes t: declare t in " + name);
     if (!question.now_given)
       throw Error("'delay' needs an explicit now, before which nothing can start; write now = ...");
   }
+}
+
+/// How long a change lasts.
+void require_resume(const AvoidQuestion& question) {
+  if (!question.resume) return;
+  const double resume = *question.resume;
+  require_finite("resume", resume);
+  if (!(resume > 0)) throw Error("resume must be greater than 0, not " + shown(resume) + ": write a time");
+  const Manoeuvre how = question.how.value_or(Manoeuvre::turn);
+  if (how != Manoeuvre::turn && how != Manoeuvre::speed && how != Manoeuvre::climb)
+    throw Error("resume ends a 'turn', 'speed' or 'climb', not '" + std::string(name_of(how)) +
+                "': leave it out");
+  if (question.on_globe)
+    throw Error("resume is for tables on a plane, " + question.own->name + " is on the globe; leave it out");
 }
 
 void require_no_meshes(const AvoidQuestion& question) {
@@ -101,14 +122,20 @@ void require_start_to_come(const AvoidQuestion& question, const OwnMotion& store
                 " is not supported for objects that grow; write lo >= 0 for " + question.own->name);
 }
 
+void require_manoeuvre_of_plan(const AvoidQuestion& question) {
+  if (question.how == Manoeuvre::delay || question.how == Manoeuvre::wait) return;
+  throw Error(question.own->name + ": row " + std::to_string(question.own->ids[0]) +
+              " has a plan: write 'wait' or 'delay' with lo and hi, as in 'wait', 0, 600");
+}
+
 }  // namespace
 
 Manoeuvre manoeuvre_of(std::string_view name) {
-  for (const Manoeuvre known :
-       {Manoeuvre::turn, Manoeuvre::speed, Manoeuvre::climb, Manoeuvre::accelerate, Manoeuvre::delay})
+  for (const Manoeuvre known : {Manoeuvre::turn, Manoeuvre::speed, Manoeuvre::climb, Manoeuvre::accelerate,
+                                Manoeuvre::delay, Manoeuvre::wait})
     if (name == name_of(known)) return known;
-  throw Error("how must be 'turn', 'speed', 'climb', 'accelerate' or 'delay', not '" + std::string(name) +
-              "'");
+  throw Error("how must be 'turn', 'speed', 'climb', 'accelerate', 'delay' or 'wait', not '" +
+              std::string(name) + "'");
 }
 
 Touching touching_of(std::string_view name) {
@@ -120,6 +147,7 @@ Touching touching_of(std::string_view name) {
 void require_valid(const AvoidQuestion& question) {
   require_range(question);
   require_columns(question);
+  require_resume(question);
   require_no_meshes(question);
   require_join(question, question.others);
   if (question.also) require_join(question, *question.also);
@@ -132,13 +160,8 @@ bool turns_with_course(const AvoidQuestion& question, const Changes& changes) {
   return changes.turns() && question.own->layout.has_heading && question.form;
 }
 
-std::unique_ptr<Changes> changes_of(const AvoidQuestion& question, const OwnState& own,
-                                    const QueriedChanges& queried) {
-  if (queried.manoeuvre == Manoeuvre::delay) return delays_of(own.stored, queried.lo);
-  return changes_by(queried.manoeuvre, own.base, question.on_globe);
-}
-
 std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnState& own) {
+  if (question.plan) require_manoeuvre_of_plan(question);
   const double m = speed_of(own.base);
   std::vector<QueriedChanges> queried;
   const auto add = [&](Manoeuvre manoeuvre, double lo, double hi) {
@@ -159,6 +182,9 @@ std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const
       break;
     case Manoeuvre::climb:
       add(Manoeuvre::climb, 0, 0);
+      break;
+    case Manoeuvre::wait:
+      add(Manoeuvre::wait, 0, 0);
       break;
     case Manoeuvre::delay:
       if (own.stored.t < question.now) break;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/changes.h"
+#include "motion/plan/plan.h"
 #include "query/scene.h"
 
 namespace foresee {
@@ -23,6 +24,7 @@ struct AvoidQuestion {
   std::shared_ptr<const Scene> own;       ///< the object that changes, or no object
   std::vector<double> record;             ///< its numbers as they are stored; empty: no object
   std::shared_ptr<const Form> form = {};  ///< its outline, or null
+  std::shared_ptr<const Plan> plan = {};  ///< or null; `own` has its legs
   SearchTarget others;                    ///< own's table: an object with own's id is own itself
   std::optional<SearchTarget> also = {};
   double now = 0;
@@ -33,9 +35,11 @@ struct AvoidQuestion {
   std::optional<Manoeuvre> how = {};       ///< default: turn and speed; on one axis speed
   std::optional<double> lo = {}, hi = {};  ///< default: those of the manoeuvre
   Touching touching = Touching::part;
-  bool on_globe = false;     ///< paths bend towards the Earth, and another speed or start keeps them
-  bool wants_motion = true;  ///< record
-  bool wants_ends = true;    ///< below, above
+  std::optional<double> resume = {};  ///< a turn, speed or climb lasts so long; default: it lasts
+  bool on_globe = false;              ///< paths bend towards the Earth, and another speed or start keeps them
+  bool wants_motion = true;           ///< record
+  bool wants_ends = true;             ///< below, above
+  bool wants_plan = false;            ///< plan
 };
 
 /// The object that is touched at an end of a row.
@@ -51,6 +55,8 @@ struct AvoidRow {
   double k_from, k_to, k;
   std::vector<double> record;  ///< to be stored for k; empty if it is not wanted
   std::optional<Blocker> below, above;
+  std::optional<Plan> plan =
+      {};  ///< to be stored for k, of what has several legs; else, or if not wanted, nothing
 };
 
 /// Throws Error for an unknown name, listing the known ones.
@@ -70,11 +76,7 @@ struct QueriedChanges {
   double lo, hi;
 };
 /// The manoeuvres and ranges of a valid `question`. Empty if the object has no course for them, or has started. Throws
-/// Error for a delay to before now.
+/// Error for a delay to before now, and for what an object with a plan cannot do.
 std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnState& own);
-
-/// The changed motions of one of them.
-std::unique_ptr<Changes> changes_of(const AvoidQuestion& question, const OwnState& own,
-                                    const QueriedChanges& queried);
 
 }  // namespace foresee

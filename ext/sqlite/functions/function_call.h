@@ -91,6 +91,9 @@ struct Hint {
   sqlite3_value* value;
 };
 
+/// How many outputs of a function may be known to be read, each on its own.
+inline constexpr int max_output_bits = 30;
+
 class FunctionCall {
  public:
   FunctionCall(const TableFunction& function, Connection& connection, std::span<sqlite3_value* const> inputs,
@@ -129,7 +132,8 @@ class FunctionCall {
     if (!inputs_[static_cast<std::size_t>(input)]) used_.keep(input, std::move(value));
   }
 
-  bool reads(int output) const { return (outputs_read_ >> output & 1) != 0; }
+  /// Whether the statement reads it; of the outputs from max_output_bits - 1 on, whether it reads any of them.
+  bool reads(int output) const { return (outputs_read_ >> std::min(output, max_output_bits - 1) & 1) != 0; }
 
   /// The integer that the query requires `output` to equal; nothing if it has no such condition.
   std::optional<std::int64_t> only(int output) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "sqlite/functions/function_call.h"
 #include "sqlite/host_sqlite.h"
 
 namespace foresee {
@@ -133,9 +134,16 @@ constexpr int order_length_at = 16, order_at = 20;  // in idxNum
 /// The bits of the outputs for which idxNum reports whether they are read: all of them, or the first sixteen
 /// of a function with orders.
 std::uint32_t outputs_reported(const TableFunction& function) {
-  constexpr int limit = 30;
-  const int max_bits = function.orders.empty() ? limit : order_length_at;
+  const int max_bits = function.orders.empty() ? max_output_bits : order_length_at;
   return (1u << std::min(output_count(function), max_bits)) - 1;
+}
+
+/// The last bit is that of all further outputs too.
+std::uint32_t outputs_read(const TableFunction& function, std::uint64_t columns_used) {
+  const auto outputs = columns_used & ((std::uint64_t{1} << output_count(function)) - 1);
+  const bool reads_last = outputs >> (max_output_bits - 1) != 0;
+  const auto read = static_cast<std::uint32_t>(outputs) | (reads_last ? 1u << (max_output_bits - 1) : 0u);
+  return read & outputs_reported(function);
 }
 
 /// The bits of idxNum for an ORDER BY that is one of the function's orders or a prefix of one. The call
@@ -169,7 +177,7 @@ int plan_call(const TableFunction& function, const Connection& connection, Earli
   }
   const int order = take_order(function, info);
   if (order != 0) take_row_limit(function, info, plan.arguments);
-  info.idxNum = static_cast<int>(info.colUsed & outputs_reported(function)) | order;
+  info.idxNum = static_cast<int>(outputs_read(function, info.colUsed)) | order;
   estimate(function, connection, earlier, plan, info);
   info.idxStr = sqlite3_mprintf("%s", described(plan, output_count(function)).c_str());
   if (!info.idxStr) return SQLITE_NOMEM;

@@ -1,8 +1,9 @@
 // Query plan of a call of a table-valued function: xBestIndex encodes it in idxNum and idxStr, xFilter
 // decodes it.
 //
-//   idxNum   one bit per output that the statement reads; for a function with orders, bits 16 to 19 hold the
-//            number of outputs of the order in which rows must come, and bit 20 upwards the order's index
+//   idxNum   one bit per output that the statement reads, the last one for all further outputs too; for a function
+//            with orders, bits 16 to 19 hold the number of outputs of the order in which rows must come, and bit 20
+//            upwards the order's index
 //   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an
 //            input that SQLite compares again; or '@' and then 'n' (LIMIT) or 'o' (OFFSET): function_call.h
 //

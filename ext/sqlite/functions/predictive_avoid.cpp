@@ -7,6 +7,7 @@
 #include "geography/frame.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/avoid/avoid.h"
+#include "sqlite/functions/plan/plan_functions.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/table/degrees_columns.h"
@@ -39,7 +40,8 @@ enum AvoidOutput {
   out_speed,
   out_course,
   out_height,
-  out_climb
+  out_climb,
+  out_plan
 };
 enum AvoidInput {
   in_h,
@@ -53,7 +55,8 @@ enum AvoidInput {
   in_also,
   in_within_z,
   in_touching,
-  in_schema
+  in_schema,
+  in_resume
 };
 
 class AvoidRows final : public FunctionRows {
@@ -100,6 +103,8 @@ class AvoidRows final : public FunctionRows {
       case out_height:
       case out_climb:
         return result_report(context, row, output);
+      case out_plan:
+        return result_changed_plan(context, row);
       default:
         return result_stored(context, row, output);
     }
@@ -115,6 +120,12 @@ class AvoidRows final : public FunctionRows {
     if (column == 0) return sqlite3_result_int64(context, blocker->id);
     if (column == 2) return sqlite3_result_double(context, blocker->t);
     result_text(context, tables_[static_cast<std::size_t>(blocker->table)]);
+  }
+
+  /// In metres; NULL for a table in degrees.
+  void result_changed_plan(sqlite3_context* context, const AvoidRow& row) const {
+    if (!row.plan || frame_.knows_places()) return;
+    result_plan(context, *row.plan, row.plan->kind == PlanKind::knots && row.plan->axes > 1);
   }
 
   /// A number of the changed record. NULL if the table has no such column or the number is infinite.
@@ -206,6 +217,7 @@ void read_numbers(const FunctionCall& call, AvoidQuestion& question) {
   question.within_z = call.number(in_within_z);
   if (const auto how = call.text(in_how)) question.how = manoeuvre_of(without_nul(*how));
   question.lo = call.number(in_lo), question.hi = call.number(in_hi);
+  question.resume = call.number(in_resume);
   if (const auto touching = call.text(in_touching)) question.touching = touching_of(without_nul(*touching));
 }
 
@@ -245,6 +257,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const double form = question.record.empty() ? 0 : value_or(question.record.data(), at.outline, 0);
   if (const auto number = integer_of(form); number.value_or(0) != 0) question.form = forms->form(*number);
   question.wants_motion = reads_any(call, out_t, out_heading) || reads_any(call, out_lat, out_climb);
+  question.wants_plan = call.reads(out_plan);
   question.wants_ends = reads_any(call, out_below, out_t_above);
   std::vector<AvoidRow> rows = avoid(question, connection.interrupt());
   if (const auto clear = call.only(out_clear))
@@ -264,9 +277,9 @@ const TableFunction& predictive_avoid() {
                   "az REAL",        "fx REAL",        "fy REAL",      "fz REAL",       "heading REAL",
                   "below INTEGER",  "below_tbl TEXT", "t_below REAL", "above INTEGER", "above_tbl TEXT",
                   "t_above REAL",   "lat REAL",       "lon REAL",     "speed REAL",    "course REAL",
-                  "height REAL",    "climb REAL"},
+                  "height REAL",    "climb REAL",     "plan"},
       .inputs = {"h", "tbl", "id", "within", "how", "lo", "hi", "now", "also", "within_z", "touching",
-                 "schema"},
+                 "schema", "resume"},
       .key = "manoeuvre, k_from, clear",
       .hinted = 1u << out_clear,
       .estimate = estimate_avoid,

@@ -151,7 +151,7 @@ TEST_F(GlobeFunctions, RefuseWhatNeedsAnAxisThatPointsUp) {
     const std::string name(how, std::find(how, how + 12, '\''));
     EXPECT_EQ(error("predictive_avoid(60, 'ships', 1, 50, '" + std::string(how) + ")"),
               "predictive_avoid: '" + name +
-                  "' is for tables on a plane, ships is on the globe; write 'speed' or 'delay'");
+                  "' is for tables on a plane, ships is on the globe; write 'speed', 'delay' or 'wait'");
   }
 }
 

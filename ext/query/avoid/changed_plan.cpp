@@ -1,0 +1,113 @@
+// The plan and the record that a change gives an object with several legs.
+#include <algorithm>
+
+#include "base/error.h"
+#include "motion/plan/plan_legs.h"
+#include "query/avoid/own_state.h"
+
+namespace foresee {
+namespace {
+
+Leg leg_of(const OwnMotion& motion) {
+  return {motion.t, motion.until, motion.x, motion.v, motion.a};
+}
+
+Leg later(Leg leg, double k) {
+  leg.t += k, leg.until += k;
+  return leg;
+}
+
+/// All legs of the plan, where the object stands for k from the change on.
+std::vector<Leg> legs_with_wait(const std::vector<Leg>& legs, const OwnState& own, double k) {
+  const OwnMotion& base = own.base;
+  const std::size_t here = own.legs_before + own.leg;
+  std::vector<Leg> changed(legs.begin(), legs.begin() + static_cast<std::ptrdiff_t>(here));
+  Leg before = legs[here];
+  before.until = base.t;
+  if (before.t < before.until) changed.push_back(before);
+  changed.push_back({base.t, base.t + k, base.x, {}, {}});
+  changed.push_back({base.t + k, legs[here].until + k, base.x, base.v, base.a});
+  for (std::size_t i = here + 1; i < legs.size(); ++i) changed.push_back(later(legs[i], k));
+  return changed;
+}
+
+/// The same with knots; it need not have these legs.
+Plan knots_with_wait(const Plan& plan, const OwnState& own, double k) {
+  Plan changed{.kind = plan.kind, .axes = plan.axes, .part_starts = {}};
+  const OwnMotion& base = own.base;
+  std::size_t leg = 0;
+  const std::size_t here = own.legs_before + own.leg;
+  for (std::size_t part = 0; part < plan.parts(); ++part) {
+    changed.part_starts.push_back(changed.knots.size());
+    for (std::size_t i = plan.part_starts[part]; i < plan.part_end(part); ++i) {
+      Knot knot = plan.knots[i];
+      if (leg > here || knot.t > base.t) knot.t += k;
+      const bool starts = leg == here && i + 1 < plan.part_end(part);
+      if (!starts || knot.t < base.t) changed.knots.push_back(knot);
+      if (starts) changed.knots.push_back({base.t, base.x}), changed.knots.push_back({base.t + k, base.x});
+      if (i + 1 < plan.part_end(part)) ++leg;
+    }
+  }
+  return changed;
+}
+
+/// A plan of these legs; `knots` if they are its legs.
+Plan plan_of(std::vector<Leg> legs, const Plan& stored, Plan (*knots)(const Plan&, const OwnState&, double),
+             const OwnState& own, double k) {
+  if (stored.kind == PlanKind::knots) {
+    try {
+      Plan plan = knots(stored, own, k);
+      check_plan(plan);
+      if (legs_of(plan) == legs) return plan;
+    } catch (const Error&) {  // no knots have these legs
+    }
+  }
+  const PlanKind kind = stored.kind == PlanKind::knots ? PlanKind::uniform : stored.kind;
+  return {.kind = kind, .axes = stored.axes, .legs = std::move(legs)};
+}
+
+Plan later_knots(const Plan& plan, const OwnState& /*own*/, double k) {
+  return shifted_plan(plan, k);
+}
+
+}  // namespace
+
+std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& own,
+                                 const QueriedChanges& queried, double k) {
+  const bool waits = queried.manoeuvre == Manoeuvre::wait;
+  if (question.plan) {
+    if (k == 0) return *question.plan;
+    std::vector<Leg> legs = legs_of(*question.plan);
+    if (waits) return plan_of(legs_with_wait(legs, own, k), *question.plan, knots_with_wait, own, k);
+    for (Leg& leg : legs) leg = later(leg, k);
+    return plan_of(std::move(legs), *question.plan, later_knots, own, k);
+  }
+  if (k == 0 || !(waits || question.resume)) return std::nullopt;
+  const ChangedLegs changed = changed_legs(question, own, queried);
+  const Offsets at = record_offsets(own.layout);
+  const bool bends = at.a != Offsets::absent || at.force != Offsets::absent;
+  Plan plan{.kind = bends ? PlanKind::accelerated : PlanKind::uniform, .axes = own.layout.axes};
+  for (const auto& leg : changed.legs) {
+    const OwnMotion motion = leg->changed(k);
+    if (own.layout.has_heading && motion.heading != own.stored.heading)
+      return std::nullopt;  // a plan has one heading
+    plan.legs.push_back(leg_of(motion));
+  }
+  return plan;
+}
+
+std::vector<double> changed_record(const AvoidQuestion& question, const OwnState& own,
+                                   const QueriedChanges& queried, double k) {
+  if (k == 0) return question.record;
+  const Layout& layout = question.own->layout;
+  const ChangedLegs changed = changed_legs(question, own, queried);
+  OwnMotion motion = changed.legs[0]->changed(k);
+  if (question.plan && queried.manoeuvre == Manoeuvre::wait && own.stored.t < own.base.t) motion = own.stored;
+  if (question.plan || queried.manoeuvre == Manoeuvre::wait || question.resume) {
+    motion.until = motion_in(layout, question.record).until;
+    if (changed.are_later) motion.until += k;
+  }
+  return with_motion(layout, question.record, motion);
+}
+
+}  // namespace foresee

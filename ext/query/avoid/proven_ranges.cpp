@@ -1,0 +1,164 @@
+#include "query/avoid/proven_ranges.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/axes.h"
+#include "contact/clearance/departure.h"
+
+namespace foresee {
+namespace {
+
+/// Whether the error of any number may decide its sign.
+template <int D>
+bool seem_zero(const Vec<D>& numbers, const Vec<D>& errors) {
+  return (errors > 0 && numbers.abs() <= 0x1p30 * errors).any();
+}
+
+template <int D>
+bool needs_exact_state(const Encounter<D>& encounter, bool touches) {
+  return is_beside(encounter) &&
+         (!touches || seem_zero<D>(encounter.x, encounter.ex) || seem_zero<D>(encounter.v, encounter.ev));
+}
+
+/// For a delay, and for an intruder that does not exist yet, only the gap is valid.
+template <int D>
+void take_exact_state(Encounter<D>& encounter, const ExactAvoidance::InitialState& exact, bool delayed) {
+  encounter.square_gap = exact.square_gap;
+  if (delayed || encounter.begin > 0) return;
+  for (int axis = 0; axis < D; ++axis) {
+    const auto j = static_cast<std::size_t>(axis);
+    encounter.x[axis] = exact.x[j], encounter.ex[axis] = exact.ex[j];
+    encounter.v[axis] = exact.v[j], encounter.ev[axis] = exact.ev[j];
+  }
+}
+
+/// One intruder, or one leg of its plan, beside one leg of the object.
+template <int D>
+struct OrderedCertificate {
+  double nearness;
+  std::size_t table;
+  std::int64_t id;
+  std::size_t leg;
+  double t;
+  IntruderCertificate<D> certificate;
+};
+
+template <int D>
+class ProvenRanges {
+ public:
+  ProvenRanges(const ManoeuvreCase& manoeuvre, ExactAvoidance& exact, Interrupt& interrupt)
+      : manoeuvre_(manoeuvre),
+        question_(manoeuvre.question),
+        exact_(exact),
+        interrupt_(interrupt),
+        own_(question_.own->bodies()) {}
+
+  std::vector<KRange> ranges() {
+    first_ = marked(exact_.touching_at_start(manoeuvre_.record_at_first()));
+    at_start_ = first_leg().starts_vary() ? marked(touching_at_rest()) : first_;
+    for (std::size_t table = 0; table < manoeuvre_.near.size(); ++table) add_table(table);
+    std::sort(ordered_.begin(), ordered_.end(),
+              [](const OrderedCertificate<D>& a, const OrderedCertificate<D>& b) {
+                return std::tie(a.nearness, a.table, a.id, a.leg, a.t) <
+                       std::tie(b.nearness, b.table, b.id, b.leg, b.t);
+              });
+    std::vector<IntruderCertificate<D>> certificates;
+    for (OrderedCertificate<D>& one : ordered_) certificates.push_back(std::move(one.certificate));
+    return ClearRanges<D>(manoeuvre_.changed.legs, std::move(certificates), interrupt_)
+        .between(manoeuvre_.queried.lo, manoeuvre_.queried.hi);
+  }
+
+ private:
+  using AtFirst = typename IntruderCertificate<D>::AtFirst;
+  using Marks = std::vector<std::vector<std::uint8_t>>;
+
+  const Changes& first_leg() const { return manoeuvre_.first_leg(); }
+
+  Marks marked(const std::vector<Intruder>& some) const {
+    Marks marks;
+    for (const NearObjects& near : manoeuvre_.near) marks.emplace_back(near.scene->size());
+    for (const Intruder& intruder : some) marks[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
+    return marks;
+  }
+
+  /// The intruders that the object touches at any time if it remains at its start.
+  std::vector<Intruder> touching_at_rest() {
+    OwnMotion resting = first_leg().unchanged();
+    resting.t = first_leg().reference().t, resting.until = std::numeric_limits<double>::infinity();
+    resting.v = resting.a = resting.force = {};
+    const std::vector<Intruder> none;
+    return exact_.touching({manoeuvre_.own.record_of(resting)}, &none);
+  }
+
+  void add_table(std::size_t table) {
+    const NearObjects& near = manoeuvre_.near[table];
+    const Bodies there = near.scene->bodies();
+    const PairRule rule(own_.layout, there.layout, question_.within, question_.within_z);
+    const bool outlines = rule.pieces == PieceKind::planar;
+    for (std::size_t leg = 0; leg < manoeuvre_.changed.legs.size(); ++leg) {
+      // Only the first leg turns: what follows has the stored heading.
+      const auto own_outline =
+          outlines ? std::make_shared<const OwnOutline>(own_, 0, manoeuvre_.turns && leg == 0) : nullptr;
+      const std::size_t count = near.of_leg.empty() ? there.count : near.of_leg[leg].size();
+      for (std::size_t i = 0; i < count; ++i) {
+        if (i % 4096 == 0) interrupt_.check();
+        add(table, near.of_leg.empty() ? i : near.of_leg[leg][i], leg, rule, there, own_outline);
+      }
+    }
+  }
+
+  void add(std::size_t table, std::size_t row, std::size_t leg, const PairRule& rule, const Bodies& there,
+           const std::shared_ptr<const OwnOutline>& own_outline) {
+    const bool touches = first_[table][row] != 0;
+    if (touches && question_.touching == Touching::ignore) return;
+    const OwnMotion& reference = manoeuvre_.changed.legs[leg]->reference();
+    const auto extents = extents_of_both<D>(rule, own_.row(0), there.row(row), reference.t);
+    const Horizon horizon{question_.now, question_.h};
+    auto encounter = encounter_of<D>(reference, horizon, there, there.row(row), extents);
+    if (encounter.begin > encounter.end) return;
+    const double far = (encounter.x.abs() - encounter.extents.half).maxCoeff() - encounter.extents.radius;
+    const auto pair = own_outline ? std::make_shared<const OutlinePair>(own_outline, there, row) : nullptr;
+    const AtFirst known = at_first(encounter, leg, touches, at_start_[table][row] != 0);
+    if (leg == 0 && needs_exact_state(encounter, touches)) {
+      const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(row)};
+      take_exact_state(encounter, exact_.initial_state(manoeuvre_.record_at_first(), intruder),
+                       first_leg().starts_vary());
+    }
+    const double t = value_or(there.row(row), there.at.t, 0);
+    ordered_.push_back(
+        {far, table, manoeuvre_.near[table].scene->ids[row], leg, t, {encounter, known, pair, leg}});
+  }
+
+  /// For a delay only the state of a resting intruder is known: it has the same position at every start. What is later
+  /// by k is exempt from no contact; of later legs nothing is known.
+  AtFirst at_first(const Encounter<D>& encounter, std::size_t leg, bool touches,
+                   bool touches_at_start) const {
+    if (leg > 0) return AtFirst::unknown;
+    if (first_leg().starts_vary()) {
+      const bool rests = (encounter.v == 0).all() && (encounter.ev == 0).all() && !encounter.bends() &&
+                         !encounter.extents.grows;
+      return rests && !touches_at_start ? AtFirst::apart : AtFirst::unknown;
+    }
+    if (touches) return manoeuvre_.changed.are_later ? AtFirst::unknown : AtFirst::touches;
+    return encounter.begin > 0 || manoeuvre_.turns ? AtFirst::unknown : AtFirst::apart;
+  }
+
+  const ManoeuvreCase& manoeuvre_;
+  const AvoidQuestion& question_;
+  ExactAvoidance& exact_;
+  Interrupt& interrupt_;
+  Bodies own_;
+  Marks first_, at_start_;  ///< of each table: what touches before the change, and where a delay starts
+  std::vector<OrderedCertificate<D>> ordered_;
+};
+
+}  // namespace
+
+std::vector<KRange> proven_ranges(const ManoeuvreCase& manoeuvre, ExactAvoidance& exact,
+                                  Interrupt& interrupt) {
+  return with_axes(manoeuvre.own.layout.axes,
+                   [&]<int D>(Axes<D>) { return ProvenRanges<D>(manoeuvre, exact, interrupt).ranges(); });
+}
+
+}  // namespace foresee
