@@ -30,6 +30,7 @@ struct LegTimes {
   double until = std::numeric_limits<double>::infinity();
 
   bool meet(double t, double leg_until) const { return t <= until && from <= leg_until; }
+  bool cover(const LegTimes& times) const { return from <= times.from && times.until <= until; }
 };
 
 /// Rows `first` to `last` - 1 of a scene.

@@ -1,6 +1,7 @@
 #include "sqlite/connection.h"
 
 #include "base/float_environment.h"
+#include "motion/plan/plan_legs.h"
 #include "query/join/pair_kinds.h"
 #include "sqlite/sql_tokens.h"
 
@@ -11,11 +12,18 @@ std::size_t memory_of(const Scene& scene) {
   const std::size_t of_kinds = scene.kinds ? scene.kinds->of.size() * sizeof(Kinds) +
                                                  (scene.kinds->active ? memory_of(*scene.kinds->active) : 0)
                                            : 0;
-  return of_kinds + scene.ids.size() * sizeof(std::int64_t) + scene.rows.size() * sizeof(double) +
+  return of_kinds + scene.first_rows.size() * sizeof(std::uint32_t) +
+         scene.ids.size() * sizeof(std::int64_t) + scene.rows.size() * sizeof(double) +
          (scene.forms ? scene.forms->memory() : 0);
 }
 
 }  // namespace
+
+void add_object(Store& store, std::int64_t id, std::span<const double> record, Scene& scene) {
+  if (!has_plan(store.format().at, record.data())) return scene.add(id, record.data());
+  const std::vector<double> own(record.begin(), record.end());  // the store may reuse its memory
+  scene.add(id, own.data(), legs_of(store.read_plan(id, own)));
+}
 
 std::int64_t Connection::announce(std::shared_ptr<Store> store, const std::string& schema,
                                   const std::string& table) {
@@ -78,17 +86,19 @@ std::span<TableCursor* const> Connection::cursors(const Store* store) const noex
   return open->second;
 }
 
-std::shared_ptr<const Scene> Connection::find_scene(const OpenTable& table, bool with_levels) {
+std::shared_ptr<const Scene> Connection::find_scene(const OpenTable& table, bool with_levels,
+                                                    const LegTimes& times) {
   const ContentVersion version = table.store->read_version();
   const auto cached = scenes_.find(table.store.get());
   if (cached == scenes_.end() || cached->second.version != version ||
-      (with_levels && !cached->second.scene->levels))
+      (with_levels && !cached->second.scene->levels) || !cached->second.scene->legs_during.cover(times))
     return nullptr;
   cached->second.used = ++last_use_;
   return cached->second.scene;
 }
 
 std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool with_levels) {
+  if (table.store->declaration().layout.has_plan) return load_legs(table);
   if (auto scene = find_scene(table, with_levels)) return scene;
   const ContentVersion version = table.store->read_version();
   scenes_.erase(table.store.get());  // before the new one is decoded, so that memory holds only one
@@ -105,9 +115,34 @@ std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool
     table.store->read_all(scene->ids, scene->rows, interrupt_);
   }
   scene->take_forms(table.store->forms(), interrupt_);
-  scenes_[table.store.get()] = {version, scene, ++last_use_};
-  evict_scenes();
+  keep_scene(table, version, scene);
   return scene;
+}
+
+std::shared_ptr<const Scene> Connection::load_legs(const OpenTable& table, const LegTimes& times) {
+  if (auto scene = find_scene(table, false, times)) return scene;
+  const ContentVersion version = table.store->read_version();
+  scenes_.erase(table.store.get());  // before the new one is decoded, so that memory holds only one
+  auto scene = std::make_shared<Scene>();
+  scene->name = table.table;
+  scene->layout = table.store->declaration().layout;
+  scene->legs_during = times;
+  const FloatEnvironment environment;
+  table.store->read_objects(
+      times.from, times.until,
+      [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
+        scene->add(id, record.data(), legs);
+      },
+      interrupt_);
+  scene->take_forms(table.store->forms(), interrupt_);
+  keep_scene(table, version, scene);
+  return scene;
+}
+
+void Connection::keep_scene(const OpenTable& table, const ContentVersion& version,
+                            std::shared_ptr<const Scene> scene) {
+  scenes_[table.store.get()] = {version, std::move(scene), ++last_use_};
+  evict_scenes();
 }
 
 std::shared_ptr<Scene> Connection::load_object(const OpenTable& table, std::int64_t id) {
@@ -115,7 +150,7 @@ std::shared_ptr<Scene> Connection::load_object(const OpenTable& table, std::int6
   scene->name = table.table;
   scene->layout = table.store->declaration().layout;
   const FloatEnvironment environment;  // accelerations are computed on loading
-  if (const auto record = table.store->read(id)) scene->add(id, record->data());
+  if (const auto record = table.store->read(id)) add_object(*table.store, id, *record, *scene);
   return scene;
 }
 

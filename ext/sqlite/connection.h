@@ -82,11 +82,17 @@ class Connection {
   /// for damaged rows. Cost: a look-up if this version's scene is cached, else all rows are read and decoded.
   std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false);
 
-  /// The cached scene of this version, or null: nothing is decoded.
-  std::shared_ptr<const Scene> find_scene(const OpenTable& table, bool with_levels = false);
+  /// The same of a table with plans, whose legs are rows: rows that exist at some time of `times`, perhaps more. The
+  /// tree's levels are not those of legs. Cost: as above, for the plans that live then; a cached scene of other
+  /// times is replaced.
+  std::shared_ptr<const Scene> load_legs(const OpenTable& table, const LegTimes& times = {});
 
-  /// A scene of the one object with this id, empty if it does not exist; without its outline or mesh. Cost: a
-  /// look-up.
+  /// The cached scene of this version, or null: nothing is decoded. `times`: those that it must cover.
+  std::shared_ptr<const Scene> find_scene(const OpenTable& table, bool with_levels = false,
+                                          const LegTimes& times = {});
+
+  /// A scene of the one object with this id, with all its legs, empty if it does not exist; without its outline or
+  /// mesh. Cost: a look-up, and decoding the plan.
   static std::shared_ptr<Scene> load_object(const OpenTable& table, std::int64_t id);
 
   /// PRAGMA threads: the number of helper threads that a computation may use; 0 by default.
@@ -106,6 +112,7 @@ class Connection {
     std::uint64_t used;  ///< a counter: larger is later
   };
 
+  void keep_scene(const OpenTable& table, const ContentVersion& version, std::shared_ptr<const Scene> scene);
   void evict_scenes() noexcept;
 
   sqlite3* db_;
@@ -120,5 +127,8 @@ class Connection {
   std::unique_ptr<WatchUpkeep> watches_;
   std::shared_ptr<GridSpace> space_ = std::make_shared<GridSpace>();
 };
+
+/// Adds an object that the store holds under this record: its row, or the rows of its legs. Requires: FloatEnvironment.
+void add_object(Store& store, std::int64_t id, std::span<const double> record, Scene& scene);
 
 }  // namespace foresee

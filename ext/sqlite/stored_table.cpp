@@ -27,7 +27,7 @@ std::shared_ptr<const Scene> StoredTable::objects(std::span<const std::int64_t> 
   StatementReadState statement_state;
   for (const std::int64_t id : ids) {
     const std::span<const double> record = table_.store->find(id, statement_state);
-    if (!record.empty()) scene->add(id, record.data());
+    if (!record.empty()) add_object(*table_.store, id, record, *scene);
   }
   scene->take_forms(table_.store->forms(), connection_.interrupt());
   return scene;

@@ -27,9 +27,13 @@ class StoredTable final : public TableSource {
   std::shared_ptr<const Scene> all(bool with_levels) override {
     return connection_.load_scene(table_, with_levels);
   }
+  std::shared_ptr<const Scene> all_during(const LegTimes& times) override {
+    return layout().has_plan ? connection_.load_legs(table_, times) : all(false);
+  }
   bool is_loaded() override { return connection_.find_scene(table_) != nullptr; }
   std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) override;
   std::shared_ptr<NodeSource> tree() override { return table_.store->take_snapshot(); }
+  std::shared_ptr<ChunkSource> chunks() override { return table_.store->chunks(); }
 
   /// The stamp in the file. Changes in memory that are not written yet do not alter it.
   std::optional<std::int64_t> stamp() override { return table_.store->stored_stamp(); }

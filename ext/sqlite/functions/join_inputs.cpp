@@ -32,6 +32,8 @@ enum Input {
 OpenTables open_tables(Connection& connection, const JoinInputs& inputs) {
   OpenTables tables{open_table(connection, inputs.tbl)};
   if (inputs.other) tables.b = open_table(connection, {inputs.other, inputs.tbl.schema});
+  require_no_plans(tables.a);
+  if (tables.b) require_no_plans(*tables.b);
   if (tables.b) require_one_frame(tables.a, *tables.b);
   require_upright(tables.a, inputs.within_z);
   return tables;

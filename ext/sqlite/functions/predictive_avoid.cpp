@@ -229,6 +229,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const auto given_now = call.number(in_now);
   const TableName tbl{call.text(in_tbl), call.text(in_schema)};
   const auto table = open_table(connection, tbl);
+  require_no_plans(table);
   require_upright(table, question.within_z);
   question.on_globe = table.store->frame().on_globe();
   if (question.on_globe && !question.how) question.how = Manoeuvre::speed;
@@ -237,6 +238,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   double newest = read_newest_t(*question.others.tree);
   if (const auto also = call.text(in_also)) {
     const auto second = open_table(connection, {also, tbl.schema});
+    require_no_plans(second);
     require_one_frame(table, second);
     question.also = searched(second);
     tables[1] = second.table;

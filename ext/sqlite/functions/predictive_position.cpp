@@ -46,6 +46,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const double at = call.required_number(in_at);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
+  require_no_plans(table);
   call.used(in_tbl, table.table), call.used(in_schema, table.schema);
   const auto id = call.only(out_id);
   std::shared_ptr<const Scene> scene;

@@ -53,6 +53,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const auto now = call.number(in_now);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
+  require_no_plans(table);
   require_upright(table, question.within_z);
   question.tree = table.store->take_snapshot();
   question.now = now ? *now : read_newest_t(*question.tree);

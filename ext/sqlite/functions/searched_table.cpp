@@ -13,6 +13,7 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
   const auto now = call.number(inputs.now);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
+  require_no_plans(table);
   call.used(inputs.tbl, table.table), call.used(inputs.schema, table.schema);
   call.used(inputs.method, "auto");
   SearchedTable searched{{table.table, nullptr, nullptr}, now.value_or(0), table.store->frame()};

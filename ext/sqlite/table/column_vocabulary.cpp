@@ -23,9 +23,10 @@ constexpr std::array words = {
     Word{"shape", Quantity::form, 0},       Word{"heading", Quantity::heading, 0},
     Word{"growth", Quantity::growth, 0},    Word{"growth_z", Quantity::growth, 2},
     Word{"until", Quantity::until, 0},      Word{"category", Quantity::category, 0},
-    Word{"mask", Quantity::mask, 0},        Word{"lat", Quantity::centre, 0},
-    Word{"lon", Quantity::centre, 1},       Word{"speed", Quantity::velocity, 0},
-    Word{"course", Quantity::velocity, 1},  Word{"zone", Quantity::form, 0},
+    Word{"mask", Quantity::mask, 0},        Word{"plan", Quantity::plan, 0},
+    Word{"lat", Quantity::centre, 0},       Word{"lon", Quantity::centre, 1},
+    Word{"speed", Quantity::velocity, 0},   Word{"course", Quantity::velocity, 1},
+    Word{"zone", Quantity::form, 0},
 };
 
 /// A column name of other data formats.
@@ -48,6 +49,9 @@ constexpr ForeignWord foreign_words[] = {
     {"height", "did you mean hz, half of it, or z?"},
     {"mmsi", "did you mean id?"},
     {"mass", "did you mean m?"},
+    {"path", "did you mean plan?"},
+    {"route", "did you mean plan?"},
+    {"trip", "did you mean plan?"},
 };
 
 /// Levenshtein distance from a to b, without case.

@@ -27,6 +27,7 @@ enum class Quantity : std::uint8_t {
   growth,
   category,
   mask,
+  plan,
   until,  // must stay last: quantity_count depends on it
 };
 constexpr int quantity_count = static_cast<int>(Quantity::until) + 1;
@@ -34,6 +35,11 @@ constexpr int quantity_count = static_cast<int>(Quantity::until) + 1;
 /// Whether a quantity is one of the kinds (shape/kinds.h) and not of the motion.
 constexpr bool is_kind(Quantity quantity) {
   return quantity == Quantity::category || quantity == Quantity::mask;
+}
+
+/// Whether the first leg of a plan gives the quantity.
+constexpr bool is_of_leg(Quantity quantity) {
+  return quantity <= Quantity::acceleration;
 }
 
 /// One known column name.

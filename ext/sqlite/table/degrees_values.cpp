@@ -196,6 +196,9 @@ void Values::copy_place(const std::vector<double>& before) {
   std::copy_n(before.begin() + at_.x, frame_.axes_of_place(), record_.begin() + at_.x);
 }
 void Values::copy_motion(const std::vector<double>& before) {
+  const bool is_declared = std::any_of(degrees_.begin(), degrees_.end(),
+                                       [this](std::size_t i) { return columns_[i].geo == GeoColumn::speed; });
+  if (!is_declared) return;  // a row without its plan is at rest
   for (const int offset : {at_.v, at_.a})
     if (offset != Offsets::absent)
       std::copy_n(before.begin() + offset, frame_.axes_of_place(), record_.begin() + offset);

@@ -84,6 +84,9 @@ void require_geographic(const Words& words, bool on_globe) {
 
 /// On the globe no axis is up: its objects are points and balls.
 void require_globe(const Words& words) {
+  if (const DeclaredWord* plan = find(words, "plan"))
+    refuse(plan->argument,
+           "legs are straight, and paths on the globe bend; write origin = 'LAT LON', or leave plan out");
   for (const auto& [word, argument] : words)
     if (word.quantity == Quantity::half_extent || word.quantity == Quantity::form ||
         word.quantity == Quantity::heading || (word.quantity == Quantity::growth && word.axis == 2))
@@ -99,7 +102,8 @@ void require_zone(const DeclaredWord& zone, const Words& words) {
       refuse(argument, "the corners of a zone place it; leave " + std::string(word.name) +
                            " out, or write shape in place of zone");
     if (word.quantity == Quantity::velocity || word.quantity == Quantity::acceleration ||
-        word.quantity == Quantity::force || word.quantity == Quantity::mass || on_height)
+        word.quantity == Quantity::force || word.quantity == Quantity::mass ||
+        word.quantity == Quantity::plan || on_height)
       refuse(argument, "a zone is at rest; leave " + std::string(word.name) +
                            " out, or write lat, lon and shape in place of zone");
     if (word.quantity == Quantity::heading || word.name == "shape" ||

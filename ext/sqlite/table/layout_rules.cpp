@@ -20,9 +20,11 @@ class WordTable {
   Layout layout() const {
     require_axes();
     require_known_axes();
+    require_rules_of_plans();
     Layout layout{.axes = axes_, .law = law(), .shape = shape()};
-    layout.has_t = has(Quantity::reference_time);
-    layout.has_until = has(Quantity::until);
+    layout.has_plan = has(Quantity::plan);
+    layout.has_t = layout.has_plan || has(Quantity::reference_time);
+    layout.has_until = layout.has_plan || has(Quantity::until);
     layout.has_radius = is_stored_apart(layout.shape) && has(Quantity::radius);
     layout.has_heading = has(Quantity::heading);
     layout.has_category = has(Quantity::category);
@@ -66,7 +68,10 @@ class WordTable {
       if (has(Quantity::centre, axis))
         refuse(at(Quantity::centre, axis), "there is no " + std::string(word_for(Quantity::centre, axes_)) +
                                                "; axes are declared in the order x, y, z");
-    if (axes_ == 0) throw Error("no position is declared; add x (and y, z for two or three axes)");
+    if (axes_ > 0) return;
+    const std::string why = "no position is declared; add x (and y, z for two or three axes)";
+    if (const DeclaredWord* plan = first(Quantity::plan)) refuse(plan, why);
+    throw Error(why);
   }
 
   void require_known_axes() const {
@@ -78,6 +83,16 @@ class WordTable {
           refuse(declared, "there is no axis " + centre + "; add " + centre + " or leave " +
                                std::string(declared->word.name) + " out");
         }
+  }
+
+  void require_rules_of_plans() const {
+    if (!has(Quantity::plan)) return;
+    for (const Quantity quantity : {Quantity::force, Quantity::mass})
+      if (const DeclaredWord* declared = first(quantity))
+        refuse(declared, "a plan has accelerations, not forces; declare " + list(Quantity::acceleration) +
+                             ", or leave plan out");
+    if (const DeclaredWord* growth = first(Quantity::growth))
+      refuse(growth, "a plan does not grow; leave one out");
   }
 
   /// Whether the quantity is declared. Throws Error if some of its axes are missing.
@@ -108,7 +123,7 @@ class WordTable {
     if (mass != nullptr)
       refuse(mass, "a mass needs a force; add " + list(Quantity::force) + " or leave " +
                        std::string(mass->word.name) + " out");
-    return moves ? Law::uniform : Law::rest;
+    return moves || has(Quantity::plan) ? Law::uniform : Law::rest;
   }
 
   void require_place_for_form(const DeclaredWord* form) const {
@@ -199,6 +214,8 @@ int offset_of(const Offsets& at, const Word& word) {
       return at.category;
     case Quantity::mask:
       return at.mask;
+    case Quantity::plan:
+      return at.plan;
     case Quantity::until:
       return at.until;
   }

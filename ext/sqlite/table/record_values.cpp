@@ -87,14 +87,15 @@ int type_as_number(sqlite3_value* value) {
   return type == SQLITE_TEXT ? sqlite3_value_numeric_type(value) : type;
 }
 
-const char* rule_for_null(Quantity quantity) {
+const char* rule_for_null(Quantity quantity, bool has_plan) {
   switch (quantity) {
     case Quantity::reference_time:
       return "a declared reference time is needed; write the time at which the position holds";
     case Quantity::mass:
       return "a force needs a mass; write a number greater than 0";
     default:
-      return "a position is needed; write a finite number";
+      return has_plan ? "a position or a plan is needed; write one of them"
+                      : "a position is needed; write a finite number";
   }
 }
 
@@ -110,7 +111,8 @@ Values::Values(const Declaration& declaration, const std::string& table, Interru
       layout_(declaration.layout),
       at_(record_offsets(layout_)),
       forms_(declaration, interrupt),
-      frame_(declaration.frame) {
+      frame_(declaration.frame),
+      plans_(declaration, interrupt) {
   for (const MotionColumn& column : declaration.columns)
     columns_.push_back({column.name, find_word(column.name)->quantity, column.place, column.geo});
   for (std::size_t which = 1; which < geo_columns; ++which)
@@ -120,17 +122,29 @@ Values::Values(const Declaration& declaration, const std::string& table, Interru
 }
 
 std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion, Store& store,
-                                       std::optional<std::int64_t> updated) {
+                                       std::optional<std::int64_t> updated,
+                                       std::span<const double> at_start) {
+  if (layout_.has_plan) start_planned_row(id, motion, store, updated, at_start);
   sqlite3_value* shape = nullptr;
-  for (std::size_t i = 0; i < columns_.size(); ++i)
-    if (columns_[i].quantity == Quantity::form)
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const Column& column = columns_[i];
+    if (column.quantity == Quantity::form)
       shape = motion[i];
-    else if (columns_[i].geo == GeoColumn::none)
-      record_[static_cast<std::size_t>(columns_[i].place)] = stored(columns_[i], id, motion[i]);
-  if (!degrees_.empty()) fill_degrees(id, motion, store, updated);
+    else if (column.geo == GeoColumn::none && column.quantity != Quantity::plan)
+      record_[static_cast<std::size_t>(column.place)] = layout_.has_plan && is_of_leg(column.quantity)
+                                                            ? number_of_leg(column, id, motion[i])
+                                                            : stored(column, id, motion[i]);
+  }
+  if (!leg_.empty()) {
+    check_degrees_of_leg(id, motion, store);
+    std::copy(leg_.begin(), leg_.end(), record_.begin());
+  } else if (!degrees_.empty()) {
+    fill_degrees(id, motion, store, updated);
+  }
   if (layout_.has_until) require_motion_to_last(id);
   if (layout_.law == Law::forced) require_finite_acceleration(id);
   if (shape) fill_form(id, shape, store, updated);
+  if (!leg_.empty()) require_heading_beside_plan(id, motion);
   return record_;
 }
 
@@ -154,7 +168,7 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
   if (type == SQLITE_NULL) {
     if (quantity == Quantity::until) return std::numeric_limits<double>::infinity();
     if (quantity == Quantity::reference_time || quantity == Quantity::centre || quantity == Quantity::mass)
-      refuse(column.name, id, shown(value), rule_for_null(quantity));
+      refuse(column.name, id, shown(value), rule_for_null(quantity, layout_.has_plan));
     return 0;
   }
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "sqlite/table/column_vocabulary.h"
+#include "sqlite/table/plan_values.h"
 #include "storage/format/declaration.h"
 #include "storage/rows/sqlite_api.h"
 #include "storage/table/store.h"
@@ -66,10 +67,14 @@ class Values {
   void rename(const std::string& table) { table_ = table; }
 
   /// `motion`: one value per declared motion column, in declared order. `updated`: the row that an UPDATE
-  /// changes. Adds new outlines and meshes to the store; objects stay unchanged. The result is valid until
-  /// the next call.
+  /// changes. `at_start`: its record when the statement started, if it is known. Adds new outlines and meshes to the
+  /// store; objects stay unchanged. The result is valid until the next call.
   std::span<const double> record(std::int64_t id, sqlite3_value** motion, Store& store,
-                                 std::optional<std::int64_t> updated = {});
+                                 std::optional<std::int64_t> updated = {},
+                                 std::span<const double> at_start = {});
+
+  /// The plan that the store keeps for the last record(); null: the row has none, or an UPDATE leaves it alone.
+  const Plan* new_plan() const { return new_plan_ ? &*new_plan_ : nullptr; }
 
   /// The origin that the last record() needs: of the first position of a table that has none yet.
   const std::optional<LatLon>& new_origin() const { return new_origin_; }
@@ -105,6 +110,18 @@ class Values {
   void copy_place(const std::vector<double>& before);
   void copy_motion(const std::vector<double>& before);
 
+  // tables with plans (planned_rows.cpp)
+  void start_planned_row(std::int64_t id, sqlite3_value** motion, Store& store,
+                         std::optional<std::int64_t> updated, std::span<const double> at_start);
+  void keep_plan();
+  void take_plan(std::int64_t id, sqlite3_value* value, Store& store, std::optional<std::int64_t> updated);
+  bool is_of_before(int place, double number) const;
+  double number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const;
+  void check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store& store) const;
+  [[noreturn]] void refuse_beside_plan(const Column& column, std::int64_t id, sqlite3_value* value,
+                                       const std::optional<double>& own) const;
+  void require_heading_beside_plan(std::int64_t id, sqlite3_value** motion) const;
+
   void fill_form(std::int64_t id, sqlite3_value* shape, Store& store, std::optional<std::int64_t> updated);
   double stored(const Column& column, std::int64_t id, sqlite3_value* value) const;
   double stored_kind(const Column& column, std::int64_t id, sqlite3_value* value) const;
@@ -122,6 +139,11 @@ class Values {
   std::vector<std::size_t> degrees_;  ///< the columns with a GeoColumn, in its order; empty: a plain table
   Frame frame_;                       ///< as declared
   std::optional<LatLon> new_origin_;
+  PlanValues plans_;
+  std::optional<Plan> new_plan_;
+  std::vector<double> leg_;           ///< the first leg of the row's plan, as in a record; empty: it has none
+  std::vector<double> before_;        ///< of a table with plans: the record that an UPDATE changes
+  std::span<const double> at_start_;  ///< … and how it was when the statement started, if known
 };
 
 }  // namespace foresee

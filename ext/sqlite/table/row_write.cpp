@@ -52,7 +52,7 @@ bool is_left_alone(MovingObjectsTable& table, std::int64_t id, std::size_t hidde
   const auto record = table.store().read(id);
   if (record && (*record)[table.hidden_place(hidden)] == number) return true;
   const auto before = table.stored_before.find(id);
-  return before != table.stored_before.end() && before->second[hidden] == number;
+  return before != table.stored_before.end() && before->second[table.hidden_place(hidden)] == number;
 }
 
 /// The hidden columns follow from lat, lon, speed, course: refuses another value.
@@ -66,14 +66,27 @@ void require_unwritten(MovingObjectsTable& table, const NewRow& row, std::option
   }
 }
 
-/// Before an UPDATE: keeps the hidden columns of a row for MovingObjectsTable::stored_before.
-void keep_hidden(MovingObjectsTable& table, const NewRow& row, std::int64_t id) {
-  if (row.hidden.empty() || sqlite3_value_nochange(row.hidden[0])) return;
-  const auto record = table.store().read(id);
-  if (!record) return;
-  std::vector<double> hidden(row.hidden.size());
-  for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] = (*record)[table.hidden_place(i)];
-  table.stored_before.try_emplace(id, std::move(hidden));
+/// Whether an UPDATE passes columns that follow from others as they were when it started.
+bool passes_columns_at_start(const MovingObjectsTable& table, const NewRow& row) {
+  if (!row.hidden.empty() && !sqlite3_value_nochange(row.hidden[0])) return true;
+  const Declaration& declaration = table.declaration();
+  if (!declaration.layout.has_plan) return false;
+  const int x = record_offsets(declaration.layout).x;
+  for (std::size_t i = 0; i < declaration.columns.size(); ++i)
+    if (declaration.columns[i].place == x) return !sqlite3_value_nochange(row.motion[i]);
+  return false;
+}
+
+/// Before an UPDATE: keeps the record of a row for MovingObjectsTable::stored_before.
+void keep_record(MovingObjectsTable& table, const NewRow& row, std::int64_t id) {
+  if (!passes_columns_at_start(table, row)) return;
+  if (auto record = table.store().read(id)) table.stored_before.try_emplace(id, std::move(*record));
+}
+
+/// The record of stored_before; empty: it is not kept.
+std::span<const double> record_at_start(const MovingObjectsTable& table, std::int64_t id) {
+  const auto kept = table.stored_before.find(id);
+  return kept == table.stored_before.end() ? std::span<const double>() : kept->second;
 }
 
 /// The first position of a table may choose an origin that is not that of a table it is watched with.
@@ -98,10 +111,10 @@ std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   if (assigned) id = table.store().find_next_id();
   const std::span<const double> record = table.values.record(*id, row.motion, table.store());
   if (!assigned && replaces(table, *id)) {
-    table.store().update(*id, *id, record, row.auxiliaries);
+    table.store().update(*id, *id, record, row.auxiliaries, table.values.new_plan());
   } else {
     require_frame_of_watches(table);
-    table.store().insert(*id, record, row.auxiliaries, table.values.new_origin());
+    table.store().insert(*id, record, row.auxiliaries, table.values.new_origin(), table.values.new_plan());
   }
   return *id;
 }
@@ -127,10 +140,11 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
                                        " would become NULL: every object has an id; write an INTEGER");
   require_own_row(table, old_id);
   require_unwritten(table, row, old_id);
-  const std::span<const double> record = table.values.record(*id, row.motion, table.store(), old_id);
+  const std::span<const double> record =
+      table.values.record(*id, row.motion, table.store(), old_id, record_at_start(table, old_id));
   if (*id != old_id) replaces(table, *id);  // throws, or the update replaces it
-  keep_hidden(table, row, old_id);
-  table.store().update(old_id, *id, record, row.auxiliaries);
+  keep_record(table, row, old_id);
+  table.store().update(old_id, *id, record, row.auxiliaries, table.values.new_plan());
   if (*id != old_id) table.moved_to.insert(*id);
 }
 

@@ -129,6 +129,32 @@ void TableCursor::result_form(sqlite3_context* context, double number) const {
   sqlite3_result_text(context, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
 }
 
+/// The plan that the row has now: during a scan it may have got another one. No result for a row without a plan, and
+/// where an UPDATE does not change the column, so that it is neither printed nor parsed.
+void TableCursor::result_plan_of_row(sqlite3_context* context) const {
+  if (sqlite3_vtab_nochange(context)) return;
+  Store& store = table_.store();
+  const std::span<const double> record = store.find(rowid(), statement_state_);
+  if (record.empty() || !has_plan(store.format().at, record.data())) return;
+  const PlanValues plans(table_.declaration(), table_.connection->interrupt());
+  const Plan plan = store.read_plan(rowid(), record);
+  result_plan(context, table_.declaration().frame.in_degrees()
+                           ? plans.shown(plan, store.frame_of_objects(&statement_state_))
+                           : plan);
+}
+
+void TableCursor::result_motion(sqlite3_context* context, const MotionColumn& motion) const {
+  if (motion.geo != GeoColumn::none) return result_degrees(context, motion.geo);
+  if (motion.is_plan) return result_plan_of_row(context);
+  const Layout& layout = table_.declaration().layout;
+  const bool follows_plan = layout.has_plan && static_cast<std::size_t>(motion.place) < leg_doubles(layout);
+  if (follows_plan && sqlite3_vtab_nochange(context)) return;
+  const double number = record()[motion.place];
+  if (motion.is_form) return result_form(context, number);
+  if (motion.is_kind) return sqlite3_result_int64(context, static_cast<sqlite3_int64>(number));
+  if (std::isfinite(number)) sqlite3_result_double(context, number);  // an infinite until reads as NULL
+}
+
 /// An UPDATE that does not change the column gets no value.
 void TableCursor::result_degrees(sqlite3_context* context, GeoColumn column) const {
   if (sqlite3_vtab_nochange(context)) return;
@@ -146,14 +172,8 @@ void TableCursor::column(sqlite3_context* context, int column) const {
   if (column == MovingObjectsTable::id_column) {
     sqlite3_result_int64(context, rowid());
   } else if (auxiliary < 0) {
-    const auto& motion =
-        table_.declaration()
-            .columns[static_cast<std::size_t>(column - MovingObjectsTable::first_motion_column)];
-    if (motion.geo != GeoColumn::none) return result_degrees(context, motion.geo);
-    const double number = record()[motion.place];
-    if (motion.is_form) return result_form(context, number);
-    if (motion.is_kind) return sqlite3_result_int64(context, static_cast<sqlite3_int64>(number));
-    if (std::isfinite(number)) sqlite3_result_double(context, number);  // an infinite until reads as NULL
+    const auto motion = static_cast<std::size_t>(column - MovingObjectsTable::first_motion_column);
+    result_motion(context, table_.declaration().columns[motion]);
   } else if (column > table_.command_column()) {
     const auto hidden = static_cast<std::size_t>(column - table_.command_column() - 1);
     if (!sqlite3_vtab_nochange(context))

@@ -44,6 +44,8 @@ class TableCursor : public sqlite3_vtab_cursor {
   }
   void result_degrees(sqlite3_context* context, GeoColumn column) const;
   void result_form(sqlite3_context* context, double number) const;
+  void result_plan_of_row(sqlite3_context* context) const;
+  void result_motion(sqlite3_context* context, const MotionColumn& motion) const;
 
   MovingObjectsTable& table_;
   std::vector<std::int64_t> ids_;

@@ -46,6 +46,11 @@ const Word& motion_word(const Argument& argument) {
   refuse(argument, why + "known are " + known_words() + "; " + own);
 }
 
+void require_type_of_plan(const Argument& argument) {
+  if (!is_one_of(argument.detail, {"", "TEXT", "BLOB"}))
+    refuse(argument, argument.name + " holds text or blobs; write " + argument.name);
+}
+
 void require_text(const Argument& argument) {
   if (!is_one_of(argument.detail, {"", "TEXT"}))
     refuse(argument, argument.name + " holds well-known text; write " + argument.name + " or " +
@@ -81,21 +86,28 @@ class Declarer {
     declaration_.layout = layout_of(words_);
     if (declaration_.frame.on_globe()) take_axes_of_globe();
     const Offsets at = record_offsets(declaration_.layout);
-    for (const DeclaredWord& declared : words_)
-      declaration_.columns.push_back({std::string(declared.word.name), offset_of(at, declared.word),
-                                      declared.word.quantity == Quantity::form,
-                                      is_kind(declared.word.quantity),
-                                      geo_column(declared.word.name, declaration_.frame)});
+    for (const DeclaredWord& declared : words_) declaration_.columns.push_back(column_of(declared.word, at));
     if (declaration_.frame.in_degrees()) require_no_hidden_names();
     return std::move(declaration_);
   }
 
  private:
+  MotionColumn column_of(const Word& word, const Offsets& at) const {
+    return {.name = std::string(word.name),
+            .place = offset_of(at, word),
+            .is_form = word.quantity == Quantity::form,
+            .is_kind = is_kind(word.quantity),
+            .geo = geo_column(word.name, declaration_.frame),
+            .is_plan = word.quantity == Quantity::plan};
+  }
+
   void add_motion(const Argument& argument) {
     if (same_name(argument.name, "id")) refuse(argument, "id is declared twice; leave this one out");
     const Word& word = motion_word(argument);
     if (word.quantity == Quantity::form)
       require_text(argument);
+    else if (word.quantity == Quantity::plan)
+      require_type_of_plan(argument);
     else if (!is_one_of(argument.detail,
                         {"", "REAL", "DOUBLE", "DOUBLE PRECISION", "FLOAT", "NUMERIC", "INT", "INTEGER"}))
       refuse(argument, std::string(word.name) +
@@ -204,6 +216,7 @@ std::string declared_schema(const Declaration& declaration, std::string_view tab
     sql += ", " + quoted_name(column.name) +
            (column.is_form   ? " TEXT"
             : column.is_kind ? " INTEGER"
+            : column.is_plan ? " BLOB"
                              : " REAL");
   for (const AuxiliaryColumn& column : declaration.auxiliaries)
     sql += ", " + quoted_name(column.name) + " " + column.type;

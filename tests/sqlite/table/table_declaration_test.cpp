@@ -205,7 +205,7 @@ TEST(DeclareErrors, Growth) {
 TEST(DeclareErrors, UnknownNamesSuggestTheNearest) {
   const std::string known =
       "; known are id, t, x, y, z, vx, vy, vz, ax, ay, az, fx, fy, fz, m, hx, hy, hz, r, shape, heading, "
-      "growth, growth_z, until, category, mask, lat, lon, speed, course, zone;"
+      "growth, growth_z, until, category, mask, plan, lat, lon, speed, course, zone;"
       " a column of your own is written +";
   const std::string own = " a column of your own is written +";
   expect_errors({

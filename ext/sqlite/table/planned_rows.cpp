@@ -1,0 +1,135 @@
+// Values: rows of tables with a column `plan` (docs/reference/plan.md#column). The first leg of a plan gives t, x…, v…
+// and a… of its row, so a value of these columns is checked and not stored.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/float_environment.h"
+#include "base/number_text.h"
+#include "motion/plan/plan_legs.h"
+#include "sqlite/callback.h"
+#include "sqlite/table/degrees_columns.h"
+#include "sqlite/table/record_values.h"
+#include "storage/rows/value_text.h"
+
+namespace foresee {
+namespace {
+
+/// Whether a column in degrees shows this number of a first leg. A copy of a row projects its plan again, so the
+/// numbers agree within rounding only.
+bool is_near(GeoColumn column, double number, double shown) {
+  switch (column) {
+    case GeoColumn::lat:
+      return std::abs(number - shown) <= 1e-9;
+    case GeoColumn::lon:
+      return std::abs(std::remainder(number - shown, 360)) <= 1e-9;
+    case GeoColumn::course:
+      return std::abs(std::remainder(number - shown, 360)) <= 1e-4;
+    default:
+      return std::abs(number - shown) <= 1e-6 * (1 + shown);
+  }
+}
+
+}  // namespace
+
+void Values::start_planned_row(std::int64_t id, sqlite3_value** motion, Store& store,
+                               std::optional<std::int64_t> updated, std::span<const double> at_start) {
+  new_plan_.reset(), new_origin_.reset();
+  leg_.clear(), before_.clear();
+  at_start_ = at_start;
+  std::fill(record_.begin(), record_.end(), 0.0);  // what is not declared
+  record_[static_cast<std::size_t>(at_.until)] = std::numeric_limits<double>::infinity();
+  if (updated) before_ = store.read(*updated).value_or(before_);
+  const auto column = std::find_if(columns_.begin(), columns_.end(),
+                                   [](const Column& one) { return one.quantity == Quantity::plan; });
+  sqlite3_value* const plan = motion[column - columns_.begin()];
+  if (before_.empty() || !sqlite3_value_nochange(plan))
+    take_plan(id, plan, store, updated);
+  else if (foresee::has_plan(at_, before_.data()))
+    keep_plan();
+}
+
+void Values::keep_plan() {
+  leg_.assign(before_.begin(), before_.begin() + static_cast<std::ptrdiff_t>(leg_doubles(layout_)));
+  for (const int place : {at_.plan, at_.chunks})
+    record_[static_cast<std::size_t>(place)] = before_[static_cast<std::size_t>(place)];
+}
+
+void Values::take_plan(std::int64_t id, sqlite3_value* value, Store& store,
+                       std::optional<std::int64_t> updated) try {
+  const FloatEnvironment environment;
+  const std::optional<Plan> written = plans_.written(value);
+  if (!written) return;
+  std::optional<LatLon> origin;
+  if (frame_.in_degrees()) {
+    const Frame& frame = store.frame();
+    // UPDATE FROM passes what the column shows: the stored bits are kept.
+    if (!before_.empty() && foresee::has_plan(at_, before_.data()) &&
+        plans_.shown(store.read_plan(*updated, before_), frame) == *written)
+      return keep_plan();
+    const std::array<double, 3>& first = written->knots.front().x;
+    origin = frame.origin ? *frame.origin : origin_near({first[1], first[0]});
+    if (frame.chooses_origin()) new_origin_ = origin;
+  }
+  new_plan_ = plans_.stored(*written, origin);
+  leg_.resize(leg_doubles(layout_));
+  write_leg(layout_, legs_of(*new_plan_).front(), leg_.data());
+} catch (const StoreError&) {
+  throw;
+} catch (const Error& error) {
+  throw Refusal(SQLITE_CONSTRAINT, table_ + ".plan of row " + std::to_string(id) + ": " + error.what());
+}
+
+bool Values::is_of_before(int place, double number) const {
+  const auto at = static_cast<std::size_t>(place);
+  return (!before_.empty() && before_[at] == number) || (!at_start_.empty() && at_start_[at] == number);
+}
+
+double Values::number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const {
+  const auto place = static_cast<std::size_t>(column.place);
+  const bool is_unchanged = !before_.empty() && sqlite3_value_nochange(value);
+  if (leg_.empty()) return is_unchanged ? before_[place] : stored(column, id, value);
+  if (is_unchanged || is_null_or_empty(value)) return leg_[place];
+  const double number = stored(column, id, value);
+  if (number != leg_[place] && !is_of_before(column.place, number))
+    refuse_beside_plan(column, id, value, leg_[place]);
+  return leg_[place];
+}
+
+void Values::check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store& store) const {
+  const FloatEnvironment environment;
+  std::optional<Flight> shows, showed;
+  for (const std::size_t i : degrees_) {
+    const Column& column = columns_[i];
+    if (is_null_or_empty(motion[i])) continue;  // also what an UPDATE leaves alone
+    const std::optional<double> number = degrees_number(column, id, motion[i]);
+    if (!number) continue;
+    if (!shows) {
+      Frame frame = store.frame();
+      if (new_origin_) frame.origin = new_origin_;
+      shows = frame.shown(metres_of(frame, at_, leg_.data()));
+      const double* const before = !at_start_.empty() ? at_start_.data() : before_.data();
+      if (!before_.empty()) showed = shown_report(store, id, before);
+    }
+    const std::optional<double> own = shown_number(column.geo, *shows);
+    if (showed && shown_number(column.geo, *showed) == number) continue;
+    if (!own || !is_near(column.geo, *number, *own)) refuse_beside_plan(column, id, motion[i], own);
+  }
+}
+
+void Values::refuse_beside_plan(const Column& column, std::int64_t id, sqlite3_value* value,
+                                const std::optional<double>& own) const {
+  refuse(column.name, id, shown(value),
+         "its plan starts " + (own ? "with " + foresee::shown(*own) : std::string("at rest")) + "; leave " +
+             column.name + " out, or set plan to NULL");
+}
+
+/// A heading that follows the course is not built yet: NULL stays free for it.
+void Values::require_heading_beside_plan(std::int64_t id, sqlite3_value** motion) const {
+  if (!layout_.has_heading || record_[static_cast<std::size_t>(at_.outline)] == 0) return;
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (columns_[i].quantity == Quantity::heading && is_null_or_empty(motion[i]))
+      refuse("heading", id, "NULL", "beside a plan a shape keeps one heading; write it, 0 for none");
+}
+
+}  // namespace foresee

@@ -1,0 +1,159 @@
+// Functions on tables with plans: one leg is a plain row, bit for bit, and legs as rows, merged, are plans.
+#include "scenes.h"
+#include "sqlite/database.h"
+
+namespace foresee::testing {
+namespace {
+
+/// Random plans in `robots`, and their legs as rows of `legs`.
+struct PlanQueries : ::testing::Test {
+  void make_plans(int movers, int legs, unsigned seed, const std::string& gap = "") {
+    db.exec(
+        "CREATE VIRTUAL TABLE robots USING moving_objects(id, t, x, y, vx, vy, plan, r, until);"
+        "CREATE VIRTUAL TABLE legs USING moving_objects(id, t, x, y, vx, vy, r, until, +robot, +leg);"
+        "CREATE TABLE knots(robot, t, x, y)");
+    Random random(seed);
+    std::string rows;
+    for (int robot = 1; robot <= movers; ++robot) {
+      double t = random.in(0, 5);
+      for (int i = 0; i <= legs; ++i, t += random.in(0.5, 4))
+        rows += (rows.empty() ? "(" : ", (") + std::to_string(robot) + ", " + std::to_string(t) + ", " +
+                (i % 4 == 3 && !gap.empty()
+                     ? "NULL, NULL"
+                     : std::to_string(random.in(0, 30)) + ", " + std::to_string(random.in(0, 30))) +
+                ")";
+    }
+    db.exec(
+        "INSERT INTO knots VALUES " + rows +
+        ";INSERT INTO robots(id, plan, r) SELECT robot, plan_points(t, x, y), 0.3 FROM knots GROUP BY robot;"
+        "INSERT INTO legs(t, x, y, vx, vy, r, until, robot, leg) SELECT p.t, p.x, p.y, p.vx, p.vy, 0.3, "
+        "p.until, "
+        "robots.id, p.leg FROM robots, plan_rows(plan) AS p");
+  }
+  Database db;
+};
+
+TEST_F(PlanQueries, OneLegIsAPlainRow) {
+  make_plans(60, 1, 3);
+  db.exec(
+      "CREATE VIRTUAL TABLE plain USING moving_objects(id, t, x, y, vx, vy, r, until);"
+      "INSERT INTO plain SELECT robot, t, x, y, vx, vy, r, until FROM legs");
+  for (const char* method : {"auto", "grid", "tree", "scan", "gpcd"}) {
+    const auto join = [&](const char* table) {
+      return db.rows(
+          std::string("SELECT a, b, t, t_end, dt, dt_end, t_cpa, dt_cpa, d_cpa FROM predictive_join(20, '") +
+          table + "', 2) WHERE now = 1 AND method = '" + method + "' ORDER BY a, b");
+    };
+    EXPECT_EQ(join("robots"), join("plain")) << method;
+    EXPECT_NE(join("plain"), "");
+  }
+  for (const std::string query :
+       {"predictive_position(2.5, ?) ORDER BY id", "predictive_track(0, 8, 0.5, ?) ORDER BY id, t",
+        "predictive_window(5, ?, 0, 15, 0, 15) WHERE now = 1 ORDER BY id",
+        "predictive_nearest(5, ?, 10, 15, 15) WHERE now = 1 ORDER BY rank",
+        "predictive_sweep(5, ?) WHERE now = 1 ORDER BY id"}) {
+    const auto ask = [&](const std::string& table) {
+      std::string sql = "SELECT * FROM " + query;
+      return db.rows(sql.replace(sql.find('?'), 1, "'" + table + "'"));
+    };
+    EXPECT_EQ(ask("robots"), ask("plain")) << query;
+    EXPECT_NE(ask("plain"), "") << query;
+  }
+}
+
+/// The contacts of legs of different robots, those that meet in time merged.
+constexpr const char* merged =
+    "WITH c AS (SELECT min(l.robot, m.robot) AS a, max(l.robot, m.robot) AS b, j.t, j.t_end FROM "
+    "predictive_join(40, "
+    "'legs', 0.5) AS j, legs AS l, legs AS m WHERE j.now = 1 AND l.id = j.a AND m.id = j.b AND l.robot <> "
+    "m.robot), "
+    "s AS (SELECT *, t > coalesce(max(t_end) OVER (PARTITION BY a, b ORDER BY t, t_end ROWS BETWEEN "
+    "UNBOUNDED PRECEDING "
+    "AND 1 PRECEDING), -1) AS starts FROM c), n AS (SELECT *, sum(starts) OVER (PARTITION BY a, b ORDER BY "
+    "t, t_end) AS "
+    "number FROM s) SELECT a, b, min(t) AS t, max(t_end) AS t_end FROM n GROUP BY a, b, number";
+
+TEST_F(PlanQueries, LegsAsRowsMergedArePlans) {
+  make_plans(40, 21, 5, "with gaps");
+  const std::string all = db.rows(std::string(merged) + " ORDER BY 1, 2, 3");
+  EXPECT_GT(all.size(), 1000u);
+  for (const char* method : {"auto", "grid", "tree", "scan", "gpcd"}) {
+    EXPECT_EQ(
+        db.rows(std::string("SELECT a, b, t, t_end FROM predictive_join(40, 'robots', 0.5) WHERE now = 1 AND "
+                            "contacts = 'all' AND method = '") +
+                method + "' ORDER BY a, b, t"),
+        all)
+        << method;
+    EXPECT_EQ(
+        db.rows(std::string(
+                    "SELECT a, b, t FROM predictive_join(40, 'robots', 0.5) WHERE now = 1 AND method = '") +
+                method + "' ORDER BY a, b"),
+        db.rows(std::string("SELECT a, b, min(t) FROM (") + merged +
+                ") GROUP BY a, b ORDER BY a, b"))
+        << method;
+  }
+}
+
+TEST_F(PlanQueries, PositionsAreThoseOfLegs) {
+  make_plans(40, 21, 7, "with gaps");
+  EXPECT_EQ(db.rows("SELECT id, x, y, vx FROM predictive_position(17.25, 'robots') ORDER BY id"),
+            db.rows("SELECT robot, p.x, p.y, p.vx FROM predictive_position(17.25, 'legs') p JOIN legs "
+                    "USING(id) ORDER BY robot"));
+  EXPECT_EQ(
+      db.rows("SELECT id, x FROM predictive_position(5, 'robots') WHERE id = 3"),
+      db.rows("SELECT robot, p.x FROM predictive_position(5, 'legs') p JOIN legs USING(id) WHERE robot = 3"));
+  EXPECT_EQ(
+      db.rows(
+          "SELECT DISTINCT id FROM predictive_window(6, 'robots', 0, 9, 0, 9) WHERE now = 10 ORDER BY id"),
+      db.rows("SELECT DISTINCT robot FROM predictive_window(6, 'legs', 0, 9, 0, 9) w JOIN legs USING(id) "
+              "WHERE now = 10 ORDER BY robot"));
+  EXPECT_EQ(
+      db.rows(
+          "SELECT id, distance FROM predictive_nearest(6, 'robots', 5, 9, 9) WHERE now = 10 ORDER BY rank"),
+      db.rows("SELECT robot, min(distance) FROM predictive_nearest(6, 'legs', 200, 9, 9) n JOIN legs "
+              "USING(id) WHERE now = 10 GROUP BY robot ORDER BY 2 LIMIT 5"));
+}
+
+TEST_F(PlanQueries, UntilCutsAndRestores) {
+  make_plans(40, 20, 9);
+  const std::string query =
+      "SELECT a, b, t, t_end FROM predictive_join(40, 'robots', 0.5) WHERE now = 1 ORDER BY a, b";
+  const std::string before = db.rows(query);
+  db.exec("UPDATE robots SET until = t + 3");
+  const std::string cut = db.rows(query);
+  EXPECT_LT(cut.size(), before.size());
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_position(30, 'robots')"), "0");
+  db.exec("UPDATE robots SET until = NULL");
+  EXPECT_EQ(db.rows(query), before);
+}
+
+TEST_F(PlanQueries, ALoopOverAJoinThatRewritesPlansOfItsOwnTable) {
+  make_plans(60, 20, 13);
+  const std::string query =
+      "SELECT a, b, t FROM predictive_join(40, 'robots', 0.5) WHERE now = 1 ORDER BY a, b";
+  const std::string before = db.rows(query);
+  for (const char* order : {"", " ORDER BY t LIMIT 50"}) {
+    db.exec("BEGIN");
+    sqlite3_stmt* join = nullptr;
+    ASSERT_EQ(sqlite3_prepare_v2(
+                  db.handle(),
+                  (std::string("SELECT a, b FROM predictive_join(40, 'robots', 0.5) WHERE now = 1") + order)
+                      .c_str(),
+                  -1, &join, nullptr),
+              SQLITE_OK);
+    int rows = 0;
+    while (sqlite3_step(join) == SQLITE_ROW) {
+      db.exec("UPDATE robots SET plan = plan_shift(plan, 100) WHERE id = " +
+              std::to_string(sqlite3_column_int(join, 0)));
+      ++rows;
+    }
+    EXPECT_EQ(sqlite3_finalize(join), SQLITE_OK);
+    EXPECT_GT(rows, 40);
+    EXPECT_LT(db.rows(query).size(), before.size());
+    db.exec("ROLLBACK");
+    EXPECT_EQ(db.rows(query), before);
+  }
+}
+
+}  // namespace
+}  // namespace foresee::testing

@@ -1,0 +1,143 @@
+// Plans through the life of a database: rollbacks, savepoints, two connections, kept statements, VACUUM, ATTACH.
+#include "sqlite/database.h"
+#include "sqlite/lives/old_statements.h"
+
+namespace foresee::testing {
+namespace {
+
+constexpr const char* create = "CREATE VIRTUAL TABLE robots USING moving_objects(id, x, y, plan, r, +name);";
+constexpr const char* all = "SELECT id, x, plan, r FROM robots ORDER BY id";
+constexpr const char* check = "INSERT INTO robots(robots) VALUES ('integrity-check')";
+
+/// 'LINESTRING M(at 0 0, …)' with so many legs; each takes 1.
+std::string plan_text(int at, int legs) {
+  std::string text = "LINESTRING M(";
+  for (int i = 0; i <= legs; ++i)
+    text += (i ? ", " : "") + std::to_string(at + i % 5) + " 0 " + std::to_string(i);
+  return text + ")";
+}
+
+std::string insert(int id, int legs) {
+  return "INSERT OR REPLACE INTO robots(id, plan, r) VALUES (" + std::to_string(id) + ", '" +
+         plan_text(id, legs) + "', 0.5);";
+}
+
+std::string row(int id, int legs) {
+  return std::to_string(id) + "|" + std::to_string(id) + ".0|" + plan_text(id, legs) + "|0.5";
+}
+
+struct PlanLives : ::testing::Test {
+  PlanLives() { db.exec(create); }
+  void expect_sound(const std::string& rows) {
+    EXPECT_EQ(db.rows(all), rows);
+    EXPECT_EQ(db.error_of(check), "");
+    Database other(file.path());
+    EXPECT_EQ(other.rows(all), rows);
+    EXPECT_EQ(other.error_of(check), "");
+  }
+  TemporaryFile file;
+  Database db{file.path()};
+};
+
+TEST_F(PlanLives, RolledBackTransactionsAndSavepoints) {
+  db.exec(insert(1, 40) + insert(2, 3));
+  db.exec("BEGIN;" + insert(1, 5) + insert(3, 100) + "DELETE FROM robots WHERE id = 2; ROLLBACK");
+  expect_sound(row(1, 40) + "\n" + row(2, 3));
+  db.exec("BEGIN;" + insert(1, 17) + "SAVEPOINT s;" + insert(1, 70) + insert(2, 33) +
+          "UPDATE robots SET r = 9; SAVEPOINT s2; UPDATE robots SET plan = NULL; ROLLBACK TO s2");
+  EXPECT_EQ(db.rows("SELECT id, plan, r FROM robots ORDER BY id"),
+            "1|" + plan_text(1, 70) + "|9.0\n2|" + plan_text(2, 33) + "|9.0");
+  db.exec("ROLLBACK TO s");
+  EXPECT_EQ(db.rows(all), row(1, 17) + "\n" + row(2, 3));
+  db.exec("RELEASE s; COMMIT");
+  expect_sound(row(1, 17) + "\n" + row(2, 3));
+}
+
+TEST_F(PlanLives, AFailedStatementChangesNothing) {
+  db.exec(insert(1, 20) + insert(2, 20));
+  EXPECT_NE(db.error_of(
+                "UPDATE robots SET plan = CASE id WHEN 2 THEN 'prose' ELSE 'LINESTRING M(0 0 0, 1 1 1)' END"),
+            "");
+  expect_sound(row(1, 20) + "\n" + row(2, 20));
+  db.exec("BEGIN;" + insert(1, 30));
+  EXPECT_NE(db.error_of(
+                "UPDATE robots SET plan = CASE id WHEN 2 THEN 'prose' ELSE 'LINESTRING M(0 0 0, 1 1 1)' END"),
+            "");
+  db.exec("COMMIT");
+  expect_sound(row(1, 30) + "\n" + row(2, 20));
+}
+
+TEST_F(PlanLives, TwoConnections) {
+  Database other(file.path());
+  db.exec(insert(1, 40));
+  EXPECT_EQ(other.rows(all), row(1, 40));
+  other.exec("UPDATE robots SET plan = '" + plan_text(1, 7) + "'");
+  EXPECT_EQ(db.rows(all), row(1, 7));
+  db.exec("BEGIN;" + insert(1, 9));
+  EXPECT_EQ(other.rows(all), row(1, 7));
+  EXPECT_EQ(other.error_of(insert(2, 1)), "database is locked");
+  db.exec("COMMIT");
+  other.exec(insert(2, 1));
+  expect_sound(row(1, 9) + "\n" + row(2, 1));
+}
+
+TEST_F(PlanLives, VacuumRenameAttachAndDrop) {
+  db.exec(insert(1, 40) + insert(2, 16) + "DELETE FROM robots WHERE id = 2; VACUUM");
+  expect_sound(row(1, 40));
+  db.exec("INSERT INTO robots(robots) VALUES ('rebuild'); INSERT INTO robots(robots) VALUES ('optimize')");
+  expect_sound(row(1, 40));
+  db.exec("ALTER TABLE robots RENAME TO carts");
+  EXPECT_EQ(db.rows("SELECT plan FROM carts"), plan_text(1, 40));
+  EXPECT_EQ(db.error_of("INSERT INTO carts(id, plan) VALUES (3, 'x')"),
+            "carts.plan of row 3: at character 1: expected LINESTRING M, found 'x'");
+  db.exec("ALTER TABLE carts RENAME TO robots");
+  TemporaryFile second;
+  db.exec("ATTACH '" + second.path() +
+          "' AS two; CREATE VIRTUAL TABLE two.robots USING moving_objects(id, x, y, plan, r);"
+          "INSERT INTO two.robots SELECT id, x, y, plan, r FROM main.robots");
+  EXPECT_EQ(db.rows("SELECT id, x, plan, r FROM two.robots"), row(1, 40));
+  EXPECT_EQ(db.rows("SELECT name, schema, objects FROM foresee_tables ORDER BY schema"),
+            "robots|main|1\nrobots|two|1");
+  db.exec("DETACH two");
+  db.exec("VACUUM INTO '" + second.path("copy.db") + "'");
+  EXPECT_EQ(Database(second.path("copy.db")).rows(all), row(1, 40));
+  db.exec("DROP TABLE robots");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM sqlite_schema"), "0");
+}
+
+TEST_F(PlanLives, StatementsKeptOverSchemaChanges) {
+  KeepingDriver driver(file.path());
+  const std::string update = "UPDATE robots SET plan = '" + plan_text(1, 33) + "' WHERE id = 1";
+  driver.exec(insert(1, 40));
+  EXPECT_EQ(driver.rows(all), row(1, 40));
+  driver.exec("CREATE TABLE q(x)");
+  driver.exec(update);
+  EXPECT_EQ(driver.rows(all), row(1, 33));
+  db.exec("DROP TABLE robots");
+  db.exec("CREATE VIRTUAL TABLE robots USING moving_objects(id, r, plan, x, y, +name)");
+  driver.exec(insert(1, 8));
+  EXPECT_EQ(driver.rows(all), row(1, 8));
+  driver.exec(update);
+  expect_sound(row(1, 33));
+}
+
+TEST_F(PlanLives, ALoopThatRewritesPlansOfItsOwnTable) {
+  for (int id = 1; id <= 300; ++id) db.exec(insert(id, 1 + id % 40));
+  sqlite3_stmt* scan = nullptr;
+  ASSERT_EQ(sqlite3_prepare_v2(db.handle(), "SELECT id, plan FROM robots", -1, &scan, nullptr), SQLITE_OK);
+  int rows = 0;
+  while (sqlite3_step(scan) == SQLITE_ROW) {
+    const int id = sqlite3_column_int(scan, 0);
+    db.exec(insert(id, 2 + id % 3));
+    // The row as it is now, also after its plan was rewritten.
+    EXPECT_EQ(reinterpret_cast<const char*>(sqlite3_column_text(scan, 1)), plan_text(id, 2 + id % 3));
+    db.exec("DELETE FROM robots WHERE id = " + std::to_string(id % 7 == 0 ? id + 1 : 0));
+    ++rows;
+  }
+  EXPECT_EQ(sqlite3_finalize(scan), SQLITE_OK);
+  EXPECT_LT(rows, 301);
+  EXPECT_EQ(db.error_of(check), "");
+}
+
+}  // namespace
+}  // namespace foresee::testing
