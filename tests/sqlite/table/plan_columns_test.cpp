@@ -98,7 +98,7 @@ TEST_F(Plans, OfAcceleratedLegs) {
   const std::string turn = "plan_turn(0, 0, 0, 0, 200, 3, 30, 120, 1)";
   EXPECT_EQ(error_of(turn), "robots.plan of row 7: a blob of accelerated legs: declare ax, ay");
   db.exec("INSERT INTO jets(id, plan) VALUES (7, " + turn + ")");
-  EXPECT_EQ(db.rows("SELECT plan = " + turn + ", vy, ax > 0 FROM jets"), "1|200.0|1");
+  EXPECT_EQ(db.rows("SELECT plan = " + turn + ", vy > 200, ax > 0 FROM jets"), "1|1|1");
   db.exec(std::string("INSERT INTO jets(id, plan) VALUES (8, ") + stops + ")");
   EXPECT_EQ(db.rows("SELECT plan, vx, ax FROM jets WHERE id = 8"),
             "LINESTRING M(0 0 0, 10 0 5, 10 0 9, 10 20 29)|2.0|0.0");
@@ -148,10 +148,10 @@ TEST_F(Plans, ErrorsOfValues) {
 }
 
 TEST_F(Plans, TooManyLegs) {
-  db.exec(
-      "CREATE TABLE p AS SELECT plan_points(value, value % 7, 0) AS plan FROM generate_series(0, 1048577)");
-  const std::string error = error_of("(SELECT plan FROM p)");
-  if (error.find("no such table") != std::string::npos) GTEST_SKIP() << "no generate_series";
+  const std::string error = error_of(
+      "(WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < 1048577) SELECT "
+      "plan_points(i, i % 7, 0) "
+      "FROM n)");
   EXPECT_EQ(error, "robots.plan of row 7: 1048577 legs; at most 1048576: cut it with plan_cut");
 }
 
