@@ -82,7 +82,7 @@ namespace {
 
 constexpr std::size_t max_faults = 100;
 
-struct Entry {
+struct ObjectPlace {
   std::int64_t id, leaf;
 };
 
@@ -109,7 +109,7 @@ class IntegrityCheck {
       const LeafView leaf(format_, blob);
       for (int i = 0; i < leaf.count(); ++i) objects_.push_back({leaf.id(i), number});
     });
-    std::sort(objects_.begin(), objects_.end(), [this](const Entry& a, const Entry& b) {
+    std::sort(objects_.begin(), objects_.end(), [this](const ObjectPlace& a, const ObjectPlace& b) {
       step_();
       return a.id != b.id ? a.id < b.id : a.leaf < b.leaf;
     });
@@ -117,7 +117,7 @@ class IntegrityCheck {
       if (objects_[i - 1].id == objects_[i].id)
         say(object(objects_[i].id) + " is in nodes " + std::to_string(objects_[i - 1].leaf) + " and " +
             std::to_string(objects_[i].leaf));
-    const auto same_id = [this](const Entry& a, const Entry& b) { return step_(), a.id == b.id; };
+    const auto same_id = [this](const ObjectPlace& a, const ObjectPlace& b) { return step_(), a.id == b.id; };
     objects_.erase(std::unique(objects_.begin(), objects_.end(), same_id), objects_.end());
     count_ = objects_.size();
   }
@@ -157,6 +157,7 @@ class IntegrityCheck {
     chunks.map();
     chunks.tree();
     for (std::string& fault : chunks.faults_) faults_.push_back(std::move(fault));
+    if (!chunks.faults_.empty()) return;
     std::vector<StoredPlans::Head> heads;
     std::vector<double> records;
     for_each_object([&](std::int64_t id, const double* record) {
@@ -229,7 +230,7 @@ class IntegrityCheck {
   }
 
   std::string object(std::int64_t id) const { return noun_ + (' ' + std::to_string(id)); }
-  void not_in(const char* table, const Entry& entry) {
+  void not_in(const char* table, const ObjectPlace& entry) {
     say(object(entry.id) + " of node " + std::to_string(entry.leaf) + " is missing in the " + table);
   }
   /// Damage is reported as a fault; any other error ends the check.
@@ -248,7 +249,7 @@ class IntegrityCheck {
   std::string noun_;
   Interrupt& interrupt_;
   Steps step_;
-  std::vector<Entry> objects_;  // the leaf of each object, by id
+  std::vector<ObjectPlace> objects_;  // the leaf of each object, by id
   std::vector<std::string> faults_;
   std::size_t nodes_ = 0, count_ = 0;
 };

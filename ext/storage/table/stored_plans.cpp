@@ -31,6 +31,7 @@ NodeFormat chunk_node_format(const NodeFormat& objects) {
 StoredPlans::StoredPlans(sqlite3* db, const NodeFormat& format, const QualifiedName& name, double horizon,
                          Journal& journal, MemoryBudget& memory, std::function<void()> write_out)
     : Participant(journal, Scope::transaction),
+      db_(db),
       name_(name),
       layout_(format.layout),
       at_(format.at),

@@ -103,6 +103,7 @@ class StoredPlans final : public Journal::Participant {
   /// The largest number so far.
   std::int64_t last_number();
 
+  sqlite3* db_;
   const QualifiedName& name_;
   QualifiedName tree_name_;  ///< in messages
   Layout layout_;

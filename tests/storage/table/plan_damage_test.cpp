@@ -81,7 +81,9 @@ TEST_F(PlanDamage, AChunkOfAnotherObjectIsRefused) {
   });
   rows.write(second, blob);
   expect_damage("chunk " + std::to_string(second) + " is of object 2, not of object 1");
+  begin(db, *store);
   expect_store_error(SQLITE_CORRUPT_VTAB, "is of object 2", [&] { store->rebuild(never); });
+  roll_back(db, *store);
 }
 
 TEST_F(PlanDamage, StraysAreReportedAndRebuildDeletesThem) {

@@ -69,7 +69,7 @@ TEST(StorePlans, ATableWithoutPlansHasNothingOfThem) {
 }
 
 TEST(StorePlans, ASecondConnectionSeesNewPlans) {
-  const std::string file = "storage_test_plans.db";
+  const std::string file = FORESEE_BINARY_DIR "/storage_plans.db";
   std::filesystem::remove(file);
   {
     Database db(file), other_db(file);
