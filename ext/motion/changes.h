@@ -86,6 +86,9 @@ std::unique_ptr<Changes> resumed_after(std::unique_ptr<Changes> changes, const O
 /// The motion itself, for every k.
 std::unique_ptr<Changes> no_changes_of(const OwnMotion& motion);
 
+/// The motion until `time`, for every k; sets are those of that time alone.
+std::unique_ptr<Changes> end_of(OwnMotion motion, double time);
+
 // A class of changes has only templates for its sets: this adds the rest.
 
 template <class One>

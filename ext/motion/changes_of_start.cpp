@@ -143,16 +143,26 @@ class ResumedChanges final : public ChangesOf<ResumedChanges> {
 
 class NoChanges final : public ChangesOf<NoChanges> {
  public:
-  using ChangesOf::ChangesOf;
+  explicit NoChanges(const OwnMotion& motion) : ChangesOf(motion), stored_(motion) {}
+  /// Seen from its last time.
+  NoChanges(const OwnMotion& motion, const OwnMotion& at_end) : ChangesOf(at_end), stored_(motion) {
+    for (std::size_t j = 0; j < 3; ++j) rounding_[j] = 0x1p-52 * std::abs(at_end.x[j]);
+  }
 
+  const OwnMotion& unchanged() const override { return stored_; }
   double min_change(double /*p*/, double /*q*/) const override { return 0; }
   template <int D>
   MotionSet<D> set_of(double /*p*/, double /*q*/) const {
-    return unchanged_set<D>();
+    MotionSet<D> set = unchanged_set<D>();
+    set.place.pad = vector_of<D>(rounding_);
+    return set;
   }
 
  private:
   void change(OwnMotion& /*motion*/, double /*k*/) const override {}
+
+  OwnMotion stored_;
+  std::array<double, 3> rounding_{};  ///< of the place of the reference
 };
 
 }  // namespace
@@ -171,6 +181,11 @@ std::unique_ptr<Changes> resumed_after(std::unique_ptr<Changes> changes, const O
 
 std::unique_ptr<Changes> no_changes_of(const OwnMotion& motion) {
   return std::make_unique<NoChanges>(motion);
+}
+
+std::unique_ptr<Changes> end_of(OwnMotion motion, double time) {
+  motion.until = time;
+  return std::make_unique<NoChanges>(motion, motion_from(motion, time));
 }
 
 }  // namespace foresee

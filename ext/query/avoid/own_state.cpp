@@ -99,11 +99,9 @@ ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, con
     changed.are_later = true;
     add(rests_of(own.base)), add(delays_of(own.base, 0));
     for (std::size_t i = own.leg + 1; i < own.legs.size(); ++i) add(delays_of(own.legs[i], 0));
-    for (std::size_t i = 0; i <= own.leg && i < own.legs.size(); ++i) {
-      OwnMotion before = own.legs[i];
-      before.until = std::min(before.until, own.base.t);
-      if (before.t < own.base.t) add(no_changes_of(before));
-    }
+    for (std::size_t i = 0; i <= own.leg && i < own.legs.size(); ++i)
+      if (i < own.leg || own.legs[i].t < own.base.t)
+        add(end_of(own.legs[i], std::min(own.legs[i].until, own.base.t)));
   } else if (how == Manoeuvre::delay) {
     changed.are_later = true;
     if (own.legs.empty()) add(delays_of(own.stored, queried.lo));

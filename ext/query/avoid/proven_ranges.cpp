@@ -57,6 +57,7 @@ class ProvenRanges {
   std::vector<KRange> ranges() {
     first_ = marked(exact_.touching_at_start(manoeuvre_.record_at_first()));
     at_start_ = first_leg().starts_vary() ? marked(touching_at_rest()) : first_;
+    for (const NearObjects& near : manoeuvre_.near) others_.push_back(near.scene->bodies());
     for (std::size_t table = 0; table < manoeuvre_.near.size(); ++table) add_table(table);
     std::sort(ordered_.begin(), ordered_.end(),
               [](const OrderedCertificate<D>& a, const OrderedCertificate<D>& b) {
@@ -93,7 +94,7 @@ class ProvenRanges {
 
   void add_table(std::size_t table) {
     const NearObjects& near = manoeuvre_.near[table];
-    const Bodies there = near.scene->bodies();
+    const Bodies& there = others_[table];
     const PairRule rule(own_.layout, there.layout, question_.within, question_.within_z);
     const bool outlines = rule.pieces == PieceKind::planar;
     for (std::size_t leg = 0; leg < manoeuvre_.changed.legs.size(); ++leg) {
@@ -149,7 +150,8 @@ class ProvenRanges {
   ExactAvoidance& exact_;
   Interrupt& interrupt_;
   Bodies own_;
-  Marks first_, at_start_;  ///< of each table: what touches before the change, and where a delay starts
+  std::vector<Bodies> others_;  ///< of each table; outlines of certificates refer to them
+  Marks first_, at_start_;      ///< of each table: what touches before the change, and where a delay starts
   std::vector<OrderedCertificate<D>> ordered_;
 };
 

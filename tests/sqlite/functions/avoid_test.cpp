@@ -127,47 +127,6 @@ TEST_F(AvoidInSql, HasNoRowsForObjectsThatDoNotExist) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(60, 'ships', 1, 0, NULL, NULL, NULL, -100)"), "0");
 }
 
-struct AvoidInLegs : ::testing::Test {
-  AvoidInLegs() {
-    db.exec(
-        "CREATE VIRTUAL TABLE carts USING moving_objects(id, t, x, y, vx, vy, r);"
-        "INSERT INTO carts VALUES (1, 0, 0, 0, 2, 0, 1), (2, 0, 20, -20, 0, 2, 1)");  // they meet at (20, 0)
-  }
-  std::string legs(const std::string& call, const std::string& where) {
-    return db.rows("SELECT leg, p.t, p.until, p.x, p.y, p.vx, p.vy FROM predictive_avoid(" + call +
-                   ") a, plan_rows(a.plan) p WHERE " + where + " ORDER BY k_from, leg");
-  }
-
-  Database db;
-};
-
-TEST_F(AvoidInLegs, WaitsUntilTheOtherHasPassed) {
-  // The closest approach after a wait of k is k sqrt(2), and the two touch within 3.
-  EXPECT_EQ(db.rows("SELECT clear, round(k_from, 6), round(k_to, 6), below, above, plan IS NULL, vx "
-                    "FROM predictive_avoid(60, 'carts', 1, 1, 'wait', 0, 30)"),
-            "0|0.0|2.12132|2|2|1|2.0\n1|2.12132|30.0|2|NULL|0|0.0");
-  EXPECT_EQ(legs("60, 'carts', 1, 1, 'wait', 3, 3", "clear"),
-            "1|0.0|3.0|0.0|0.0|0.0|0.0\n2|3.0|Inf|0.0|0.0|2.0|0.0");
-}
-
-TEST_F(AvoidInLegs, ResumesItsVelocity) {
-  EXPECT_EQ(legs("60, 'carts', 1, 1, 'speed', -1, -1", "clear AND resume = 5"),
-            "1|0.0|5.0|0.0|0.0|1.0|0.0\n2|5.0|Inf|5.0|0.0|2.0|0.0");
-  EXPECT_EQ(
-      db.rows("SELECT clear FROM predictive_avoid(60, 'carts', 1, 1, 'speed', -1, -1) WHERE resume = 3"), "0")
-      << "late by 1.5: 2.1 apart, within 3";
-}
-
-TEST_F(AvoidInLegs, GivesThePlanAloneAndTheLastOutputsAlone) {
-  EXPECT_EQ(db.rows("SELECT typeof(plan) FROM predictive_avoid(60, 'carts', 1, 1, 'wait', 3, 3)"), "blob");
-  db.exec(
-      "CREATE VIRTUAL TABLE flights USING moving_objects(id, lat, lon, z, speed, course, vz, r, origin = '50 "
-      "8');"
-      "INSERT INTO flights VALUES (1, 50, 8, 900, 100, 0, 2, 30)");
-  EXPECT_EQ(db.rows("SELECT height FROM predictive_avoid(60, 'flights', 1, 0, 'turn', 5, 5)"), "900.0");
-  EXPECT_EQ(db.rows("SELECT climb FROM predictive_avoid(60, 'flights', 1, 0, 'turn', 5, 5)"), "2.0");
-}
-
 TEST_F(AvoidInSql, SaysWhatToWrite) {
   const std::string name = "predictive_avoid", usage =
                                                    "write predictive_avoid(h, tbl, id, within, how, lo, hi, "

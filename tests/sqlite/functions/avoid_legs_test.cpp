@@ -1,0 +1,117 @@
+// predictive_avoid where the result has several legs: waits, resume, and tables with plans; changes written back keep
+// clear.
+#include "sqlite/database.h"
+
+namespace foresee::testing {
+namespace {
+
+struct AvoidInLegs : ::testing::Test {
+  AvoidInLegs() {
+    db.exec(
+        "CREATE VIRTUAL TABLE carts USING moving_objects(id, t, x, y, vx, vy, r);"
+        "INSERT INTO carts VALUES (1, 0, 0, 0, 2, 0, 1), (2, 0, 20, -20, 0, 2, 1)");  // they meet at (20, 0)
+  }
+  std::string legs(const std::string& call, const std::string& where) {
+    return db.rows("SELECT leg, p.t, p.until, p.x, p.y, p.vx, p.vy FROM predictive_avoid(" + call +
+                   ") a, plan_rows(a.plan) p WHERE " + where + " ORDER BY k_from, leg");
+  }
+
+  Database db;
+};
+
+TEST_F(AvoidInLegs, WaitsUntilTheOtherHasPassed) {
+  // The closest approach after a wait of k is k sqrt(2), and the two touch within 3.
+  EXPECT_EQ(db.rows("SELECT clear, round(k_from, 6), round(k_to, 6), below, above, plan IS NULL, vx "
+                    "FROM predictive_avoid(60, 'carts', 1, 1, 'wait', 0, 30)"),
+            "0|0.0|2.12132|2|2|1|2.0\n1|2.12132|30.0|2|NULL|0|0.0");
+  EXPECT_EQ(legs("60, 'carts', 1, 1, 'wait', 3, 3", "clear"),
+            "1|0.0|3.0|0.0|0.0|0.0|0.0\n2|3.0|Inf|0.0|0.0|2.0|0.0");
+}
+
+TEST_F(AvoidInLegs, ResumesItsVelocity) {
+  EXPECT_EQ(legs("60, 'carts', 1, 1, 'speed', -1, -1", "clear AND resume = 5"),
+            "1|0.0|5.0|0.0|0.0|1.0|0.0\n2|5.0|Inf|5.0|0.0|2.0|0.0");
+  EXPECT_EQ(
+      db.rows("SELECT clear FROM predictive_avoid(60, 'carts', 1, 1, 'speed', -1, -1) WHERE resume = 3"), "0")
+      << "late by 1.5: 2.1 apart, within 3";
+}
+
+TEST_F(AvoidInLegs, GivesThePlanAloneAndTheLastOutputsAlone) {
+  EXPECT_EQ(db.rows("SELECT typeof(plan) FROM predictive_avoid(60, 'carts', 1, 1, 'wait', 3, 3)"), "blob");
+  db.exec(
+      "CREATE VIRTUAL TABLE flights USING moving_objects(id, lat, lon, z, speed, course, vz, r, origin = '50 "
+      "8');"
+      "INSERT INTO flights VALUES (1, 50, 8, 900, 100, 0, 2, 30)");
+  EXPECT_EQ(db.rows("SELECT height FROM predictive_avoid(60, 'flights', 1, 0, 'turn', 5, 5)"), "900.0");
+  EXPECT_EQ(db.rows("SELECT climb FROM predictive_avoid(60, 'flights', 1, 0, 'turn', 5, 5)"), "2.0");
+}
+
+struct AvoidInPlans : ::testing::Test {
+  AvoidInPlans() {
+    // 1 drives east, stops for 4 at (10, 0), and goes on north; 2 comes from the north and passes (10, 10) at 25.
+    db.exec(
+        "CREATE VIRTUAL TABLE robots USING moving_objects(id, x, y, plan, r, until, +name);"
+        "INSERT INTO robots(id, plan, r) VALUES (1, 'LINESTRING M(0 0 0, 10 0 10, 10 0 14, 10 20 34)', 1),"
+        "  (2, 'LINESTRING M(10 40 0, 10 20 15, 10 0 35)', 1);"
+        "INSERT INTO robots(id, x, y, r) VALUES (3, -50, 0, 1)");
+  }
+  std::string contacts() {
+    return db.rows("SELECT a, b FROM predictive_join(200, 'robots', 0.5) WHERE now = 2 AND (a = 1 OR b = 1)");
+  }
+
+  Database db;
+};
+
+TEST_F(AvoidInPlans, RefusesWhatAPlanCannotDo) {
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(60, 'robots', 1)"),
+            "predictive_avoid: robots: row 1 has a plan: write 'wait' or 'delay' with lo and hi, as in "
+            "'wait', 0, 600");
+  EXPECT_EQ(db.rows("SELECT count(*) > 0 FROM predictive_avoid(60, 'robots', 3)"), "1");
+}
+
+TEST_F(AvoidInPlans, FindsWhomItsLegsMeet) {
+  EXPECT_EQ(contacts(), "1|2");
+  EXPECT_EQ(
+      db.rows("SELECT clear, k_from, below FROM predictive_avoid(200, 'robots', 1, 0.5, 'wait', 0, 0, 2)"),
+      "0|0.0|2");
+  EXPECT_EQ(
+      db.rows(
+          "SELECT count(*), sum(clear) > 0 FROM predictive_avoid(200, 'robots', 1, 0.5, 'wait', 0, 90, 2) "
+          "WHERE k_to > 60"),
+      "1|1");
+}
+
+TEST_F(AvoidInPlans, KeepsClearOnceAWaitIsWrittenBack) {
+  db.exec(
+      "UPDATE robots SET (plan, until) = (SELECT plan, until FROM predictive_avoid(200, 'robots', 1, 0.5, "
+      "'wait', 0, "
+      "90, 2) WHERE clear ORDER BY k LIMIT 1) WHERE id = 1");
+  EXPECT_EQ(contacts(), "");
+}
+
+TEST_F(AvoidInPlans, KeepsKnotsAndGivesBackTheStoredPlan) {
+  EXPECT_EQ(db.rows("SELECT plan FROM predictive_avoid(200, 'robots', 2, 0, 'wait', 0, 0, 2)"),
+            "LINESTRING M(10 40 0, 10 20 15, 10 0 35)");
+  EXPECT_EQ(db.rows("SELECT plan, t, x FROM predictive_avoid(200, 'robots', 2, 0, 'wait', 64, 64, 15)"),
+            "LINESTRING M(10 40 0, 10 20 15, 10 20 79, 10 0 99)|0.0|10.0");
+  EXPECT_EQ(db.rows("SELECT plan, t FROM predictive_avoid(200, 'robots', 2, 0, 'delay', 64, 64, -1)"),
+            "LINESTRING M(10 40 64, 10 20 79, 10 0 99)|64.0");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(200, 'robots', 2, 0, 'delay', 64, 64, 1)"), "0")
+      << "it has started";
+}
+
+TEST_F(AvoidInPlans, AvoidsPlansOfASecondTable) {
+  db.exec(
+      "CREATE VIRTUAL TABLE carts USING moving_objects(id, t, x, y, vx, vy, r);"
+      "INSERT INTO carts VALUES (1, 0, 0, 10, 1, 0, 1)");
+  // At (10, 10) the cart is at 10, robot 1 at 24.
+  EXPECT_EQ(db.rows("SELECT clear FROM predictive_avoid(60, 'carts', 1, 0, 'speed', 0, 0, 0, 'robots')"),
+            "1");
+  EXPECT_EQ(
+      db.rows("SELECT clear, below, below_tbl FROM predictive_avoid(60, 'carts', 1, 0, 'wait', 14, 14, 0, "
+              "'robots')"),
+      "0|1|robots");
+}
+
+}  // namespace
+}  // namespace foresee::testing
