@@ -1,7 +1,6 @@
 #include "sqlite/connection.h"
 
 #include "base/float_environment.h"
-#include "motion/plan/plan_legs.h"
 #include "query/join/pair_kinds.h"
 #include "sqlite/sql_tokens.h"
 
@@ -22,7 +21,9 @@ std::size_t memory_of(const Scene& scene) {
 void add_object(Store& store, std::int64_t id, std::span<const double> record, Scene& scene) {
   if (!has_plan(store.format().at, record.data())) return scene.add(id, record.data());
   const std::vector<double> own(record.begin(), record.end());  // the store may reuse its memory
-  scene.add(id, own.data(), legs_of(store.read_plan(id, own)));
+  std::vector<Leg> legs;
+  store.read_legs(id, own, scene.legs_during.from, scene.legs_during.until, legs);
+  if (!legs.empty()) scene.add(id, own.data(), legs);
 }
 
 std::int64_t Connection::announce(std::shared_ptr<Store> store, const std::string& schema,
@@ -120,6 +121,7 @@ std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool
 }
 
 std::shared_ptr<const Scene> Connection::load_legs(const OpenTable& table, const LegTimes& times) {
+  if (!table.store->declaration().layout.has_plan) return load_scene(table);
   if (auto scene = find_scene(table, false, times)) return scene;
   const ContentVersion version = table.store->read_version();
   scenes_.erase(table.store.get());  // before the new one is decoded, so that memory holds only one
@@ -145,8 +147,10 @@ void Connection::keep_scene(const OpenTable& table, const ContentVersion& versio
   evict_scenes();
 }
 
-std::shared_ptr<Scene> Connection::load_object(const OpenTable& table, std::int64_t id) {
+std::shared_ptr<Scene> Connection::load_object(const OpenTable& table, std::int64_t id,
+                                               const LegTimes& times) {
   auto scene = std::make_shared<Scene>();
+  scene->legs_during = times;
   scene->name = table.table;
   scene->layout = table.store->declaration().layout;
   const FloatEnvironment environment;  // accelerations are computed on loading

@@ -82,8 +82,7 @@ class Connection {
   /// for damaged rows. Cost: a look-up if this version's scene is cached, else all rows are read and decoded.
   std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false);
 
-  /// The same of a table with plans, whose legs are rows: rows that exist at some time of `times`, perhaps more. The
-  /// tree's levels are not those of legs. Cost: as above, for the plans that live then; a cached scene of other
+  /// The same; of a table with plans, whose legs are rows, those that exist at some time of `times`, perhaps more. Cost: as above, for the plans that live then; a cached scene of other
   /// times is replaced.
   std::shared_ptr<const Scene> load_legs(const OpenTable& table, const LegTimes& times = {});
 
@@ -91,9 +90,10 @@ class Connection {
   std::shared_ptr<const Scene> find_scene(const OpenTable& table, bool with_levels = false,
                                           const LegTimes& times = {});
 
-  /// A scene of the one object with this id, with all its legs, empty if it does not exist; without its outline or
-  /// mesh. Cost: a look-up, and decoding the plan.
-  static std::shared_ptr<Scene> load_object(const OpenTable& table, std::int64_t id);
+  /// A scene of the one object with this id, with its legs of these times, empty if it does not exist; without its
+  /// outline or mesh. Cost: a look-up, and decoding some chunks of the plan.
+  static std::shared_ptr<Scene> load_object(const OpenTable& table, std::int64_t id,
+                                            const LegTimes& times = {});
 
   /// PRAGMA threads: the number of helper threads that a computation may use; 0 by default.
   std::size_t helper_threads() const {
@@ -128,7 +128,8 @@ class Connection {
   std::shared_ptr<GridSpace> space_ = std::make_shared<GridSpace>();
 };
 
-/// Adds an object that the store holds under this record: its row, or the rows of its legs. Requires: FloatEnvironment.
+/// Adds an object that the store holds under this record: its row, or the rows of its legs during scene.legs_during.
+/// Requires: FloatEnvironment.
 void add_object(Store& store, std::int64_t id, std::span<const double> record, Scene& scene);
 
 }  // namespace foresee

@@ -28,7 +28,7 @@ class StoredTable final : public TableSource {
     return connection_.load_scene(table_, with_levels);
   }
   std::shared_ptr<const Scene> all_during(const LegTimes& times) override {
-    return layout().has_plan ? connection_.load_legs(table_, times) : all(false);
+    return connection_.load_legs(table_, times);
   }
   bool is_loaded() override { return connection_.find_scene(table_) != nullptr; }
   std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) override;

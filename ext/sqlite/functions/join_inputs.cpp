@@ -32,8 +32,6 @@ enum Input {
 OpenTables open_tables(Connection& connection, const JoinInputs& inputs) {
   OpenTables tables{open_table(connection, inputs.tbl)};
   if (inputs.other) tables.b = open_table(connection, {inputs.other, inputs.tbl.schema});
-  require_no_plans(tables.a);
-  if (tables.b) require_no_plans(*tables.b);
   if (tables.b) require_one_frame(tables.a, *tables.b);
   require_upright(tables.a, inputs.within_z);
   return tables;
@@ -87,7 +85,8 @@ JoinInputs read_join_inputs(const FunctionCall& call, bool with_contacts) {
   return inputs;
 }
 
-JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids) {
+JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids,
+                           const JoinWants& wants) {
   Connection& connection = call.connection();
   const OpenTables open = open_tables(connection, inputs);
   const JoinedTables tables = sources_of(connection, open);
@@ -99,6 +98,7 @@ JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, c
   question.method = inputs.method;
   question.tile = inputs.tile;
   question.all_contacts = inputs.all_contacts;
+  question.wants = wants;
   call.used(in_tbl, open.a.table), call.used(in_schema, open.a.schema);
   call.used(in_now, question.now), call.used(in_within, question.within), call.used(in_method, "auto");
   const bool by_tree = question.method == JoinMethod::automatic || question.method == JoinMethod::tree;

@@ -66,15 +66,16 @@ QueriedTimes queried(const FunctionCall::Bounds& bounds) {
 }
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
+  JoinWants wants;
+  wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
+  wants.contact = wants.ends || call.reads(out_t) || call.reads(out_dt);
+  wants.approach = call.reads(out_t_cpa) || call.reads(out_dt_cpa) || call.reads(out_d_cpa);
   JoinQuestion question =
-      join_question(call, read_join_inputs(call, true), {call.only(out_a), call.only(out_b)});
+      join_question(call, read_join_inputs(call, true), {call.only(out_a), call.only(out_b)}, wants);
   question.queried_t = queried(call.bounds(out_t)), question.queried_dt = queried(call.bounds(out_dt));
   question.order = order_of(call.order());
   question.likely_rows = call.limit().total().value_or(all_rows);
   question.helpers = call.connection().helper_threads();
-  question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
-  question.wants.contact = question.wants.ends || call.reads(out_t) || call.reads(out_dt);
-  question.wants.approach = call.reads(out_t_cpa) || call.reads(out_dt_cpa) || call.reads(out_d_cpa);
   return std::make_unique<JoinRows>(std::move(question), call.connection().interrupt());
 }
 

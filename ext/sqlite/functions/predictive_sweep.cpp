@@ -53,9 +53,9 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const auto now = call.number(in_now);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
-  require_no_plans(table);
   require_upright(table, question.within_z);
   question.tree = table.store->take_snapshot();
+  question.chunks = table.store->chunks();
   question.now = now ? *now : read_newest_t(*question.tree);
   question.queried = {queried_corners(call, 0), queried_corners(call, 1)};
   return std::make_unique<SweepRows>(std::move(question), connection.interrupt());

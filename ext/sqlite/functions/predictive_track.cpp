@@ -43,14 +43,13 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
                             call.required_number(in_step)};
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
-  require_no_plans(table);
   call.used(in_tbl, table.table), call.used(in_schema, table.schema);
   const auto id = call.only(out_id);
   std::shared_ptr<const Scene> scene;
   if (id)
-    scene = Connection::load_object(table, *id);
+    scene = Connection::load_object(table, *id, {instants.t0, instants.t1});
   else
-    scene = connection.load_scene(table);
+    scene = connection.load_legs(table, {instants.t0, instants.t1});
   return std::make_unique<TrackRows>(scene, instants, table.store->frame(), connection.interrupt());
 }
 

@@ -13,7 +13,6 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
   const auto now = call.number(inputs.now);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
-  require_no_plans(table);
   call.used(inputs.tbl, table.table), call.used(inputs.schema, table.schema);
   call.used(inputs.method, "auto");
   SearchedTable searched{{table.table, nullptr, nullptr}, now.value_or(0), table.store->frame()};
@@ -22,6 +21,7 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
     searched.objects.scene = connection.load_scene(table);
   } else {
     searched.objects.tree = table.store->take_snapshot();
+    searched.objects.chunks = table.store->chunks();
     if (!now) searched.now = read_newest_t(*searched.objects.tree);
   }
   call.used(inputs.now, searched.now);
