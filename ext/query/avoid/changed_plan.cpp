@@ -51,19 +51,22 @@ Plan knots_with_wait(const Plan& plan, const OwnState& own, double k) {
   return changed;
 }
 
-/// A plan of these legs; `knots` if they are its legs.
-Plan plan_of(std::vector<Leg> legs, const Plan& stored, Plan (*knots)(const Plan&, const OwnState&, double),
-             const OwnState& own, double k) {
+/// A plan of these legs; knots if these are their legs, or if it must be knots.
+std::optional<Plan> plan_of_legs(std::vector<Leg> legs, const AvoidQuestion& question,
+                                 Plan (*knots)(const Plan&, const OwnState&, double), const OwnState& own,
+                                 double k) {
+  const Plan& stored = *question.plan;
   if (stored.kind == PlanKind::knots) {
     try {
       Plan plan = knots(stored, own, k);
       check_plan(plan);
-      if (legs_of(plan) == legs) return plan;
+      if (question.plan_has_knots || legs_of(plan) == legs) return plan;
     } catch (const Error&) {  // no knots have these legs
     }
   }
+  if (question.plan_has_knots) return std::nullopt;
   const PlanKind kind = stored.kind == PlanKind::knots ? PlanKind::uniform : stored.kind;
-  return {.kind = kind, .axes = stored.axes, .legs = std::move(legs)};
+  return Plan{.kind = kind, .axes = stored.axes, .legs = std::move(legs)};
 }
 
 Plan later_knots(const Plan& plan, const OwnState& /*own*/, double k) {
@@ -78,11 +81,11 @@ std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& 
   if (question.plan) {
     if (k == 0) return *question.plan;
     std::vector<Leg> legs = legs_of(*question.plan);
-    if (waits) return plan_of(legs_with_wait(legs, own, k), *question.plan, knots_with_wait, own, k);
+    if (waits) return plan_of_legs(legs_with_wait(legs, own, k), question, knots_with_wait, own, k);
     for (Leg& leg : legs) leg = later(leg, k);
-    return plan_of(std::move(legs), *question.plan, later_knots, own, k);
+    return plan_of_legs(std::move(legs), question, later_knots, own, k);
   }
-  if (k == 0 || !(waits || question.resume)) return std::nullopt;
+  if (k == 0 || question.plan_has_knots || !(waits || question.resume)) return std::nullopt;
   const ChangedLegs changed = changed_legs(question, own, queried);
   const Offsets at = record_offsets(own.layout);
   const bool bends = at.a != Offsets::absent || at.force != Offsets::absent;

@@ -1,11 +1,12 @@
 #include "query/avoid/intruders.h"
 
-#include <unordered_map>
-#include <utility>
+#include <functional>
+#include <unordered_set>
 
 #include "base/axes.h"
 #include "index/tpr_tree/search/window_walk.h"
 #include "query/join/question.h"
+#include "query/legs/leg_scene.h"
 #include "shape/kinds.h"
 #include "shape/swept_boxes.h"
 
@@ -59,87 +60,58 @@ MovingBox<D> box_around(const AvoidQuestion& question, const Changes& changes, c
   return moving_box<D>(bounds, base.t, span_between(begin, end, horizon), horizon);
 }
 
-/// Appends the rows of each object or leg that is found, once.
-class Found {
- public:
-  explicit Found(Scene& near, bool several_legs) : near_(near), several_legs_(several_legs) {}
-
-  void start_leg() { rows_of_leg_.emplace_back(); }
-  /// `add` appends the rows of what has this key.
-  template <class Add>
-  void take(std::int64_t key, std::unordered_map<std::int64_t, std::pair<std::size_t, std::size_t>>& known,
-            const Add& add) {
-    if (!several_legs_) return add();
-    const auto [place, is_new] = known.try_emplace(key);
-    if (is_new) {
-      place->second.first = near_.size();
-      add();
-      place->second.second = near_.size();
-    }
-    for (std::size_t row = place->second.first; row < place->second.second; ++row)
-      rows_of_leg_.back().push_back(static_cast<std::uint32_t>(row));
-  }
-  std::vector<std::vector<std::uint32_t>> rows_of_leg() {
-    return several_legs_ ? std::move(rows_of_leg_) : std::vector<std::vector<std::uint32_t>>{};
-  }
-
-  std::unordered_map<std::int64_t, std::pair<std::size_t, std::size_t>> objects, chunks;
-
- private:
-  Scene& near_;
-  bool several_legs_;
-  std::vector<std::vector<std::uint32_t>> rows_of_leg_;
-};
-
+/// Appends the objects without plans near the box that `is_new` accepts.
 template <int D>
-void walk_tree(NodeSource& tree, const MovingBox<D>& box, const Horizon& horizon,
-               std::optional<std::int64_t> itself, const KindTest& partners, Interrupt& interrupt,
-               Scene& near, Found& found) {
+void walk_tree(NodeSource& tree, const MovingBox<D>& box, const Horizon& horizon, const KindTest& partners,
+               Interrupt& interrupt, const std::function<bool(std::int64_t id)>& is_new, Scene& near) {
   WindowWalk<D> walk(tree, box, horizon, Vec<D>::Zero(), interrupt, partners);
   const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
   for (LeafHits hits; walk.next(hits);)
     for (const std::uint32_t slot : hits.slots)
-      if (const std::int64_t id = hits.leaf->keys[slot]; id != itself)
-        found.take(id, found.objects, [&] { near.add(id, hits.leaf->values.data() + slot * record_size); });
+      if (const std::int64_t id = hits.leaf->keys[slot]; is_new(id))
+        near.add(id, hits.leaf->values.data() + slot * record_size);
 }
 
-/// The legs of plans near it.
+/// The rows of a scene whose boxes meet one of the boxes.
 template <int D>
-void walk_chunks(ChunkSource& source, const MovingBox<D>& box, const Horizon& horizon,
-                 std::optional<std::int64_t> itself, const KindTest& partners, Interrupt& interrupt,
-                 Scene& near, Found& found) {
-  std::vector<std::int64_t> numbers;
-  WindowWalk<D> walk(source.tree(), box, horizon, Vec<D>::Zero(), interrupt, partners);
-  for (LeafHits hits; walk.next(hits);)
-    for (const std::uint32_t slot : hits.slots) numbers.push_back(hits.leaf->keys[slot]);
-  Chunk chunk;
-  for (const std::int64_t number : numbers)
-    found.take(number, found.chunks, [&] {
-      interrupt.check();
-      source.read_chunk(number, chunk);
-      if (chunk.object == itself) return;
-      near.add(chunk.object, source.find_object(chunk.object).data(), chunk.legs);
-    });
-}
+class RowsNear {
+ public:
+  RowsNear(const Scene& scene, const Horizon& horizon, const std::vector<MovingBox<D>>& boxes)
+      : bodies_(scene.bodies()), horizon_(horizon), boxes_(boxes) {
+    for (MovingBox<D>& box : boxes_) {
+      box.lower = lower_end<D>(box.lower, box.lower.abs() * rounding_pad);
+      box.upper = upper_end<D>(box.upper, box.upper.abs() * rounding_pad);
+    }
+  }
 
-/// The same objects as from a tree: those whose boxes meet the box.
+  bool has(std::size_t row, std::size_t box) const {
+    const MovingBox<D> other = moving_box<D>(bodies_, row, horizon_, Vec<D>::Zero());
+    SharedInterval span = shared_span(other, boxes_[box]);
+    return !span.is_empty() && narrow_to_contact(other, boxes_[box], span);
+  }
+  bool has(std::size_t row) const {
+    for (std::size_t box = 0; box < boxes_.size(); ++box)
+      if (has(row, box)) return true;
+    return false;
+  }
+
+ private:
+  Bodies bodies_;
+  Horizon horizon_;
+  std::vector<MovingBox<D>> boxes_;
+};
+
+/// The same objects as from a tree: those whose boxes meet one of the boxes.
 template <int D>
-void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
-                std::optional<std::int64_t> itself, const KindTest& partners, Interrupt& interrupt,
-                Scene& near, Found& found) {
-  box.lower = lower_end<D>(box.lower, box.lower.abs() * rounding_pad);
-  box.upper = upper_end<D>(box.upper, box.upper.abs() * rounding_pad);
+void walk_scene(const Scene& all, const RowsNear<D>& rows, std::optional<std::int64_t> itself,
+                const KindTest& partners, Interrupt& interrupt, Scene& near) {
   const Bodies bodies = all.bodies();
   for (std::size_t i = 0; i < bodies.count; ++i) {
     if (i % 1024 == 0) interrupt.check();
-    if (!partners.accepts(kinds_of(bodies.row(i), bodies.at))) continue;
-    const MovingBox<D> other = moving_box<D>(bodies, i, horizon, Vec<D>::Zero());
-    SharedInterval span = shared_span(other, box);
-    if (all.ids[i] == itself || span.is_empty() || !narrow_to_contact(other, box, span)) continue;
-    found.take(static_cast<std::int64_t>(i), found.objects, [&] {
-      near.ids.push_back(all.ids[i]);
-      near.rows.insert(near.rows.end(), bodies.row(i), bodies.row(i) + bodies.at.size);
-    });
+    if (!partners.accepts(kinds_of(bodies.row(i), bodies.at)) || all.ids[i] == itself || !rows.has(i))
+      continue;
+    near.ids.push_back(all.ids[i]);
+    near.rows.insert(near.rows.end(), bodies.row(i), bodies.row(i) + bodies.at.size);
   }
 }
 
@@ -149,29 +121,41 @@ NearObjects intruders(const AvoidQuestion& question, const std::vector<std::uniq
                       const QueriedChanges& queried, const SearchTarget& others,
                       std::optional<std::int64_t> itself, const Contact::Reach& reach, Interrupt& interrupt) {
   auto near = std::make_shared<Scene>();
+  NearObjects found;
   near->name = others.name, near->layout = others.layout();
-  near->legs_during = {question.now, question.now + question.h};
-  Found found(*near, legs.size() > 1);
   const Horizon horizon{question.now, question.h};
+  near->legs_during = leg_times_of(horizon);
   const Bodies own = question.own->bodies();
   const KindTest partners = KindTest::of_partners(kinds_of(own.row(0), own.at));
   with_axes(near->layout.axes, [&]<int D>(Axes<D>) {
-    const Vec<D> margin = 2 * margin_of<D>(reach);  // of both together
-    for (const auto& leg : legs) {
-      found.start_leg();
-      const MotionSet<D> all = leg->between<D>(queried.lo, queried.hi);
-      const MovingBox<D> box = box_around<D>(question, *leg, all, margin);
-      if (others.scene) {
-        walk_scene<D>(*others.scene, box, horizon, itself, partners, interrupt, *near, found);
-        continue;
-      }
-      walk_tree<D>(*others.tree, box, horizon, itself, partners, interrupt, *near, found);
-      if (others.chunks)
-        walk_chunks<D>(*others.chunks, box, horizon, itself, partners, interrupt, *near, found);
+    const Vec<D> margin = 2 * margin_of<D>(reach), zero = Vec<D>::Zero();  // of both together
+    std::vector<MovingBox<D>> boxes;
+    for (const auto& leg : legs)
+      boxes.push_back(box_around<D>(question, *leg, leg->between<D>(queried.lo, queried.hi), margin));
+    if (others.scene) {
+      walk_scene<D>(*others.scene, {*others.scene, horizon, boxes}, itself, partners, interrupt, *near);
+    } else {
+      std::unordered_set<std::int64_t> known;
+      const auto is_new = [&](std::int64_t id) {
+        return id != itself && (boxes.size() == 1 || known.insert(id).second);
+      };
+      for (const MovingBox<D>& box : boxes)
+        walk_tree<D>(*others.tree, box, horizon, partners, interrupt, is_new, *near);
+      const auto is_other = [&](std::int64_t id) { return id != itself; };
+      if (others.chunks) add_legs_near<D>(others, boxes, horizon, zero, interrupt, partners, is_other, *near);
+    }
+    if (boxes.size() == 1) return;
+    const RowsNear<D> rows(*near, horizon, boxes);
+    found.of_leg.resize(boxes.size());
+    for (std::size_t box = 0; box < boxes.size(); ++box) {
+      interrupt.check();
+      for (std::uint32_t row = 0; row < near->size(); ++row)
+        if (rows.has(row, box)) found.of_leg[box].push_back(row);
     }
   });
   if (others.tree) near->take_forms(others.tree->forms(), interrupt);
-  return {near, found.rows_of_leg()};
+  found.scene = std::move(near);
+  return found;
 }
 
 }  // namespace foresee

@@ -40,6 +40,7 @@ struct AvoidQuestion {
   bool wants_motion = true;           ///< record
   bool wants_ends = true;             ///< below, above
   bool wants_plan = false;            ///< plan
+  bool plan_has_knots = false;  ///< the table stores knots only: their legs may differ in the last digits
 };
 
 /// The object that is touched at an end of a row.

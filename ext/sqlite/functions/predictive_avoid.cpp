@@ -7,10 +7,10 @@
 #include "geography/frame.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/avoid/avoid.h"
-#include "sqlite/functions/plan/plan_functions.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/table/degrees_columns.h"
+#include "sqlite/table/plan_values.h"
 #include "storage/rows/value_text.h"
 
 namespace foresee {
@@ -104,7 +104,8 @@ class AvoidRows final : public FunctionRows {
       case out_climb:
         return result_report(context, row, output);
       case out_plan:
-        return result_changed_plan(context, row);
+        if (row.plan) result_plan(context, *row.plan);
+        return;
       default:
         return result_stored(context, row, output);
     }
@@ -120,12 +121,6 @@ class AvoidRows final : public FunctionRows {
     if (column == 0) return sqlite3_result_int64(context, blocker->id);
     if (column == 2) return sqlite3_result_double(context, blocker->t);
     result_text(context, tables_[static_cast<std::size_t>(blocker->table)]);
-  }
-
-  /// In metres; NULL for a table in degrees.
-  void result_changed_plan(sqlite3_context* context, const AvoidRow& row) const {
-    if (!row.plan || frame_.knows_places()) return;
-    result_plan(context, *row.plan, row.plan->kind == PlanKind::knots && row.plan->axes > 1);
   }
 
   /// A number of the changed record. NULL if the table has no such column or the number is infinite.
@@ -208,7 +203,7 @@ bool reads_any(const FunctionCall& call, int first, int last) {
 }
 
 SearchTarget searched(const Connection::OpenTable& table) {
-  return {table.table, nullptr, table.store->take_snapshot()};
+  return {table.table, nullptr, table.store->take_snapshot(), table.store->chunks()};
 }
 
 void read_numbers(const FunctionCall& call, AvoidQuestion& question) {
@@ -229,7 +224,6 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const auto given_now = call.number(in_now);
   const TableName tbl{call.text(in_tbl), call.text(in_schema)};
   const auto table = open_table(connection, tbl);
-  require_no_plans(table);
   require_upright(table, question.within_z);
   question.on_globe = table.store->frame().on_globe();
   if (question.on_globe && !question.how) question.how = Manoeuvre::speed;
@@ -238,32 +232,35 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   double newest = read_newest_t(*question.others.tree);
   if (const auto also = call.text(in_also)) {
     const auto second = open_table(connection, {also, tbl.schema});
-    require_no_plans(second);
     require_one_frame(table, second);
     question.also = searched(second);
     tables[1] = second.table;
     newest = std::max(newest, read_newest_t(*question.also->tree));
   }
   question.now = given_now.value_or(newest), question.now_given = given_now.has_value();
-  const auto own = std::make_shared<Scene>();
-  own->name = table.table, own->layout = table.store->declaration().layout;
+  const auto own = Connection::load_object(table, id);
+  const Declaration& declaration = table.store->declaration();
+  const Offsets at = record_offsets(own->layout);
   if (auto record = table.store->read(id)) {
-    const FloatEnvironment environment;
-    own->add(id, record->data());
     question.record = std::move(*record);
+    if (has_plan(at, question.record.data()))
+      question.plan = std::make_shared<const Plan>(table.store->read_plan(id, question.record));
   }
   FormSource* const forms = table.store->forms();
   own->take_forms(forms, connection.interrupt());
   question.own = own;
-  const Offsets at = record_offsets(own->layout);
   const double form = question.record.empty() ? 0 : value_or(question.record.data(), at.outline, 0);
   if (const auto number = integer_of(form); number.value_or(0) != 0) question.form = forms->form(*number);
   question.wants_motion = reads_any(call, out_t, out_heading) || reads_any(call, out_lat, out_climb);
-  question.wants_plan = call.reads(out_plan);
+  question.wants_plan = call.reads(out_plan), question.plan_has_knots = table.store->frame().knows_places();
   question.wants_ends = reads_any(call, out_below, out_t_above);
   std::vector<AvoidRow> rows = avoid(question, connection.interrupt());
   if (const auto clear = call.only(out_clear))
     std::erase_if(rows, [&](const AvoidRow& row) { return *clear != (row.clear ? 1 : 0); });
+  if (own->layout.has_plan && question.plan_has_knots)
+    for (AvoidRow& row : rows)
+      if (row.plan)
+        row.plan = PlanValues(declaration, connection.interrupt()).shown(*row.plan, table.store->frame());
   return std::make_unique<AvoidRows>(std::move(rows), question.own->layout, std::move(tables),
                                      table.store->frame(), std::move(question.record));
 }
