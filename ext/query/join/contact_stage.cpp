@@ -29,9 +29,11 @@ void ContactStage::query(const Candidates& candidates, std::vector<Pair>& batch,
   const bool all_times = slab.from == -inf && slab.before == inf && question_.queries_all_times();
   const bool times_matter = !all_times || question_.wants.contact || question_.order != JoinOrder::any;
   const std::size_t before = hits.pairs.size();
-  // Where some hits may be left out or never read, write() computes the ends of the others only.
-  hits.with_ends = all_times && question_.order == JoinOrder::any && question_.wants.ends;
-  if (candidates.touching() && !hits.with_ends) {
+  // Where some hits may be left out or never read, write() computes the ends of the others only. Of legs, pairs that
+  // have a row are not tested again (leg_join.h), so that few are left out.
+  hits.with_ends =
+      (all_times || has_plans(question_)) && question_.order == JoinOrder::any && question_.wants.ends;
+  if (candidates.touching() && (!hits.with_ends || !queries_start(slab))) {
     if (queries_start(slab)) take_touching(batch, hits);
     return;
   }

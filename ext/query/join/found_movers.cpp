@@ -8,8 +8,8 @@
 namespace foresee {
 
 std::uint64_t PairTable::find_or_add(const Pair& pair, std::uint64_t number) {
-  const std::uint64_t key = std::uint64_t{pair.a} << 32 | pair.b;
-  for (std::size_t i = key * 0x9e3779b97f4a7c15u >> shift_;; i = (i + 1) & (slots_.size() - 1)) {
+  const std::uint64_t key = key_of(pair);
+  for (std::size_t i = place_of(pair);; i = (i + 1) & (slots_.size() - 1)) {
     Slot& slot = slots_[i];
     if (slot.number_plus_one == 0) {
       slot = {key, number + 1};
@@ -18,11 +18,6 @@ std::uint64_t PairTable::find_or_add(const Pair& pair, std::uint64_t number) {
     }
     if (slot.pair == key) return slot.number_plus_one - 1;
   }
-}
-
-void PairTable::clear() {
-  std::fill(slots_.begin(), slots_.end(), Slot{});
-  size_ = 0;
 }
 
 void PairTable::grow() {
@@ -36,16 +31,36 @@ void PairTable::grow() {
   }
 }
 
+void FoundMovers::drop_found(std::vector<Pair>& candidates, const SlabLegs& legs_a, const SlabLegs& legs_b) {
+  keys_.clear();
+  for (const Pair& rows : candidates) {
+    keys_.push_back(movers_of(rows, legs_a, legs_b));
+    pairs_.prefetch(keys_.back());
+  }
+  const bool within = &a_ == &b_;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    candidates[kept] = candidates[i];
+    kept += !(within && keys_[i].a == keys_[i].b) && !pairs_.holds_before(keys_[i], pairs_before_);
+  }
+  candidates.resize(kept);
+}
+
 void FoundMovers::add(const Hits& hits, const SlabLegs& legs_a, const SlabLegs& legs_b) {
   with_ends_ = hits.with_ends;
+  keys_.clear();
+  if (!keeps_all_)
+    for (const Pair& rows : hits.pairs) {
+      keys_.push_back(movers_of(rows, legs_a, legs_b));
+      pairs_.prefetch(keys_.back());
+    }
   for (std::size_t i = 0; i < hits.pairs.size(); ++i) {
     const MoverHit hit{{legs_a.leg(hits.pairs[i].a), legs_b.leg(hits.pairs[i].b)}, hits.times[i]};
-    if (question_.all_contacts) {
+    if (keeps_all_) {
       found_.push_back(hit);
       continue;
     }
-    const std::uint64_t next = pairs_before_ + found_.size(),
-                        at = pairs_.find_or_add(a_.of(hit.legs, b_), next);
+    const std::uint64_t next = pairs_before_ + found_.size(), at = pairs_.find_or_add(keys_[i], next);
     if (at < pairs_before_) continue;
     if (at == next) {
       found_.push_back(hit);
@@ -152,7 +167,8 @@ void FoundMovers::take(std::vector<MoverHit>& hits, Interrupt& interrupt) {
   const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(given_);
   hits.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
   given_ += count;
-  if (question_.wants.contact && question_.wants.ends && !question_.all_contacts) pair_.add_ends(hits);
+  if (question_.wants.contact && question_.wants.ends && !question_.all_contacts)
+    with_ends_ ? pair_.follow(hits) : pair_.add_ends(hits);
   if (any()) return;
   found_.clear();
   given_ = sorted_ = 0;

@@ -46,7 +46,7 @@ LegJoin::LegJoin(JoinQuestion question, Interrupt& interrupt)
       plan_(plan_join(question_, contact_->reach())),
       slabs_(slabs_of(plan_, question_)),
       legs_a_(a_, question_.now, end_of({question_.now, question_.h}), slabs_for(plan_, question_)),
-      found_(question_, a_, b_, pair_) {
+      found_(question_, a_, b_, pair_, plan_.slabs == 1 && question_.order == JoinOrder::any) {
   contact_->set_interrupt(interrupt);
   if (other_)
     legs_b_.emplace(b_, question_.now, end_of({question_.now, question_.h}), slabs_for(plan_, question_));
@@ -61,8 +61,11 @@ JoinQuestion LegJoin::question_of_legs() const {
   const SlabLegs& of_b = legs_b_ ? *legs_b_ : legs_a_;
   legs.a = legs_a_.scene();
   if (question_.b) legs.b = of_b.scene();
-  legs.order = JoinOrder::by_t;  // rows are not written, but sorted as hits
-  legs.wants = {.contact = true, .ends = false, .approach = false};
+  // Rows are not written, but sorted as hits. Where nearly all hits are rows, their ends cost less at once.
+  const bool at_once = (plan_.slabs == 1 || !plan_.with_helpers) && question_.order == JoinOrder::any &&
+                       question_.queries_all_times();
+  legs.order = at_once ? JoinOrder::any : JoinOrder::by_t;
+  legs.wants = {.contact = true, .ends = at_once && question_.wants.ends, .approach = false};
   legs.all_contacts = question_.all_contacts && is_bent(question_);
   if (legs.a == question_.a && (!question_.b || legs.b == question_.b)) return legs;
   if (question_.kinds) legs = with_kinds(std::move(legs));
@@ -88,6 +91,7 @@ bool LegJoin::join_slab() {
     const auto candidates = join_candidates(question, plan_.method, slab->horizon, stage.reach(), interrupt_);
     for (pairs_.clear(); candidates->next(pairs_); pairs_.clear()) {
       hits_.clear();
+      if (found_.knows_pairs()) found_.drop_found(pairs_, legs_a_, legs_b_ ? *legs_b_ : legs_a_);
       stage.query(*candidates, pairs_, *slab, hits_);
       add(hits_);
     }

@@ -88,12 +88,66 @@ bool MoverPair::is_alone(const MoverHit& hit) const {
 
 void MoverPair::add_ends(std::span<MoverHit> hits) {
   add_leg_ends(hits);
+  follow(hits);
+}
+
+void MoverPair::follow(std::span<MoverHit> hits) {
+  followed_.clear();
   for (MoverHit& hit : hits) {
     if (hit.times.t_end < end_of(hit.legs)) continue;
+    if (!all_) {
+      const Pair movers = a_.of(hit.legs, b_);
+      followed_.push_back({&hit, hit.legs, hit.legs.b, a_.last(movers.a), b_.last(movers.b), {}});
+      continue;
+    }
     gathered_.clear();
     gather(a_.of(hit.legs, b_), hit.times.t, hit.times.t_end, true);
     hit.times = mover_contacts(gathered_).front();
   }
+  while (!followed_.empty()) follow_a_leg();
+}
+
+/// One round for all contacts that go on: the next pair of legs of each is tested, all in one call.
+void MoverPair::follow_a_leg() {
+  interrupt_.check();
+  std::size_t kept = 0;
+  legs_.clear(), touching_.clear(), times_.clear();
+  for (Followed& one : followed_) {
+    if (!find_next(one) || start_of(one.legs) > one.hit->times.t_end) continue;
+    legs_.push_back(one.legs);
+    if (&followed_[kept] != &one) followed_[kept] = std::move(one);
+    ++kept;
+  }
+  followed_.resize(kept);
+  contact_.first_contacts(legs_, TimesWanted::both, touching_, times_);
+  for (std::size_t i = 0, hit = 0; i < touching_.size(); ++i, ++hit) {
+    while (legs_[hit] != touching_[i]) ++hit;
+    Followed& one = followed_[hit];
+    one.later.push_back(times_[i]);
+    ContactTimes& joined = one.hit->times;
+    for (bool more = true; more;) {
+      more = false;
+      for (const ContactTimes& times : one.later) {
+        if (times.t > joined.t_end || (times.t_end <= joined.t_end && times.dt_end <= joined.dt_end))
+          continue;
+        joined.t_end = std::max(joined.t_end, times.t_end);
+        joined.dt_end = std::max(joined.dt_end, times.dt_end), more = true;
+      }
+    }
+  }
+}
+
+/// The next pair in the order of for_leg_pairs(); false after the last.
+bool MoverPair::find_next(Followed& one) const {
+  Pair& legs = one.legs;
+  if (legs.b + 1 < one.last_b && b_.t(legs.b + 1) <= a_.until(legs.a)) return ++legs.b, true;
+  while (++legs.a < one.last_a) {
+    while (one.first_b < one.last_b && b_.until(one.first_b) < a_.t(legs.a)) ++one.first_b;
+    if (one.first_b == one.last_b) return false;
+    legs.b = one.first_b;
+    if (b_.t(legs.b) <= a_.until(legs.a)) return true;
+  }
+  return false;
 }
 
 bool MoverPair::touch_before(const MoverHit& hit) {

@@ -31,6 +31,8 @@ class MoverPair {
 
   /// Sets the end of contacts whose t and dt are known. Requires: each is the first contact of its movers.
   void add_ends(std::span<MoverHit> hits);
+  /// The same of hits whose times are those of the contact of their legs.
+  void follow(std::span<MoverHit> hits);
   /// Sets the ends of contacts of two legs, each the first one of these legs.
   void add_leg_ends(std::span<MoverHit> hits);
   /// Whether a contact of two legs cannot be part of a longer contact of their movers: neither starts nor ends with a
@@ -50,6 +52,15 @@ class MoverPair {
   void gather(const Pair& movers, double from, double until, bool follow);
   /// Appends the contacts of the pairs of `legs_`, which it clears.
   void test_legs();
+  /// A contact that lasts to the end of a leg, and the pair of legs that is tested next.
+  struct Followed {
+    MoverHit* hit;
+    Pair legs;
+    std::uint32_t first_b, last_a, last_b;
+    std::vector<ContactTimes> later;  ///< of pairs of legs after the hit
+  };
+  void follow_a_leg();
+  bool find_next(Followed& one) const;
   double start_of(const Pair& legs) const { return std::max(a_.t(legs.a), b_.t(legs.b)); }
   double end_of(const Pair& legs) const { return std::min(a_.until(legs.a), b_.until(legs.b)); }
   bool is_clearly_farther(const Pair& legs, double distance) const;
@@ -62,6 +73,7 @@ class MoverPair {
   std::vector<Pair> legs_, touching_;
   std::vector<ContactTimes> times_;
   std::vector<LegContact> gathered_;
+  std::vector<Followed> followed_;
   std::vector<ClosestApproach> approaches_;
 };
 

@@ -18,7 +18,7 @@ SlabLegs::SlabLegs(const Movers& movers, double from, double until, Slabs slabs)
         const std::uint32_t middle = end + (beyond - end) / 2;
         movers.t(middle) <= until ? end = middle + 1 : beyond = middle;
       }
-    waiting_.push_back({movers.t(first), first, end});
+    waiting_.push_back({movers.t(first), first, end, mover});
     alive_ += end - first;
   }
   movers_alive_ = waiting_.size();
@@ -42,7 +42,7 @@ bool SlabLegs::takes_whole(double from, double until, Slabs slabs) const {
 
 void SlabLegs::take(double from, double until) {
   if (is_whole_) return;
-  scene_->ids.clear(), scene_->rows.clear(), scene_->kinds.reset(), legs_.clear();
+  scene_->ids.clear(), scene_->rows.clear(), scene_->kinds.reset(), legs_.clear(), numbers_.clear();
   std::size_t kept = 0;
   for (Left& left : current_) {
     take_legs(left, from, until);
@@ -69,6 +69,7 @@ void SlabLegs::take_legs(Left& left, double from, double until) {
   const double* const rows = whole.rows.data() + left.first * row_size;
   scene_->rows.insert(scene_->rows.end(), rows, rows + count * row_size);
   scene_->ids.insert(scene_->ids.end(), count, whole.ids[left.first < whole.size() ? left.first : 0]);
+  numbers_.insert(numbers_.end(), count, left.mover);
   legs_.resize(legs_.size() + count);
   std::iota(legs_.end() - static_cast<std::ptrdiff_t>(count), legs_.end(), left.first);
 }

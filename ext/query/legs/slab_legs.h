@@ -34,16 +34,14 @@ class SlabLegs {
   const std::shared_ptr<const Scene>& scene() const { return is_whole_ ? movers_.scene() : given_; }
   /// Of the whole scene.
   std::uint32_t leg(std::uint32_t row) const { return is_whole_ ? row : legs_[row]; }
-  bool is_whole() const { return is_whole_; }
-  /// The legs that exist at some time of [from, until], and their movers.
-  std::size_t alive() const { return alive_; }
-  std::size_t movers_alive() const { return movers_alive_; }
+  /// The number of its mover.
+  std::uint32_t mover(std::uint32_t row) const { return is_whole_ ? movers_.of(row) : numbers_[row]; }
 
  private:
   /// The legs of one mover that may exist in later slabs.
   struct Left {
     double t;
-    std::uint32_t first, last;
+    std::uint32_t first, last, mover;
   };
 
   /// Whether a copy of the legs is not worth its cost.
@@ -52,11 +50,11 @@ class SlabLegs {
 
   const Movers& movers_;
   bool is_whole_ = false;
-  std::size_t alive_ = 0, movers_alive_ = 0;
-  std::vector<Left> waiting_, current_;  ///< movers that have not started yet, and others
+  std::size_t alive_ = 0, movers_alive_ = 0;  ///< during all slabs
+  std::vector<Left> waiting_, current_;       ///< movers that have not started yet, and others
   std::shared_ptr<Scene> scene_;
   std::shared_ptr<const Scene> given_;
-  std::vector<std::uint32_t> legs_;
+  std::vector<std::uint32_t> legs_, numbers_;  ///< by row of the slab
 };
 
 }  // namespace foresee

@@ -53,8 +53,8 @@ TEST(LegSlabs, OfManyLegsGiveTheRowsOfAScan) {
 }
 
 TEST(LegSlabs, WithHelpersGiveTheSameRowsInTheSameOrder) {
-  JoinQuestion question = crowd(4000, 30, 300, 72);
-  question.method = JoinMethod::grid;
+  JoinQuestion question = crowd(9000, 12, 500, 72);
+  question.method = JoinMethod::grid, question.h = 4;
   for (const bool all : {false, true})
     for (const JoinOrder order : {JoinOrder::any, JoinOrder::by_t}) {
       question.all_contacts = all, question.order = order, question.helpers = 0;
