@@ -91,7 +91,7 @@ class ManoeuvreRows {
     if (k == 0 || !(are_later || manoeuvre_.turns)) return exact_.touching(records_at(k));
     if (are_later && question_.touching == Touching::part)
       return exact_.touching(records_at(k), &no_intruders_);
-    const std::vector<Intruder> first = exact_.touching_at_start(manoeuvre_.record_at_first());
+    const std::vector<Intruder> first = exact_.touching_at_start(manoeuvre_.records_at_first());
     return exact_.touching(records_at(k), &first);
   }
   bool is_clear(double k) { return can_be_stored(k) && touching_at(k).empty(); }

@@ -99,9 +99,10 @@ ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, con
     changed.are_later = true;
     add(rests_of(own.base)), add(delays_of(own.base, 0));
     for (std::size_t i = own.leg + 1; i < own.legs.size(); ++i) add(delays_of(own.legs[i], 0));
-    for (std::size_t i = 0; i <= own.leg && i < own.legs.size(); ++i)
-      if (i < own.leg || own.legs[i].t < own.base.t)
-        add(end_of(own.legs[i], std::min(own.legs[i].until, own.base.t)));
+    for (std::size_t i = 0; i <= own.leg && i < own.legs.size(); ++i) {
+      if (i == own.leg && own.legs[i].t == own.base.t) break;
+      add(end_of(own.legs[i], std::min(own.legs[i].until, own.base.t))), ++changed.ends;
+    }
   } else if (how == Manoeuvre::delay) {
     changed.are_later = true;
     if (own.legs.empty()) add(delays_of(own.stored, queried.lo));
@@ -111,7 +112,7 @@ ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, con
     const double time = own.base.t + *question.resume;
     first.until = std::min(first.until, time);
     add(changes_by(how, first));
-    if (time <= own.base.until) add(resumed_after(changes_by(how, first), own.base, time));
+    if (time < own.base.until) add(resumed_after(changes_by(how, first), own.base, time));
   } else {
     add(changes_by(how, own.base, question.on_globe));
   }

@@ -43,8 +43,9 @@ std::vector<double> with_motion(const Layout& layout, std::vector<double> record
 
 /// What a manoeuvre makes of the object.
 struct ChangedLegs {
-  /// In order of time from the change on; last what exists at the change alone, if there is such a leg.
+  /// In order of time from the change on; then those that end at the change.
   std::vector<std::unique_ptr<Changes>> legs;
+  std::size_t ends = 0;  ///< how many of the last ones end at the change
   /// All that follows is later by k: an object in contact at the start is not exempt.
   bool are_later = false;
 };

@@ -55,7 +55,7 @@ class ProvenRanges {
         own_(question_.own->bodies()) {}
 
   std::vector<KRange> ranges() {
-    first_ = marked(exact_.touching_at_start(manoeuvre_.record_at_first()));
+    first_ = marked(exact_.touching_at_start(manoeuvre_.records_at_first()));
     at_start_ = first_leg().starts_vary() ? marked(touching_at_rest()) : first_;
     for (const NearObjects& near : manoeuvre_.near) others_.push_back(near.scene->bodies());
     for (std::size_t table = 0; table < manoeuvre_.near.size(); ++table) add_table(table);
@@ -123,7 +123,7 @@ class ProvenRanges {
     const AtFirst known = at_first(encounter, leg, touches, at_start_[table][row] != 0);
     if (leg == 0 && needs_exact_state(encounter, touches)) {
       const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(row)};
-      take_exact_state(encounter, exact_.initial_state(manoeuvre_.record_at_first(), intruder),
+      take_exact_state(encounter, exact_.initial_state(manoeuvre_.records_at_first(), intruder),
                        first_leg().starts_vary());
     }
     const double t = value_or(there.row(row), there.at.t, 0);

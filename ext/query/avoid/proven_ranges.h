@@ -26,8 +26,16 @@ struct ManoeuvreCase {
 
   const Changes& first_leg() const { return *changed.legs[0]; }
   /// What this touches at first touches already: the object at the change; for a delay, at its stored start.
-  OwnState::Records record_at_first() const { return {own.record_of(first_leg().unchanged())}; }
+  OwnState::Records records_at_first() const {
+    OwnState::Records records{own.record_of(first_leg().unchanged())};
+    for (std::size_t i = changed.legs.size() - changed.ends; i < changed.legs.size(); ++i)
+      records.push_back(own.record_of(changed.legs[i]->unchanged()));
+    return records;
+  }
 };
+}
+}
+;
 
 /// Requires: lo < hi, and the motion at the change is finite.
 std::vector<KRange> proven_ranges(const ManoeuvreCase& manoeuvre, ExactAvoidance& exact,
