@@ -46,27 +46,101 @@ std::optional<std::size_t> row_at(const Bodies& bodies, RowRange rows, double ti
 
 namespace {
 
-using ChunkNumbers = std::vector<std::int64_t>;
-
-/// The numbers of the chunks that meet one of the boxes, in ascending order: then those of an object are consecutive.
+/// A chunk that a walk has found: its number and its box.
 template <int D>
-ChunkNumbers chunks_near(ChunkSource& chunks, std::span<const MovingBox<D>> boxes, const Horizon& horizon,
-                         const Vec<D>& margin, Interrupt& interrupt, const std::optional<KindTest>& test) {
-  ChunkNumbers numbers;
+struct FoundChunk {
+  std::int64_t number;
+  Motion<D> chord;
+  Vec<D> half;
+};
+
+/// The chunks that meet one of the boxes, by number: then those of an object are consecutive.
+template <int D>
+std::vector<FoundChunk<D>> chunks_near(ChunkSource& chunks, std::span<const MovingBox<D>> boxes,
+                                       const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
+                                       const std::optional<KindTest>& test) {
+  std::vector<FoundChunk<D>> found;
+  const LeafReader<D> reader(chunks.tree().layout());
   for (const MovingBox<D>& box : boxes) {
     WindowWalk<D> walk(chunks.tree(), box, horizon, margin, interrupt, test);
     for (LeafHits hits; walk.next(hits);)
-      for (const std::uint32_t slot : hits.slots) numbers.push_back(hits.leaf->keys[slot]);
+      for (const std::uint32_t slot : hits.slots) {
+        const double* item = reader.record(*hits.leaf, slot);
+        found.push_back({hits.leaf->keys[slot], reader.motion(item), reader.extents(item).upper});
+      }
   }
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  return numbers;
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+  const auto is_same = [](const auto& a, const auto& b) { return a.number == b.number; };
+  found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
+  return found;
 }
 
-/// Calls use(id, record, legs) for each object of these chunks.
-template <class Use>
-void for_each_object(ChunkSource& chunks, const ChunkNumbers& numbers, const LegTimes& times,
-                     Interrupt& interrupt, Use use) {
+template <int D>
+Motion<D> motion_of(const Leg& leg) {
+  const auto vector = [](const std::array<double, 3>& from) {
+    return Vec<D>(Eigen::Map<const Vec<D>>(from.data()));
+  };
+  return {leg.t, vector(leg.x), vector(leg.v), vector(leg.a), leg.until};
+}
+
+/// Selects the legs that may meet one of some boxes, without the sizes of their object.
+template <int D>
+class LegFilter {
+ public:
+  LegFilter(std::span<const MovingBox<D>> boxes, const Horizon& horizon, const Vec<D>& margin)
+      : horizon_(horizon), boxes_(boxes.begin(), boxes.end()) {
+    for (MovingBox<D>& box : boxes_) {  // as WindowWalk does
+      const Vec<D> lower = box.lower - margin, upper = box.upper + margin;
+      box.lower = lower_end<D>(lower, (box.lower.abs() + margin) * rounding_pad);
+      box.upper = upper_end<D>(upper, (box.upper.abs() + margin) * rounding_pad);
+    }
+  }
+
+  void keep_near(const FoundChunk<D>& chunk, std::vector<Leg>& legs) const {
+    const Extents<D> reach = symmetric<D>(reach_of_object(chunk, legs));
+    std::erase_if(legs, [&](const Leg& leg) {
+      if (life_of(leg.t, leg.until, horizon_).none) return true;
+      const MovingBox<D> box = moving_box<D>(motion_of<D>(leg), reach, horizon_, Vec<D>::Zero());
+      return std::none_of(boxes_.begin(), boxes_.end(), [&](const MovingBox<D>& query) {
+        SharedInterval span = shared_span(box, query);
+        return !span.is_empty() && narrow_to_contact(box, query, span);
+      });
+    });
+  }
+
+ private:
+  /// An upper bound of the object's reach: the half extents of the chunk contain it beside the way of the legs from
+  /// the chord, which is at least that of their ends. The pad exceeds the rounding of the sums, 12 units.
+  Vec<D> reach_of_object(const FoundChunk<D>& chunk, const std::vector<Leg>& legs) const {
+    Vec<D> far = Vec<D>::Zero();
+    const auto include = [&](const Vec<D>& x, const Vec<D>& size, double time) {
+      const double s = time - chunk.chord.t;
+      const Vec<D> way = chunk.chord.v * s;
+      const double late = std::abs(time) + std::abs(chunk.chord.t);
+      const Vec<D> pad = (size + chunk.chord.x.abs() + chunk.chord.v.abs() * late) * rounding_pad;
+      const Vec<D> off = (x - (chunk.chord.x + way)).abs() - (pad + smallest_pad);
+      far = (off < chunk.half).select(far.max(off), far);  // not where numbers overflow
+    };
+    for (const Leg& leg : legs) {
+      const Motion<D> motion = motion_of<D>(leg);
+      include(motion.x, motion.x.abs(), leg.t);
+      if (leg.until == no_end) continue;
+      const double s = leg.until - leg.t, late = std::abs(leg.until) + std::abs(leg.t);
+      const Vec<D> size = motion.x.abs() + late * (motion.v.abs() + 0.5 * late * motion.a.abs());
+      include(motion.x + s * (motion.v + 0.5 * s * motion.a), size, leg.until);
+    }
+    return chunk.half - far + chunk.half * rounding_pad;
+  }
+
+  Horizon horizon_;
+  std::vector<MovingBox<D>> boxes_;
+};
+
+/// Calls use(id, record, legs) for each object of these chunks, with its legs that exist during `times` and that
+/// `filter` keeps; null: all. Objects without such a leg are left out.
+template <int D, class Use>
+void for_each_object(ChunkSource& chunks, const std::vector<FoundChunk<D>>& found, const LegTimes& times,
+                     const LegFilter<D>* filter, Interrupt& interrupt, Use use) {
   Chunk chunk;
   std::vector<Leg> legs;
   const auto use_legs = [&](std::int64_t id) {
@@ -76,11 +150,12 @@ void for_each_object(ChunkSource& chunks, const ChunkNumbers& numbers, const Leg
     legs.clear();
   };
   std::int64_t last = 0;
-  for (const std::int64_t number : numbers) {
+  for (const FoundChunk<D>& one : found) {
     interrupt.check();
-    chunks.read_chunk(number, chunk);
+    chunks.read_chunk(one.number, chunk);
     if (!legs.empty() && chunk.object != last) use_legs(last);
     last = chunk.object;
+    if (filter) filter->keep_near(one, chunk.legs);
     std::copy_if(chunk.legs.begin(), chunk.legs.end(), std::back_inserter(legs),
                  [&](const Leg& leg) { return times.meet(leg.t, leg.until); });
   }
@@ -92,19 +167,19 @@ void for_each_object(ChunkSource& chunks, const ChunkNumbers& numbers, const Leg
 void for_each_plan(ChunkSource& chunks, const Layout& layout, const Horizon& horizon, Interrupt& interrupt,
                    const std::function<void(const Scene& legs)>& use) {
   const FloatEnvironment environment;
-  const ChunkNumbers numbers = with_axes(layout.axes, [&]<int D>(Axes<D>) {
-    const Vec<D> everywhere = Vec<D>::Constant(no_end), zero = Vec<D>::Zero();
-    const MovingBox<D> box = moving_window<D>(-everywhere, everywhere, zero, horizon);
-    return chunks_near<D>(chunks, {&box, 1}, horizon, zero, interrupt, {});
-  });
   Scene scene;
   scene.layout = layout, scene.legs_during = leg_times_of(horizon);
-  for_each_object(chunks, numbers, scene.legs_during, interrupt,
-                  [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
-                    scene.ids.clear(), scene.rows.clear(), scene.first_rows.clear();
-                    scene.add(id, record.data(), legs);
-                    if (scene.size() > 0) use(scene);
-                  });
+  with_axes(layout.axes, [&]<int D>(Axes<D>) {
+    const Vec<D> everywhere = Vec<D>::Constant(no_end), zero = Vec<D>::Zero();
+    const MovingBox<D> box = moving_window<D>(-everywhere, everywhere, zero, horizon);
+    const auto found = chunks_near<D>(chunks, {&box, 1}, horizon, zero, interrupt, {});
+    for_each_object<D>(chunks, found, scene.legs_during, nullptr, interrupt,
+                       [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
+                         scene.ids.clear(), scene.rows.clear(), scene.first_rows.clear();
+                         scene.add(id, record.data(), legs);
+                         if (scene.size() > 0) use(scene);
+                       });
+  });
 }
 
 template <int D>
@@ -112,11 +187,12 @@ void add_legs_near(const SearchTarget& objects, std::span<const MovingBox<D>> bo
                    const Vec<D>& margin, Interrupt& interrupt, const std::optional<KindTest>& test,
                    const std::function<bool(std::int64_t id)>& keep, Scene& scene) {
   const FloatEnvironment environment;
-  const ChunkNumbers numbers = chunks_near<D>(*objects.chunks, boxes, horizon, margin, interrupt, test);
-  for_each_object(*objects.chunks, numbers, scene.legs_during, interrupt,
-                  [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
-                    if (keep(id)) scene.add(id, record.data(), legs);
-                  });
+  const auto found = chunks_near<D>(*objects.chunks, boxes, horizon, margin, interrupt, test);
+  const LegFilter<D> filter(boxes, horizon, margin);
+  for_each_object<D>(*objects.chunks, found, scene.legs_during, &filter, interrupt,
+                     [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
+                       if (keep(id)) scene.add(id, record.data(), legs);
+                     });
 }
 
 template <int D>

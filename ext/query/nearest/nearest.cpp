@@ -92,6 +92,8 @@ class Search {
     if (!walk.next(movers_.reach(), hits_)) return false;
     for (std::size_t i = 0; i < hits_.slots.size() && hits_.distances[i] <= movers_.reach(); ++i) {
       chunks.read_chunk(hits_.leaf->keys[hits_.slots[i]], chunk_);
+      std::erase_if(chunk_.legs, [&](const Leg& leg) { return !is_near(leg); });
+      if (chunk_.legs.empty()) continue;
       const std::span<const double> record = chunks.find_object(chunk_.object);
       if (record.empty()) throw BrokenTree("a chunk of a plan belongs to no object");
       legs_.ids.clear(), legs_.rows.clear(), legs_.first_rows.clear();
@@ -112,6 +114,18 @@ class Search {
       offer_legs(scene, bodies, rows);
     }
     return std::move(movers_).ranked();
+  }
+
+  /// Whether a leg, as long as its plan says, may come within reach.
+  bool is_near(const Leg& leg) const {
+    if (life_of(leg.t, leg.until, horizon_).none) return false;
+    const auto vector = [](const std::array<double, 3>& from) {
+      return Vec<D>(Eigen::Map<const Vec<D>>(from.data()));
+    };
+    const Motion<D> motion{leg.t, vector(leg.x), vector(leg.v), vector(leg.a), leg.until};
+    const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::Zero());
+    return !box.span.is_empty() && min_point_distance(box, moving_window<D>(place(), place(), velocity(),
+                                                                            horizon_)) <= movers_.reach();
   }
 
   /// Offers the legs of one object that exist during the horizon.

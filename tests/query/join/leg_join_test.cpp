@@ -13,11 +13,11 @@ using testing::random_movers;
 using testing::rows_in_order;
 using testing::sorted_rows;
 
-constexpr JoinMethod methods[] = {JoinMethod::scan, JoinMethod::grid, JoinMethod::tree, JoinMethod::gpcd,
+constexpr JoinMethod leg_methods[] = {JoinMethod::scan, JoinMethod::grid, JoinMethod::tree, JoinMethod::gpcd,
                                   JoinMethod::automatic};
 constexpr JoinOrder orders[] = {JoinOrder::any, JoinOrder::by_t, JoinOrder::by_dt, JoinOrder::by_t_and_ids};
 
-bool are_in_order(const std::vector<JoinRow>& rows, JoinOrder order) {
+bool leg_rows_are_in_order(const std::vector<JoinRow>& rows, JoinOrder order) {
   return std::is_sorted(rows.begin(), rows.end(), [order](const JoinRow& l, const JoinRow& r) {
     if (order == JoinOrder::any) return false;
     if (order == JoinOrder::by_dt) return l.contact.dt < r.contact.dt;
@@ -29,7 +29,7 @@ bool are_in_order(const std::vector<JoinRow>& rows, JoinOrder order) {
 /// Compares one method and order with the plain answer; `what` names the case.
 void expect_plain(JoinQuestion question, const std::vector<JoinRow>& plain, const std::string& what) {
   const std::vector<double> expected = numbers_of(plain);
-  for (const JoinMethod method : methods)
+  for (const JoinMethod method : leg_methods)
     for (const JoinOrder order : orders) {
       question.method = method, question.order = order;
       const std::string name =
@@ -39,7 +39,7 @@ void expect_plain(JoinQuestion question, const std::vector<JoinRow>& plain, cons
           std::mismatch(numbers.begin(), numbers.end(), expected.begin(), expected.end()).first;
       EXPECT_TRUE(numbers == expected) << name << ": " << numbers.size() << " numbers, " << expected.size()
                                        << " expected; they differ from number " << differ - numbers.begin();
-      EXPECT_TRUE(are_in_order(rows_in_order(question), order)) << name;
+      EXPECT_TRUE(leg_rows_are_in_order(rows_in_order(question), order)) << name;
     }
 }
 

@@ -19,7 +19,7 @@ using testing::random_movers;
 using testing::rows_in_order;
 using testing::sorted_rows;
 
-NeverInterrupt never;
+NeverInterrupt leg_slabs_never;
 
 /// A crowd with plans of some hundred seconds in a wide world.
 JoinQuestion crowd(int movers, int legs, double side, std::uint64_t seed) {
@@ -170,7 +170,7 @@ TEST(LegSlabs, ExplainCountsLegsAndAtLastMovers) {
     for (const JoinRow& row : sorted_rows(question)) movers.emplace(row.a, row.b);
     for (const JoinMethod method : {JoinMethod::scan, JoinMethod::grid, JoinMethod::tree, JoinMethod::gpcd}) {
       question.method = method;
-      const std::vector<ExplainRow> rows = explain_join(question, never);
+      const std::vector<ExplainRow> rows = explain_join(question, leg_slabs_never);
       ASSERT_EQ(rows.size(), 9u) << "kinds, seven stages and movers";
       EXPECT_STREQ(rows[8].stage, "movers");
       EXPECT_EQ(rows[8].after, movers.size()) << name_of(method);
