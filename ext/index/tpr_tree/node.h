@@ -1,7 +1,7 @@
 // Typed views of a decoded tree node: the objects of a leaf, the entries of an inner node.
 //
-// An object with a plan (row_layout.h) is in the tree as a point at the start of its first leg, at rest, which exists for
-// that instant: so it widens no bounds, the root knows its t, and no walk returns it. Its legs are in a tree of chunks.
+// An object with a plan (row_layout.h) is a point of the tree: at rest at the start of its first leg, and only for that
+// instant. So it widens no bounds, the root knows its t, and no walk returns it. Its legs are in a tree of chunks.
 #pragma once
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "motion/plan/plan_legs.h"
-#include "storage/format/crc32c.h"
 #include "storage/format/node_format.h"
 
 namespace foresee {
@@ -15,7 +14,7 @@ namespace {
 constexpr std::uint8_t chunk_format = 1;
 constexpr std::uint8_t is_first_flag = 1, has_untils_flag = 2;
 constexpr std::size_t kind_at = 1, flags_at = 2, axes_at = 3, legs_at = 4, ends_at = 6, object_at = 8,
-                      header_size = 16, counts_size = 8, chunk_checksum_size = 4;
+                      header_size = 16, counts_size = 8, checksum_bytes = NodeFormat::checksum_size;
 constexpr std::size_t number_bytes = sizeof(double);
 static_assert(legs_per_chunk <= 16, "`ends` has a bit per leg");
 
@@ -23,51 +22,20 @@ constexpr const char* not_finite = "a number is not finite";
 constexpr const char* out_of_order = "its times do not rise";
 constexpr const char* no_velocity = "no double holds the velocity of a leg";
 
-/// The numbers of one leg, without those of a knot that ends a part.
-std::size_t leg_numbers(PlanKind kind, std::size_t axes, bool has_untils) {
-  if (kind == PlanKind::knots) return 1 + axes;
-  return 1 + has_untils + axes * (kind == PlanKind::uniform ? 2 : 3);
-}
-
 /// The numbers of all legs, with what follows them.
 std::size_t chunk_numbers(const StoredChunk& chunk) {
-  const std::size_t legs = chunk.legs * leg_numbers(chunk.kind, chunk.axes, chunk.has_untils);
-  if (chunk.kind != PlanKind::knots) return legs + !chunk.has_untils;
+  if (chunk.kind != PlanKind::knots) {
+    const std::size_t vectors = chunk.kind == PlanKind::uniform ? 2 : 3;
+    return chunk.legs * (1 + chunk.has_untils + vectors * chunk.axes) + !chunk.has_untils;
+  }
   // The last leg has its knot whether or not it ends a part.
   const auto before_last = static_cast<std::uint16_t>(chunk.ends & ~(1u << (chunk.legs - 1)));
-  return legs + (1 + static_cast<std::size_t>(std::popcount(before_last))) * (1 + chunk.axes);
-}
-
-std::uint32_t chunk_checksum(std::span<const std::byte> blob, std::int64_t number) {
-  const std::uint32_t contents = crc32c(blob.data(), blob.size() - chunk_checksum_size);
-  return crc32c(&number, sizeof number, contents);
-}
-
-void seal_chunk(std::span<std::byte> blob, std::int64_t number) {
-  store_number(blob.data() + blob.size() - chunk_checksum_size, chunk_checksum(blob, number));
+  return (chunk.legs + 1 + static_cast<std::size_t>(std::popcount(before_last))) * (1 + chunk.axes);
 }
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
-
-class NumberWriter {
- public:
-  NumberWriter(std::byte* at, std::size_t axes) : at_(at), axes_(axes) {}
-
-  void put(double number) {
-    store_number(at_, number);
-    at_ += sizeof number;
-  }
-  void put(const std::array<double, 3>& vector) {
-    for (std::size_t axis = 0; axis < axes_; ++axis) put(vector[axis]);
-  }
-  void put(const Knot& knot) { put(knot.t), put(knot.x); }
-
- private:
-  std::byte* at_;
-  std::size_t axes_;
-};
 
 class NumberReader {
  public:
@@ -96,10 +64,6 @@ class NumberReader {
   std::size_t axes_;
   double sum_ = 0;  ///< 0, or NaN
 };
-
-bool is_rising(double t, double until) {
-  return t <= until;  // false for NaN
-}
 
 /// Calls leg(start, end, ends_part) for each leg between knots; only the end of the last may be infinite.
 template <class Each>
@@ -144,7 +108,7 @@ const char* read_legs(const StoredChunk& chunk, Each each) {
     if (!chunk.has_untils) leg.until = next;
     if (!reader.is_finite() || !std::isfinite(leg.t) || (!is_last && !std::isfinite(leg.until)))
       return not_finite;
-    if (!is_rising(leg.t, leg.until) || (!is_last && !is_rising(leg.until, next))) return out_of_order;
+    if (!(leg.t <= leg.until) || (!is_last && !(leg.until <= next))) return out_of_order;
     each(leg);
   }
   return nullptr;
@@ -167,67 +131,77 @@ std::size_t ChunkWriter::part_of(std::size_t leg) const {
   return low;
 }
 
-std::vector<std::byte> ChunkWriter::blob(std::size_t chunk, std::int64_t number) const {
+StoredChunk ChunkWriter::header(std::size_t chunk) const {
   const auto [first, count] = ranges_[chunk];
   StoredChunk header{
       .kind = plan_.kind, .is_first = chunk == 0, .axes = static_cast<std::size_t>(plan_.axes)};
-  header.legs = count;
-  const bool knots = plan_.kind == PlanKind::knots;
-  std::size_t part = knots ? part_of(first) : 0;
-  if (knots) {
-    std::size_t in_part = part;
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool ends_part = first + i + in_part + 2 == plan_.part_end(in_part);
-      if (ends_part) header.ends = static_cast<std::uint16_t>(header.ends | 1u << i), ++in_part;
-    }
+  header.legs = count, header.object = object_;
+  if (plan_.kind == PlanKind::knots) {
+    std::size_t part = part_of(first);
+    for (std::size_t i = 0; i < count; ++i)
+      if (first + i + part + 2 == plan_.part_end(part))
+        header.ends = static_cast<std::uint16_t>(header.ends | 1u << i), ++part;
   } else {
     for (std::size_t i = 1; i < count; ++i)
       header.has_untils |= !same_bits(legs_[first + i - 1].until, legs_[first + i].t);
   }
+  return header;
+}
+
+std::vector<std::byte> ChunkWriter::blob(std::size_t chunk, std::int64_t number) const {
+  const StoredChunk header = this->header(chunk);
   const std::size_t before_legs = header_size + (chunk == 0 ? counts_size + number_bytes * chunks() : 0);
-  std::vector<std::byte> blob(before_legs + number_bytes * chunk_numbers(header) + chunk_checksum_size);
-  const unsigned flags =
-      (chunk == 0 ? is_first_flag : 0u) | (header.has_untils ? unsigned{has_untils_flag} : 0u);
+  std::vector<std::byte> blob(before_legs + number_bytes * chunk_numbers(header) + checksum_bytes);
+  const int flags = header.is_first * is_first_flag + header.has_untils * has_untils_flag;
   store_number(blob.data(), chunk_format);
   store_number(blob.data() + kind_at, plan_.kind);
   store_number(blob.data() + flags_at, static_cast<std::uint8_t>(flags));
   store_number(blob.data() + axes_at, static_cast<std::uint8_t>(plan_.axes));
-  store_number(blob.data() + legs_at, static_cast<std::uint16_t>(count));
+  store_number(blob.data() + legs_at, static_cast<std::uint16_t>(header.legs));
   store_number(blob.data() + ends_at, header.ends);
   store_number(blob.data() + object_at, object_);
+  std::byte* at = blob.data() + header_size;
+  const auto put = [&](auto value) { store_number(at, value), at += sizeof value; };
   if (chunk == 0) {
-    store_number(blob.data() + header_size, static_cast<std::uint32_t>(chunks()));
-    store_number(blob.data() + header_size + 4, static_cast<std::uint32_t>(legs_.size()));
-    for (std::size_t i = 0; i < chunks(); ++i)
-      store_number(blob.data() + header_size + counts_size + number_bytes * i, legs_[ranges_[i].first].t);
+    put(static_cast<std::uint32_t>(chunks()));
+    put(static_cast<std::uint32_t>(legs_.size()));
+    for (const ChunkRange& range : ranges_) put(legs_[range.first].t);
   }
-  NumberWriter writer(blob.data() + before_legs, header.axes);
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool is_last = i + 1 == count;
-    if (knots) {
-      const std::size_t knot = first + i + part;
-      const bool ends_part = (header.ends >> i & 1) != 0;
-      writer.put(plan_.knots[knot]);
-      if (ends_part || is_last) writer.put(plan_.knots[knot + 1]);
-      part += ends_part;
-      continue;
-    }
-    const Leg& leg = legs_[first + i];
-    writer.put(leg.t);
-    if (header.has_untils) writer.put(leg.until);
-    writer.put(leg.x), writer.put(leg.v);
-    if (plan_.kind == PlanKind::accelerated) writer.put(leg.a);
-    if (is_last && !header.has_untils) writer.put(leg.until);
-  }
-  seal_chunk(blob, number);
+  put_legs(header, ranges_[chunk].first, at);
+  seal_node(blob, number);
   return blob;
+}
+
+void ChunkWriter::put_legs(const StoredChunk& header, std::size_t first, std::byte* at) const {
+  const auto put = [&](double number) { store_number(at, number), at += sizeof number; };
+  const auto put_vector = [&](const std::array<double, 3>& vector) {
+    std::for_each_n(vector.begin(), header.axes, put);
+  };
+  const auto put_knot = [&](const Knot& knot) { put(knot.t), put_vector(knot.x); };
+  if (plan_.kind == PlanKind::knots) {
+    std::size_t knot = first + part_of(first);
+    for (std::size_t i = 0; i < header.legs; ++i, ++knot) {
+      const bool ends_part = (header.ends >> i & 1) != 0;
+      put_knot(plan_.knots[knot]);
+      if (ends_part || i + 1 == header.legs) put_knot(plan_.knots[knot + 1]);
+      knot += ends_part;
+    }
+    return;
+  }
+  for (const Leg& leg : std::span(legs_).subspan(first, header.legs)) {
+    put(leg.t);
+    if (header.has_untils) put(leg.until);
+    put_vector(leg.x), put_vector(leg.v);
+    if (plan_.kind == PlanKind::accelerated) put_vector(leg.a);
+  }
+  if (!header.has_untils) put(legs_[first + header.legs - 1].until);
 }
 
 std::vector<std::byte> chunk_of_object(std::span<const std::byte> blob, std::int64_t number,
                                        std::int64_t object) {
   std::vector<std::byte> changed(blob.begin(), blob.end());
   store_number(changed.data() + object_at, object);
-  seal_chunk(changed, number);
+  seal_node(changed, number);
   return changed;
 }
 
@@ -243,13 +217,13 @@ double StoredChunk::t() const {
 
 const char* open_chunk(const Layout& layout, std::span<const std::byte> blob, std::int64_t number,
                        StoredChunk& chunk) {
-  if (blob.size() < header_size + chunk_checksum_size) return "it is too short";
+  if (blob.size() < header_size + checksum_bytes) return "it is too short";
   const std::byte* const at = blob.data();
-  if (load_number<std::uint32_t>(at + blob.size() - chunk_checksum_size) != chunk_checksum(blob, number))
+  if (load_number<std::uint32_t>(at + blob.size() - checksum_bytes) != node_checksum(blob, number))
     return "its checksum does not match";
   const auto kind = load_number<std::uint8_t>(at + kind_at), flags = load_number<std::uint8_t>(at + flags_at);
-  const auto most = layout.law == Law::accelerated ? PlanKind::accelerated : PlanKind::uniform;
-  if (load_number<std::uint8_t>(at) != chunk_format || kind > static_cast<std::uint8_t>(most) ||
+  const auto last_kind = layout.law == Law::accelerated ? PlanKind::accelerated : PlanKind::uniform;
+  if (load_number<std::uint8_t>(at) != chunk_format || kind > static_cast<std::uint8_t>(last_kind) ||
       flags > (is_first_flag | has_untils_flag))
     return "its format or kind is not known";
   chunk = {.kind = static_cast<PlanKind>(kind),
@@ -266,7 +240,7 @@ const char* open_chunk(const Layout& layout, std::span<const std::byte> blob, st
     return "its flags do not fit its kind";
   std::size_t size = header_size;
   if (chunk.is_first) {
-    if (blob.size() < size + counts_size + chunk_checksum_size) return "it is too short";
+    if (blob.size() < size + counts_size + checksum_bytes) return "it is too short";
     chunk.plan_chunks = load_number<std::uint32_t>(at + size);
     chunk.plan_legs = load_number<std::uint32_t>(at + size + 4);
     if (chunk.plan_legs > max_plan_legs || chunk.plan_chunks < 1 || chunk.plan_chunks > chunk.plan_legs ||
@@ -275,7 +249,7 @@ const char* open_chunk(const Layout& layout, std::span<const std::byte> blob, st
     chunk.starts = at + size + counts_size;
     size += counts_size + number_bytes * chunk.plan_chunks;
   }
-  if (blob.size() != size + number_bytes * chunk_numbers(chunk) + chunk_checksum_size)
+  if (blob.size() != size + number_bytes * chunk_numbers(chunk) + checksum_bytes)
     return "its size does not fit its counts";
   chunk.numbers = at + size;
   return chunk.is_first && !same_bits(chunk.start(0), chunk.t()) ? "its starts are not those of its legs"
@@ -302,14 +276,14 @@ const char* append_to_plan(const StoredChunk& chunk, Plan& plan) {
   else if (plan.kind != chunk.kind)
     return "it has another kind than the plan";
   if (chunk.kind != PlanKind::knots) {
-    if (!is_empty && !is_rising(plan.legs.back().until, chunk.t())) return out_of_order;
+    if (!is_empty && !(plan.legs.back().until <= chunk.t())) return out_of_order;
     return read_legs(chunk, [&](const Leg& leg) { plan.legs.push_back(leg); });
   }
   // A part that goes on repeats its last knot; one that starts is noted where the one before it ended.
   bool goes_on = !is_empty && plan.part_starts.back() < plan.knots.size();
   if (goes_on && std::memcmp(&plan.knots.back(), chunk.numbers, number_bytes * (1 + chunk.axes)) != 0)
     return "it does not go on where the chunk before it ends";
-  if (!is_empty && !is_rising(plan.knots.back().t, chunk.t())) return out_of_order;
+  if (!is_empty && !(plan.knots.back().t <= chunk.t())) return out_of_order;
   return read_knots(chunk, [&](const Knot& start, const Knot& end, bool ends_part) -> const char* {
     for (std::size_t axis = 0; axis < chunk.axes; ++axis)
       if (!std::isfinite(velocity_between(start.x[axis], end.x[axis], start.t, end.t))) return no_velocity;

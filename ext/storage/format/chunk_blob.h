@@ -16,8 +16,8 @@
 // `kind` is PlanKind. Knots: a leg is t, x…, and bit i of `ends` says that leg i ends a part; then the last knot of the
 // part follows, t, x…, as it does behind the last leg. Other kinds: a leg is t, x…, v…, and a… of accelerated legs. If
 // each leg ends when the next one starts, the last until follows; else, by a flag, t is followed by until in each leg.
-// `starts` are the t of all chunks. Velocities of knots are computed when read (plan_legs.h). Little-endian; the checksum
-// is the CRC-32C of all bytes before it and of the number of the chunk. Plans read back bit for bit.
+// `starts` are the t of all chunks. Velocities of knots are computed when read (plan_legs.h). Little-endian; the
+// checksum is that of nodes (node_format.h), with the number of the chunk. Plans read back bit for bit.
 //
 // Cost: reading some 10 ns per leg.
 #pragma once
@@ -36,28 +36,6 @@ namespace foresee {
 /// Chunks are numbered from 1 to this, because a record stores the number in a double.
 constexpr std::int64_t largest_chunk_number = std::int64_t{1} << 53;
 
-/// Encodes the chunks of one plan. Throws Error if no double holds the velocity of a leg.
-/// Requires: check_plan() accepts the plan, which outlives this.
-class ChunkWriter {
- public:
-  ChunkWriter(const Plan& plan, std::int64_t object);
-
-  std::size_t chunks() const { return ranges_.size(); }
-  const std::vector<Leg>& all_legs() const { return legs_; }
-  std::span<const Leg> legs(std::size_t chunk) const {
-    return std::span(legs_).subspan(ranges_[chunk].first, ranges_[chunk].count);
-  }
-  std::vector<std::byte> blob(std::size_t chunk, std::int64_t number) const;
-
- private:
-  std::size_t part_of(std::size_t leg) const;
-
-  const Plan& plan_;
-  std::int64_t object_;
-  std::vector<Leg> legs_;
-  std::vector<ChunkRange> ranges_;
-};
-
 /// A blob whose checksum, header and size are right. Valid as long as the blob.
 struct StoredChunk {
   PlanKind kind = PlanKind::knots;
@@ -73,6 +51,30 @@ struct StoredChunk {
   double start(std::size_t chunk) const;
   /// The t of the first leg.
   double t() const;
+};
+
+/// Encodes the chunks of one plan. Throws Error if no double holds the velocity of a leg.
+/// Requires: check_plan() accepts the plan, which outlives this.
+class ChunkWriter {
+ public:
+  ChunkWriter(const Plan& plan, std::int64_t object);
+
+  std::size_t chunks() const { return ranges_.size(); }
+  const std::vector<Leg>& all_legs() const { return legs_; }
+  std::span<const Leg> legs(std::size_t chunk) const {
+    return std::span(legs_).subspan(ranges_[chunk].first, ranges_[chunk].count);
+  }
+  std::vector<std::byte> blob(std::size_t chunk, std::int64_t number) const;
+
+ private:
+  std::size_t part_of(std::size_t leg) const;
+  StoredChunk header(std::size_t chunk) const;
+  void put_legs(const StoredChunk& header, std::size_t first, std::byte* at) const;
+
+  const Plan& plan_;
+  std::int64_t object_;
+  std::vector<Leg> legs_;
+  std::vector<ChunkRange> ranges_;
 };
 
 /// Opens the blob of row `number` in a table of this layout. Returns what is wrong with it; null: nothing.

@@ -84,8 +84,8 @@ const char* kinds_fault(const NodeFormat& format, const std::byte* record) {
 
 const char* plan_fault(const NodeFormat& format, const std::byte* record) {
   const double first = number_at(record, format.at.plan), chunks = number_at(record, format.at.chunks);
-  const auto is_number = [](double number, double most) {
-    return 0 <= number && number <= most && number == std::floor(number);
+  const auto is_number = [](double number, double upper) {
+    return 0 <= number && number <= upper && number == std::floor(number);
   };
   if (!is_number(first, static_cast<double>(largest_chunk_number)) ||
       !is_number(chunks, static_cast<double>(max_plan_legs)) || (first == 0) != (chunks == 0))

@@ -21,11 +21,6 @@ std::size_t inner_entry_bytes(const Layout& layout) {
   return number_size * (4 + 2 * bounded * static_cast<std::size_t>(layout.axes) + has_kinds(layout));
 }
 
-std::uint32_t checksum(std::span<const std::byte> node, std::int64_t number) {
-  const std::uint32_t contents = crc32c(node.data(), node.size() - NodeFormat::checksum_size);
-  return crc32c(&number, sizeof number, contents);
-}
-
 }  // namespace
 
 NodeFormat::NodeFormat(const Layout& layout, std::size_t node_size)
@@ -45,14 +40,19 @@ std::size_t NodeFormat::node_size_for(const Layout& layout, std::size_t page_siz
   return std::max(page_size - page_reserve, min_size);
 }
 
+std::uint32_t node_checksum(std::span<const std::byte> node, std::int64_t number) {
+  const std::uint32_t contents = crc32c(node.data(), node.size() - NodeFormat::checksum_size);
+  return crc32c(&number, sizeof number, contents);
+}
+
 void seal_node(std::span<std::byte> node, std::int64_t number) {
-  store_number(node.data() + node.size() - NodeFormat::checksum_size, checksum(node, number));
+  store_number(node.data() + node.size() - NodeFormat::checksum_size, node_checksum(node, number));
 }
 
 const char* node_fault(const NodeFormat& format, std::span<const std::byte> node, std::int64_t number) {
   if (node.size() != format.node_size) return "it does not have the size of a node";
   const auto* end = node.data() + node.size() - NodeFormat::checksum_size;
-  if (load_number<std::uint32_t>(end) != checksum(node, number)) return "its checksum does not match";
+  if (load_number<std::uint32_t>(end) != node_checksum(node, number)) return "its checksum does not match";
   if (load_number<std::uint8_t>(node.data() + NodeFormat::format_at) != NodeFormat::version)
     return "its format is unknown";
   if (load_number<std::int64_t>(node.data() + NodeFormat::parent_at) < 0) return "its parent is not a node";

@@ -69,6 +69,9 @@ void store_number(std::byte* at, T value) {
   std::memcpy(at, &value, sizeof value);
 }
 
+/// The checksum of node `number`: of all bytes but the last four, and of the number.
+std::uint32_t node_checksum(std::span<const std::byte> node, std::int64_t number);
+
 /// Writes the checksum of node `number` into its last bytes.
 void seal_node(std::span<std::byte> node, std::int64_t number);
 

@@ -27,7 +27,8 @@
 
 namespace foresee {
 
-/// True for node, map, aux, meta, shape, leg, chunk_node and chunk_map: the suffixes after `<name>_` of a shadow table's name.
+/// True for node, map, aux, meta, shape, leg, chunk_node and chunk_map: the suffixes
+/// after `<name>_` of a shadow table's name.
 bool is_shadow_suffix(std::string_view suffix);
 
 /// The columns of the record in their order, then the auxiliary ones: the value of `columns` in _meta.

@@ -98,9 +98,9 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   std::shared_ptr<ChunkSource> chunks();
   using EachObject =
       std::function<void(std::int64_t id, std::span<const double> record, std::span<const Leg> legs)>;
-  /// Calls each() for every object: those without a plan first, with no legs, then those with a plan, with the legs of
-  /// the chunks that last at some time from `from` to `until`; those without such a chunk are left out. For a layout
-  /// without plans too. Cost: some 20 ns per leg.
+  /// Calls each() for every object, those without a plan first, with no legs. The others have the legs of the chunks
+  /// that last at some time from `from` to `until`; objects without such a chunk are left out. It reads layouts without
+  /// plans too. Requires: each() reads no plan of this store. Cost: some 20 ns per leg.
   void read_objects(double from, double until, const EachObject& each, Interrupt& interrupt);
 
   // --- writing: each call is atomic

@@ -236,7 +236,7 @@ void StoredPlans::read_some(std::vector<Head>& heads, std::span<const std::int64
 
 void StoredPlans::make_item(std::span<const Leg> legs, const double* record, double* item,
                             const double* given) const {
-  constexpr double most = std::numeric_limits<double>::max();
+  constexpr double largest = std::numeric_limits<double>::max();
   const double end = record[at_.until];
   Leg cut;
   if (legs.back().until == no_end && end < no_end && legs.back().t <= end) {
@@ -262,7 +262,7 @@ void StoredPlans::make_item(std::span<const Leg> legs, const double* record, dou
       item[item_at_.x + axis] = box.x[j];
       item[item_at_.v + axis] = box.v[j];
       const double half = sum_outward(box.half[j], std::max(-shape.lower[axis], shape.upper[axis]));
-      item[item_at_.half + axis] = std::min(half, most);  // no bound, to the tree
+      item[item_at_.half + axis] = std::min(half, largest);  // no bound, to the tree
     }
   });
   if (item_at_.category != Offsets::absent) item[item_at_.category] = record[at_.category];

@@ -3,14 +3,14 @@
 //   StoredPlans plans(db, format, name, 60, journal, memory, [] {});
 //   plans.connect(tables, meta);
 //   StoredPlans::Change change(&plans);
-//   record = change.add(42, record, plan);               // the record to store, with the numbers of its chunks
+//   use(change.add(42, record, plan));                   // the record to store, with the numbers of its chunks
 //   change.write();                                      // rows; if the change fails, they are removed again
 //   change.finish();
 //
 // A new plan has new numbers, above all that this object has seen, so the record of an object differs after each
 // change of its plan. Rows are written at once; items of the tree wait as objects do (tree_store.h). SQLite restores
 // the rows at a rollback, the journal everything in memory. An item is a box that contains the object with its whole
-// shape while the legs of the chunk last; its life is that of the legs, up to the `until` of the object.
+// shape while the legs of the chunk last. Its life is that of the legs, up to the `until` of the object.
 // Errors: SQLITE_CORRUPT_VTAB for chunks that are damaged, missing, or those of another object.
 #pragma once
 

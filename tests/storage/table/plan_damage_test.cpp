@@ -14,10 +14,11 @@ class PlanDamage : public ThreePlans {
         -no_end, no_end, [](std::int64_t, std::span<const double>, std::span<const Leg>) {}, never);
   }
   /// Expects damage in every way of reading object 1 and its second chunk.
-  void expect_damage(const std::string& words) {
+  void expect_damage(const std::string& words, const std::string& of_plan = "") {
     const std::vector<double> head = record(1);
     const auto second = static_cast<std::int64_t>(plan_number(head)) + 1;
-    expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->read_plan(1, head); });
+    expect_store_error(SQLITE_CORRUPT_VTAB, of_plan.empty() ? words : of_plan,
+                       [&] { store->read_plan(1, head); });
     expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { read_everything(); });
     Chunk chunk;
     expect_store_error(SQLITE_CORRUPT_VTAB, "chunk", [&] { store->chunks()->read_chunk(second, chunk); });
@@ -57,15 +58,16 @@ TEST_F(PlanDamage, EveryChangedByteOfAChunkIsAnErrorOnEveryPath) {
 
 TEST_F(PlanDamage, RowsThatAreMissingMovedOrForeign) {
   const std::string second = number(1);
-  const auto with = [&](const std::string& sql, const std::string& words) {
+  const auto with = [&](const std::string& sql, const std::string& words, const std::string& of_plan = "") {
     db.run("SAVEPOINT untouched; " + sql);
-    expect_damage(words);
+    expect_damage(words, of_plan);
     db.run("ROLLBACK TO untouched; RELEASE untouched");
   };
-  with("DELETE FROM ships_leg WHERE number = " + second, " chunks, but ");
+  with("DELETE FROM ships_leg WHERE number = " + second, " chunks, but ", "a chunk of object 1 is missing");
   with("UPDATE ships_leg SET data = NULL WHERE number = " + second, "it is too short");
   with("UPDATE ships_leg SET data = 'text' WHERE number = " + second, "it is too short");
-  with("UPDATE ships_leg SET number = -5 WHERE number = " + second, " is of no object");
+  with("UPDATE ships_leg SET number = -5 WHERE number = " + second, " is of no object",
+       "a chunk of object 1 is missing");
   with("UPDATE ships_leg SET data = (SELECT data FROM ships_leg WHERE number = " + number(0) +
            ") WHERE number = " + second,
        "its checksum does not match");
