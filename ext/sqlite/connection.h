@@ -82,8 +82,8 @@ class Connection {
   /// for damaged rows. Cost: a look-up if this version's scene is cached, else all rows are read and decoded.
   std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false);
 
-  /// The same; of a table with plans, whose legs are rows, those that exist at some time of `times`, perhaps more. Cost: as above, for the plans that live then; a cached scene of other
-  /// times is replaced.
+  /// The same; of a table with plans, whose legs are rows, those that exist at some time of `times`, perhaps more.
+  /// Cost: as above, for the plans that exist then; a cached scene of other times is replaced.
   std::shared_ptr<const Scene> load_legs(const OpenTable& table, const LegTimes& times = {});
 
   /// The cached scene of this version, or null: nothing is decoded. `times`: those that it must cover.

@@ -39,9 +39,9 @@ bool all_contacts_input(const FunctionCall& call, int contacts);
 JoinInputs read_join_inputs(const FunctionCall& call, bool with_contacts = false);
 
 /// The JoinQuestion of these inputs, with current scenes, and with the newest t as `now` if that was left
-/// out. `wants`: the outputs that are read. The caller adds order and times. For a query about one id it holds that object and the
-/// objects near it, found through the tree, unless another method was given. The call records the values used
-/// for inputs that were left out. The method then reads back as 'auto', since one statement may use two (a =
+/// out. `wants`: the outputs that are read. The caller adds order and times. For a query about one id it holds that
+/// object and the objects near it, found through the tree, unless another method was given. The call records the values
+/// used for inputs that were left out. The method then reads back as 'auto', since one statement may use two (a =
 /// ? OR t < ?).
 JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids = {},
                            const JoinWants& wants = {});

@@ -9,8 +9,8 @@
 #include "query/avoid/avoid.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
+#include "sqlite/plan_values.h"
 #include "sqlite/table/degrees_columns.h"
-#include "sqlite/table/plan_values.h"
 #include "storage/rows/value_text.h"
 
 namespace foresee {

@@ -99,12 +99,6 @@ void require_upright(const Connection::OpenTable& table, const std::optional<dou
                 " is on the globe; leave it out: within covers every direction");
 }
 
-void require_no_plans(const Connection::OpenTable& table) {
-  if (table.store->declaration().layout.has_plan)
-    throw Error(table.table +
-                " has a column plan, which this function does not take yet; write legs as rows");
-}
-
 std::string quoted(const std::string& name) {
   return std::string("'") + without_nul(name) + "'";
 }

@@ -25,9 +25,6 @@ void require_one_frame(const Connection::OpenTable& a, const Connection::OpenTab
 /// Throws Error for a `within_z` if the table is on the globe, where no axis points up.
 void require_upright(const Connection::OpenTable& table, const std::optional<double>& within_z);
 
-/// Throws Error for a table with a column `plan`, in a function that does not take plans yet.
-void require_no_plans(const Connection::OpenTable& table);
-
 /// 'name', as messages show it.
 std::string quoted(const std::string& name);
 

@@ -81,8 +81,8 @@ struct MovingObjectsTable : sqlite3_vtab {
   Values values;
   std::int64_t number;  ///< the key of Connection::find
 
-  /// Records before this statement changed them, of a table in degrees or with plans. UPDATE FROM passes every column as
-  /// it was at its start, also to the second update of a row that several rows of FROM match.
+  /// Records before this statement changed them, of a table in degrees or with plans. UPDATE FROM passes every column
+  /// as it was at its start, also to the second update of a row that several rows of FROM match.
   std::unordered_map<std::int64_t, std::vector<double>> stored_before;
 
   /// The ids that this UPDATE has given to other objects than at its start.

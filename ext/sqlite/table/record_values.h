@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "sqlite/plan_values.h"
 #include "sqlite/table/column_vocabulary.h"
-#include "sqlite/table/plan_values.h"
 #include "storage/format/declaration.h"
 #include "storage/rows/sqlite_api.h"
 #include "storage/table/store.h"

@@ -119,8 +119,6 @@ void Watches::change_stamp(Connection& connection, const Connection::OpenTable& 
 void Watches::add_to_tables(Connection& connection, const QualifiedName& watch,
                             const WatchDeclaration& declaration) {
   const OpenTables tables = watched_tables(connection, watch.schema, declaration);
-  require_no_plans(tables.a);
-  if (tables.b) require_no_plans(*tables.b);
   const auto add = [&](Store& store) { store.add_watch(watch.table); };
   change_stamp(connection, tables.a, add);
   if (tables.b && !tables.are_one()) change_stamp(connection, *tables.b, add);

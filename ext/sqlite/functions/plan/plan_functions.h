@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "sqlite/table/plan_values.h"
+#include "sqlite/plan_values.h"
 #include "storage/rows/sqlite_api.h"
 
 namespace foresee {

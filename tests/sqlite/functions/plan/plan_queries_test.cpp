@@ -88,8 +88,7 @@ TEST_F(PlanQueries, LegsAsRowsMergedArePlans) {
         db.rows(std::string(
                     "SELECT a, b, t FROM predictive_join(40, 'robots', 0.5) WHERE now = 1 AND method = '") +
                 method + "' ORDER BY a, b"),
-        db.rows(std::string("SELECT a, b, min(t) FROM (") + merged +
-                ") GROUP BY a, b ORDER BY a, b"))
+        db.rows(std::string("SELECT a, b, min(t) FROM (") + merged + ") GROUP BY a, b ORDER BY a, b"))
         << method;
   }
 }
@@ -153,6 +152,102 @@ TEST_F(PlanQueries, ALoopOverAJoinThatRewritesPlansOfItsOwnTable) {
     db.exec("ROLLBACK");
     EXPECT_EQ(db.rows(query), before);
   }
+}
+
+TEST_F(PlanQueries, PairsOfOneMover) {
+  make_plans(40, 21, 15, "with gaps");
+  for (const std::string columns : {"a, b, t, t_end, dt, dt_end", "a, b, t_cpa, d_cpa, t", "a, b"})
+    for (const char* one : {"a = 7", "b = 7", "a = 7 AND t > 20", "b = 33 AND t < 30"})
+      for (const char* contacts : {"first", "all"}) {
+        const auto join = [&](const std::string& method) {
+          return db.rows("SELECT " + columns +
+                         " FROM predictive_join(40, 'robots', 0.5) WHERE now = 1 AND contacts = '" +
+                         contacts + "' AND " + one + " AND method = '" + method + "' ORDER BY a, b, t");
+        };
+        EXPECT_EQ(join("auto"), join("scan")) << columns << ' ' << one << ' ' << contacts;
+      }
+  EXPECT_NE(db.rows("SELECT a FROM predictive_join(40, 'robots', 0.5) WHERE now = 1 AND b = 33 AND t < 30"),
+            "");
+}
+
+TEST_F(PlanQueries, PlansWithPlainRowsOfAnotherTable) {
+  make_plans(40, 21, 17, "with gaps");
+  db.exec(
+      "CREATE VIRTUAL TABLE crates USING moving_objects(id, x, y, r);"
+      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 50) INSERT INTO crates "
+      "SELECT i, "
+      "i * 7 % 31, i * 11 % 29, 0.5 FROM n;"
+      "INSERT INTO robots(id, t, x, y, vx, vy, r) SELECT 1000 + id, 0, x, y, 0, 0, 0.5 FROM crates");
+  const std::string among = db.rows(
+      "SELECT a, b - 1000, t, t_end FROM predictive_join(40, 'robots', 0.5) WHERE now = 1 AND contacts = "
+      "'all' AND a < "
+      "1000 AND b > 1000 ORDER BY a, b, t");
+  EXPECT_NE(among, "");
+  for (const char* method : {"auto", "grid", "tree", "scan", "gpcd"}) {
+    const std::string rest = std::string("now = 1 AND contacts = 'all' AND method = '") + method + "'";
+    EXPECT_EQ(
+        db.rows(
+            "SELECT a, b, t, t_end FROM predictive_join(40, 'robots', 0.5, 'crates') WHERE a < 1000 AND " +
+            rest + " ORDER BY a, b, t"),
+        among)
+        << method;
+    EXPECT_EQ(
+        db.rows(
+            "SELECT b, a, t, t_end FROM predictive_join(40, 'crates', 0.5, 'robots') WHERE b < 1000 AND " +
+            rest + " ORDER BY b, a, t"),
+        among)
+        << method;
+  }
+}
+
+TEST_F(PlanQueries, AWatchReportsMovers) {
+  make_plans(40, 21, 19, "with gaps");
+  db.exec("CREATE VIRTUAL TABLE w USING predictive_watch(robots, horizon = 20, within = 0.5)");
+  const auto expect_current = [&] {
+    EXPECT_EQ(db.rows("SELECT a, b, t FROM w ORDER BY a, b"),
+              db.rows("SELECT a, b, t FROM predictive_join(20, 'robots', 0.5) ORDER BY a, b"));
+    EXPECT_EQ(db.error_of("INSERT INTO w(w) VALUES ('integrity-check')"), "");
+  };
+  expect_current();
+  db.exec(
+      "UPDATE robots SET plan = plan_shift(plan, 0.25) WHERE id % 5 = 0; DELETE FROM robots WHERE id % 7 = "
+      "0");
+  expect_current();
+  db.exec(
+      "BEGIN; UPDATE robots SET plan = plan_shift(plan, -1); SAVEPOINT s; UPDATE robots SET until = t + 1; "
+      "ROLLBACK TO s; COMMIT");
+  expect_current();
+  for (const char* now : {"9.5", "22.0", "40.0"}) {
+    db.exec(std::string("INSERT INTO w(w, now) VALUES ('advance', ") + now + ")");
+    EXPECT_EQ(db.rows("SELECT a, b, t FROM w ORDER BY a, b"),
+              db.rows(std::string("SELECT a, b, t FROM predictive_join(20, 'robots', 0.5) WHERE now = ") +
+                      now + " ORDER BY a, b"));
+    EXPECT_EQ(db.error_of("INSERT INTO w(w) VALUES ('integrity-check')"), "");
+  }
+}
+
+TEST_F(PlanQueries, WhoWaitsMeetsNobody) {
+  make_plans(12, 8, 23);
+  int clear = 0;
+  for (int id = 1; id <= 12; ++id) {
+    const std::string plan = db.rows(
+        "SELECT hex(CAST(plan AS BLOB)) FROM predictive_avoid WHERE h = 60 AND tbl = 'robots' AND id = " +
+        std::to_string(id) +
+        " AND within = 0.5 AND how = 'wait' AND lo = 0 AND hi = 90 AND now = 0 AND clear LIMIT 1");
+    ASSERT_FALSE(plan.starts_with("error")) << plan;
+    if (plan.empty()) continue;
+    ++clear;
+    db.exec("SAVEPOINT s; UPDATE robots SET plan = CAST(x'" + plan +
+            "' AS TEXT) WHERE id = " + std::to_string(id));
+    EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(60, 'robots', 0.5) WHERE now = 0 AND a = " +
+                      std::to_string(id) + " OR now = 0 AND b = " + std::to_string(id)),
+              "");
+    db.exec("ROLLBACK TO s; RELEASE s");
+  }
+  EXPECT_GT(clear, 3);
+  EXPECT_EQ(db.error_of(
+                "SELECT * FROM predictive_avoid WHERE h = 60 AND tbl = 'robots' AND id = 1 AND how = 'turn'"),
+            "predictive_avoid: object 1 of robots has a plan: write 'wait' or 'delay'");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "sqlite/table/plan_values.h"
+#include "sqlite/plan_values.h"
 
 #include <algorithm>
 #include <cmath>
