@@ -1,5 +1,6 @@
 // Long commands poll for an interrupt all the time: the longest time between two polls is a small part of the
 // whole, on any machine. Times are processor time of the thread.
+#include <algorithm>
 #include <ctime>
 
 #include "storage/database.h"
@@ -31,6 +32,18 @@ class LongestPause final : public Interrupt {
   double last_ = first_, longest_ = 0;
 };
 
+/// The least share of three runs: another process on the machine can lengthen one pause, a sort without polls all.
+template <class Command>
+double best_share(Command command) {
+  double best = 1;
+  for (int run = 0; run < 3; ++run) {
+    LongestPause pause;
+    command(pause);
+    best = std::min(best, pause.share());
+  }
+  return best;
+}
+
 TEST(LongCommands, PollForAnInterruptWhileTheySort) {
   Database db;
   auto store = make_store(db);
@@ -40,14 +53,16 @@ TEST(LongCommands, PollForAnInterruptWhileTheySort) {
     store->insert(i * scattered % prime, ship(static_cast<double>(i)), {});
   commit(db, *store);
   constexpr double max_pause = 0.125;  // a sort without polls has 0.15 to 0.2, with polls less than 0.07
-  LongestPause checked;
-  EXPECT_EQ(store->integrity_check(checked), std::vector<std::string>{});
-  EXPECT_LT(checked.share(), max_pause);
-  begin(db, *store);
-  LongestPause packed;
-  store->rebuild(packed);
-  EXPECT_LT(packed.share(), max_pause);
-  commit(db, *store);
+  EXPECT_LT(best_share([&](LongestPause& pause) {
+              EXPECT_EQ(store->integrity_check(pause), std::vector<std::string>{});
+            }),
+            max_pause);
+  EXPECT_LT(best_share([&](LongestPause& pause) {
+              begin(db, *store);
+              store->rebuild(pause);
+              commit(db, *store);
+            }),
+            max_pause);
 }
 
 }  // namespace
