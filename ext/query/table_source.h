@@ -19,6 +19,7 @@
 #include "index/gpcd_grid/work_space.h"
 #include "index/pages.h"
 #include "query/scene.h"
+#include "shape/kinds.h"
 
 namespace foresee {
 
@@ -46,6 +47,10 @@ class TableSource {
   virtual std::shared_ptr<const Scene> all(bool with_levels = false) = 0;
   /// The same of a layout with plans: rows that exist at some time of `times`, plans as their legs.
   virtual std::shared_ptr<const Scene> all_during(const LegTimes&) { return all(); }
+  /// The same, perhaps without objects that may meet none of these kinds, or-ed. Requires: a layout without plans.
+  virtual std::shared_ptr<const Scene> all_meeting(Kinds, bool with_levels = false) {
+    return all(with_levels);
+  }
   virtual bool is_loaded() = 0;
   /// Those of these ids that exist. Requires: ids in rising order. Cost: a look-up per id.
   virtual std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) = 0;

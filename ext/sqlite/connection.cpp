@@ -88,35 +88,45 @@ std::span<TableCursor* const> Connection::cursors(const Store* store) const noex
 }
 
 std::shared_ptr<const Scene> Connection::find_scene(const OpenTable& table, bool with_levels,
-                                                    const LegTimes& times) {
+                                                    const LegTimes& times,
+                                                    const std::optional<Kinds>& others) {
   const ContentVersion version = table.store->read_version();
   const auto cached = scenes_.find(table.store.get());
   if (cached == scenes_.end() || cached->second.version != version ||
-      (with_levels && !cached->second.scene->levels) || !cached->second.scene->legs_during.cover(times))
+      (with_levels && !cached->second.scene->levels) || !cached->second.scene->legs_during.cover(times) ||
+      (cached->second.others && cached->second.others != others))
     return nullptr;
   cached->second.used = ++last_use_;
   return cached->second.scene;
 }
 
-std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool with_levels) {
+std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool with_levels,
+                                                    std::optional<Kinds> others) {
   if (table.store->declaration().layout.has_plan) return load_legs(table);
-  if (auto scene = find_scene(table, with_levels)) return scene;
+  if (auto scene = find_scene(table, with_levels, {}, others)) return scene;
   const ContentVersion version = table.store->read_version();
-  scenes_.erase(table.store.get());  // before the new one is decoded, so that memory holds only one
+  const auto cached = scenes_.find(table.store.get());
+  if (cached != scenes_.end()) {
+    // Queries of different kinds alternate: one scene of all objects serves them all.
+    if (cached->second.version == version && cached->second.others != others) others.reset();
+    scenes_.erase(cached);  // before the new one is decoded, so that memory holds only one
+  }
+  std::optional<KindTest> wanted;
+  if (others) wanted = KindTest::of_partners(*others);
   auto scene = std::make_shared<Scene>();
   scene->name = table.table;
   scene->layout = table.store->declaration().layout;
   const FloatEnvironment environment;  // accelerations are computed on loading
   if (with_levels) {
-    TreeScene tree = read_tree(*table.store->take_snapshot(), interrupt_);
+    TreeScene tree = read_tree(*table.store->take_snapshot(), interrupt_, wanted);
     scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
     scene->levels = std::move(tree.levels);
-    table.store->expect_objects(scene->ids.size());
-  } else {
-    table.store->read_all(scene->ids, scene->rows, interrupt_);
+    if (tree.complete) others.reset(), table.store->expect_objects(scene->ids.size());
+  } else if (table.store->read_all(scene->ids, scene->rows, interrupt_, wanted)) {
+    others.reset();
   }
   scene->take_forms(table.store->forms(), interrupt_);
-  keep_scene(table, version, scene);
+  keep_scene(table, version, scene, others);
   return scene;
 }
 
@@ -142,8 +152,8 @@ std::shared_ptr<const Scene> Connection::load_legs(const OpenTable& table, const
 }
 
 void Connection::keep_scene(const OpenTable& table, const ContentVersion& version,
-                            std::shared_ptr<const Scene> scene) {
-  scenes_[table.store.get()] = {version, std::move(scene), ++last_use_};
+                            std::shared_ptr<const Scene> scene, const std::optional<Kinds>& others) {
+  scenes_[table.store.get()] = {version, std::move(scene), ++last_use_, others};
   evict_scenes();
 }
 

@@ -80,15 +80,19 @@ class Connection {
 
   /// A snapshot of the table's current contents, with the levels of its tree on request. Throws StoreError
   /// for damaged rows. Cost: a look-up if this version's scene is cached, else all rows are read and decoded.
-  std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false);
+  /// With `others`, it may lack objects that may meet none of these kinds; they are read past. Then it is cached for
+  /// queries with equal `others` alone.
+  std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false,
+                                          std::optional<Kinds> others = {});
 
   /// The same; of a table with plans, whose legs are rows, those that exist at some time of `times`, perhaps more.
   /// Cost: as above, for the plans that exist then; a cached scene of other times is replaced.
   std::shared_ptr<const Scene> load_legs(const OpenTable& table, const LegTimes& times = {});
 
-  /// The cached scene of this version, or null: nothing is decoded. `times`: those that it must cover.
+  /// The cached scene of this version, or null: nothing is decoded. `times`: those that it must cover; `others`: as above.
   std::shared_ptr<const Scene> find_scene(const OpenTable& table, bool with_levels = false,
-                                          const LegTimes& times = {});
+                                          const LegTimes& times = {},
+                                          const std::optional<Kinds>& others = {});
 
   /// A scene of the one object with this id, with its legs of these times, empty if it does not exist; without its
   /// outline or mesh. Cost: a look-up, and decoding some chunks of the plan.
@@ -110,9 +114,12 @@ class Connection {
     ContentVersion version;
     std::shared_ptr<const Scene> scene;
     std::uint64_t used;  ///< a counter: larger is later
+    std::optional<Kinds>
+        others;  ///< it lacks objects that may meet none of these; nothing: it has all objects
   };
 
-  void keep_scene(const OpenTable& table, const ContentVersion& version, std::shared_ptr<const Scene> scene);
+  void keep_scene(const OpenTable& table, const ContentVersion& version, std::shared_ptr<const Scene> scene,
+                  const std::optional<Kinds>& others = {});
   void evict_scenes() noexcept;
 
   sqlite3* db_;

@@ -30,6 +30,9 @@ class StoredTable final : public TableSource {
   std::shared_ptr<const Scene> all_during(const LegTimes& times) override {
     return connection_.load_legs(table_, times);
   }
+  std::shared_ptr<const Scene> all_meeting(Kinds others, bool with_levels) override {
+    return connection_.load_scene(table_, with_levels, others);
+  }
   bool is_loaded() override { return connection_.find_scene(table_) != nullptr; }
   std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) override;
   std::shared_ptr<NodeSource> tree() override { return table_.store->take_snapshot(); }

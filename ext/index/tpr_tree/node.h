@@ -37,6 +37,7 @@ class LeafReader {
   Vec<D> growth(const double* record) const { return growth_of<D>(shape_, record, at_); }
   bool grows() const { return at_.growth != Offsets::absent || at_.growth_z != Offsets::absent; }
   Kinds kinds(const double* record) const { return kinds_of(record, at_); }
+  bool has_kinds() const { return at_.category != Offsets::absent || at_.mask != Offsets::absent; }
   double t(const double* record) const { return value_or(record, at_.t, 0); }
   double until(const double* record) const {
     if (is_head(record)) return t(record);

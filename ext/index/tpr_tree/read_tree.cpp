@@ -2,15 +2,17 @@
 
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/search/tree_join.h"
+#include "index/tpr_tree/tpr_tree.h"
 
 namespace foresee {
 namespace {
 
 class TreeReader {
  public:
-  TreeReader(NodeSource& source, Interrupt& interrupt) : source_(source), interrupt_(interrupt) {
+  TreeReader(NodeSource& source, Interrupt& interrupt, const std::optional<KindTest>& wanted)
+      : source_(source), interrupt_(interrupt), wanted_(wanted), at_(record_offsets(source.layout())) {
     scene_.layout = source.layout();
-    record_size_ = static_cast<std::size_t>(record_offsets(scene_.layout).size);
+    record_size_ = static_cast<std::size_t>(at_.size);
     row_size_ = static_cast<std::size_t>(row_offsets(scene_.layout).size);
   }
 
@@ -39,10 +41,17 @@ class TreeReader {
     if (node.is_leaf()) return add_rows(node);
     interrupt_.check();
     for (std::size_t slot = 0; slot < node.size(); ++slot)
-      visit(node.keys[slot], *read_below(source_, number, node, slot));
+      if (is_wanted(kinds_at(node, slot))) visit(node.keys[slot], *read_below(source_, number, node, slot));
+  }
+
+  bool is_wanted(Kinds kinds) {
+    const bool wanted = !wanted_ || wanted_->accepts(kinds);
+    scene_.complete &= wanted;
+    return wanted;
   }
 
   void add_rows(const Node& leaf) {
+    if (wanted_) return add_wanted_rows(leaf);
     scene_.ids.insert(scene_.ids.end(), leaf.keys.begin(), leaf.keys.end());
     if (record_size_ == row_size_) {
       scene_.rows.insert(scene_.rows.end(), leaf.values.begin(), leaf.values.end());
@@ -55,16 +64,61 @@ class TreeReader {
                       scene_.rows.data() + first + slot * row_size_);
   }
 
+  void add_wanted_rows(const Node& leaf) {
+    for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
+      const double* const record = leaf.values.data() + slot * record_size_;
+      if (!is_wanted(kinds_of(record, at_))) continue;
+      scene_.ids.push_back(leaf.keys[slot]);
+      scene_.rows.resize(scene_.rows.size() + row_size_);
+      row_from_record(scene_.layout, record, scene_.rows.data() + scene_.rows.size() - row_size_);
+    }
+  }
+
   NodeSource& source_;
   Interrupt& interrupt_;
+  const std::optional<KindTest>& wanted_;
+  const Offsets at_;
   TreeScene scene_;
   std::size_t record_size_, row_size_;
 };
 
+void add_leaves(NodeSource& source, const Unread& unread, const KindTest& wanted, Interrupt& interrupt,
+                WantedLeaves& leaves) {
+  interrupt.check();
+  const auto node = read(source, unread);
+  if (node->is_leaf()) return leaves.numbers.push_back(unread.number);  // the root
+  for (std::size_t slot = 0; slot < node->size(); ++slot) {
+    if (node->level > 1)
+      add_leaves(source, unread_child(unread.number, *node, slot), wanted, interrupt, leaves);
+    else if (wanted.accepts(kinds_at(*node, slot)))
+      leaves.numbers.push_back(node->keys[slot]);
+    else
+      ++leaves.others;
+  }
+}
+
 }  // namespace
 
-TreeScene read_tree(NodeSource& source, Interrupt& interrupt) {
-  return TreeReader(source, interrupt).read();
+TreeScene read_tree(NodeSource& source, Interrupt& interrupt, const std::optional<KindTest>& wanted) {
+  return TreeReader(source, interrupt, wanted).read();
+}
+
+Kinds kinds_of_all(NodeSource& source) {
+  Kinds all = Kinds::none();
+  if (source.find_root() == 0) return all;
+  const auto root = read(source, unread_root(source));
+  const Offsets at = record_offsets(source.layout());
+  for (std::size_t slot = 0; slot < root->size(); ++slot)
+    all.include(root->is_leaf() ? kinds_of(root->values.data() + slot * static_cast<std::size_t>(at.size), at)
+                                : kinds_at(*root, slot));
+  return all;
+}
+
+WantedLeaves find_leaves(NodeSource& source, const KindTest& wanted, Interrupt& interrupt) {
+  WantedLeaves leaves;
+  if (source.find_root() != 0) add_leaves(source, unread_root(source), wanted, interrupt, leaves);
+  std::sort(leaves.numbers.begin(), leaves.numbers.end());
+  return leaves;
 }
 
 }  // namespace foresee

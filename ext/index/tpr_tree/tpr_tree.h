@@ -95,6 +95,17 @@ std::unique_ptr<TprTree> make_tpr_tree(Pages& pages, double horizon);
 /// The max t stored, read from the root; 0 without objects or without t.
 double read_newest_t(NodeSource& source);
 
+/// The kinds of all objects, or-ed, read from the root; bits of objects that the tree no longer has may be set too.
+Kinds kinds_of_all(NodeSource& source);
+
+/// The leaves that may have an object of a kind.
+struct WantedLeaves {
+  std::vector<NodeNumber> numbers;  ///< ascending
+  std::size_t others = 0;           ///< the number of the other leaves
+};
+/// Those that `wanted` accepts by the entries above them. Cost: the inner nodes.
+WantedLeaves find_leaves(NodeSource& source, const KindTest& wanted, Interrupt& interrupt);
+
 /// An estimate of the number of objects, from one path of the tree.
 double estimate_objects(NodeSource& source);
 

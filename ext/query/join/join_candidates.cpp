@@ -28,12 +28,16 @@ std::unique_ptr<Candidates> one_row(const Scene& scene, std::int64_t id, Side si
   return make_one_with_all(rows, interrupt);
 }
 
-/// Those of the rows of a side, for the indexes that test them; null without kinds.
+bool some_may_not_meet(const JoinQuestion& question) {
+  return question.kinds && !question.kinds->all_meet();
+}
+
+/// Those of the rows of a side, for the indexes that test them; null if all pairs may meet.
 const Kinds* kinds_of_a(const JoinQuestion& question) {
-  return question.kinds ? question.kinds->a->of.data() : nullptr;
+  return some_may_not_meet(question) ? question.kinds->a->of.data() : nullptr;
 }
 const Kinds* kinds_of_b(const JoinQuestion& question) {
-  return question.kinds ? question.kinds->b->of.data() : nullptr;
+  return some_may_not_meet(question) ? question.kinds->b->of.data() : nullptr;
 }
 
 bool tests_kinds(const JoinQuestion& question, JoinMethod method) {
@@ -124,7 +128,7 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMe
                                             Interrupt& interrupt) {
   const FloatEnvironment environment;
   auto all = all_candidates(question, method, horizon, reach, interrupt);
-  if (question.kinds && !tests_kinds(question, method))
+  if (some_may_not_meet(question) && !tests_kinds(question, method))
     all = meeting_candidates(std::move(all), question.kinds);
   return question.own ? owned_candidates(std::move(all), question.own) : std::move(all);
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "index/tpr_tree/tpr_tree.h"
 #include "query/tile/ownership.h"
 
 namespace foresee {
@@ -18,6 +19,7 @@ std::shared_ptr<SceneKinds> kinds_of(const Scene& scene) {
   for (std::size_t i = 0; i < bodies.count; ++i) {
     kinds->of.push_back(foresee::kinds_of(bodies.row(i), bodies.at));
     kinds->all.include(kinds->of.back());
+    kinds->common.category &= kinds->of.back().category, kinds->common.mask &= kinds->of.back().mask;
   }
   return scene.kinds = std::move(kinds);
 }
@@ -86,6 +88,11 @@ std::vector<Group> groups_of(const SceneKinds& scene, const std::vector<TileMark
 }
 
 }  // namespace
+
+std::shared_ptr<const Scene> all_that_may_meet(TableSource& table, TableSource& others, bool with_levels) {
+  if (!has_kinds(table.layout()) || table.layout().has_plan) return table.all(with_levels);
+  return table.all_meeting(kinds_of_all(*others.tree()), with_levels);
+}
 
 bool has_kinds(const JoinQuestion& question) {
   return has_kinds(question.a->layout) || (question.b && has_kinds(question.b->layout));

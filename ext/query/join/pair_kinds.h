@@ -3,18 +3,21 @@
 //   JoinQuestion question = with_kinds(in_tile(without_inert(queried), interrupt));
 //   auto candidates = meeting_candidates(make_all_pairs(count, interrupt), question.kinds);
 //
-// An object is inert if no object of the other side may meet it: then the index does not get it. Of the other
+// An object is inert if no object of the other side may meet it: then it is not read, and the index does not get it,
+// where a scene of all objects has it (all_that_may_meet(), without_inert()). Of the other
 // pairs the grid and the tree keep those that may meet; a filter does the same for the other methods.
 //
 // Guarantee: of the queried pairs exactly those remain that may meet. Cost: one pass over the rows of a
 // scene, which keeps the result; without the columns none. Join, explain and watch call these functions.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "index/candidates.h"
 #include "query/join/question.h"
+#include "query/table_source.h"
 #include "shape/kinds.h"
 
 namespace foresee {
@@ -22,19 +25,30 @@ namespace foresee {
 /// The kinds of a scene's objects, by row number.
 struct SceneKinds {
   std::vector<Kinds> of;
-  Kinds all = Kinds::none();  ///< or-ed
+  Kinds all = Kinds::none();                ///< or-ed
+  Kinds common = {every_kind, every_kind};  ///< and-ed
 
   /// The scene without the objects that may meet none of `others`, of the last join that left some out.
   std::shared_ptr<const Scene> active = nullptr;
   Kinds others = Kinds::none();
 };
 
+/// Whether a scene has the objects that may meet none of the other side.
+enum class InertObjects : std::uint8_t { left_out, counted };
+
 /// The kinds of both sides.
 struct PairKinds {
   std::shared_ptr<const SceneKinds> a, b;  ///< equal where both sides are one scene
 
+  /// Whether all pairs may meet, by the bits that all objects have: then candidates need no test.
+  bool all_meet() const { return foresee::may_meet(a->common, b->common); }
   bool may_meet(const Pair& pair) const { return foresee::may_meet(a->of[pair.a], b->of[pair.b]); }
 };
+
+/// All objects of a table that may meet one of `others`, and perhaps some that may not. Cost: as all(), without
+/// the rows and subtrees that are left out.
+std::shared_ptr<const Scene> all_that_may_meet(TableSource& table, TableSource& others,
+                                               bool with_levels = false);
 
 /// Whether a side has category or mask.
 bool has_kinds(const JoinQuestion& question);

@@ -196,17 +196,20 @@ LegTimes read_times(const JoinQuestion& question) {
 
 }  // namespace
 
-void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt) {
+void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt,
+                 InertObjects inert) {
   const bool with_levels = question.method == JoinMethod::tree;
-  const auto scene = [&](TableSource& table) {
+  const auto scene = [&](TableSource& table, TableSource& others) {
     std::shared_ptr<const Scene> in_tile;
     if (table.layout().has_plan) return table.all_during(read_times(question));
     if (question.tile && !with_levels) in_tile = scene_by_tree(table, question, interrupt);
-    return in_tile ? in_tile : table.all(with_levels);
+    if (in_tile) return in_tile;
+    return inert == InertObjects::counted ? table.all(with_levels)
+                                          : all_that_may_meet(table, others, with_levels);
   };
   if (question.tile) require_valid_between(tables, question);
-  question.a = scene(*tables.a);
-  if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);
+  question.a = scene(*tables.a, tables.last());
+  if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b, *tables.a);
 }
 
 std::shared_ptr<const Scene> scene_of_tile(NodeSource& tree, const std::string& name,

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "index/pages.h"
+#include "query/join/pair_kinds.h"
 #include "query/join/question.h"
 #include "query/table_source.h"
 
@@ -19,8 +20,10 @@ namespace foresee {
 
 /// Sets both sides to scenes of all current objects, with the tree's levels for the method `tree`. With a
 /// tile, a scene may hold only the objects that the tile needs. The same table on both sides is one scene.
-/// Throws Error as require_valid() does, if there is a tile.
-void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt);
+/// Inert objects (pair_kinds.h) may be left out unless they are to be counted. Throws Error as require_valid() does,
+/// if there is a tile.
+void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt,
+                 InertObjects inert = InertObjects::left_out);
 
 /// Every object of the tree that `question.tile` needs. Requires: `question` is valid and has a tile; its
 /// scenes are not read.

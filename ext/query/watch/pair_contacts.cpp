@@ -99,8 +99,8 @@ JoinQuestion question_of(const JoinedTables& tables, const WatchDeclaration& dec
 JoinQuestion question_of_all(const JoinedTables& tables, const WatchDeclaration& declaration,
                              const Horizon& horizon, const JoinResources& resources) {
   JoinQuestion question = question_of(tables, declaration, horizon);
-  question.a = tables.a->all();
-  if (tables.b) question.b = tables.are_one() ? question.a : tables.b->all();
+  question.a = all_that_may_meet(*tables.a, tables.last());
+  if (tables.b) question.b = tables.are_one() ? question.a : all_that_may_meet(*tables.b, *tables.a);
   question.space = resources.space, question.helpers = resources.helpers;
   return question;
 }

@@ -21,7 +21,7 @@ namespace foresee {
 /// The join query of the watch during `horizon`, with empty scenes.
 JoinQuestion question_of(const JoinedTables& tables, const WatchDeclaration& declaration,
                          const Horizon& horizon);
-/// The same query with the scenes of all objects.
+/// The same query with the scenes of all objects but inert ones (pair_kinds.h).
 JoinQuestion question_of_all(const JoinedTables& tables, const WatchDeclaration& declaration,
                              const Horizon& horizon, const JoinResources& resources);
 

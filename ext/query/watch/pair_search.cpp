@@ -1,6 +1,7 @@
 #include "query/watch/pair_search.h"
 
 #include "query/join/join.h"
+#include "query/join/pair_kinds.h"
 #include "query/join/probe.h"
 #include "query/watch/pair_contacts.h"
 
@@ -61,10 +62,10 @@ void PairSearch::probe(Side side, std::int64_t id, const SearchTarget& others, c
 void PairSearch::join(Side side, std::span<const std::int64_t> ids, const Take& take) {
   JoinQuestion question = question_;
   const bool within_one = tables_.is_within_one();
-  question.a = tables_.a->all();
-  question.b = within_one ? question.a : tables_.b->all();
+  const auto changed = table(side).objects(ids);
+  const auto all = all_that_may_meet(table(side == Side::a ? Side::b : Side::a), table(side));
+  question.a = side == Side::a ? changed : all, question.b = side == Side::a ? all : changed;
   question.space = resources_.space, question.helpers = resources_.helpers;
-  (side == Side::a ? question.a : question.b) = table(side).objects(ids);
   Join join(std::move(question), resources_.interrupt);
   std::vector<JoinRow> others;
   for (auto rows = join.next(); !rows.empty(); rows = join.next()) {

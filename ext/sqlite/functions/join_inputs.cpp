@@ -86,7 +86,7 @@ JoinInputs read_join_inputs(const FunctionCall& call, bool with_contacts) {
 }
 
 JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids,
-                           const JoinWants& wants) {
+                           const JoinWants& wants, InertObjects inert) {
   Connection& connection = call.connection();
   const OpenTables open = open_tables(connection, inputs);
   const JoinedTables tables = sources_of(connection, open);
@@ -105,7 +105,7 @@ JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, c
   if (by_tree && (ids.a || ids.b)) {
     take_object_and_near(tables, ids, question, connection.interrupt());
   } else {
-    take_scenes(tables, question, connection.interrupt());
+    take_scenes(tables, question, connection.interrupt(), inert);
     question.only_a = ids.a, question.only_b = ids.b;
     question.space = connection.grid_space();
   }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "query/join/pair_kinds.h"
 #include "query/join/probe.h"
 #include "sqlite/functions/function_call.h"
 
@@ -44,6 +45,6 @@ JoinInputs read_join_inputs(const FunctionCall& call, bool with_contacts = false
 /// used for inputs that were left out. The method then reads back as 'auto', since one statement may use two (a =
 /// ? OR t < ?).
 JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids = {},
-                           const JoinWants& wants = {});
+                           const JoinWants& wants = {}, InertObjects inert = InertObjects::left_out);
 
 }  // namespace foresee

@@ -63,7 +63,10 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   void fetch_ahead(std::int64_t first, std::int64_t many) { tree_.nodes().fetch_ahead(first, many); }
   /// All ids and rows (row_from_record of each record), one leaf after another, as this connection sees them
   /// now. SQLITE_CORRUPT_VTAB for a damaged leaf, and as in expect_objects().
-  void read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt);
+  /// With `wanted`, only the objects that it accepts; leaves without one may not be read. Returns whether these
+  /// are all objects.
+  bool read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt,
+                const std::optional<KindTest>& wanted = {});
   /// Reads the leaf after leaf `after` (0: the first one). Returns its number, or 0 at the end.
   std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
   /// Sets the auxiliary column of `id` as the result of `context`; NULL if there is no value.

@@ -91,12 +91,19 @@ std::span<const double> Store::find(std::int64_t id, StatementReadState& stateme
   return found(nodes().find_record(id));
 }
 
-void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) {
+bool Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt,
+                     const std::optional<KindTest>& wanted) {
   merge_pending();
   ids.clear();
   rows.clear();
-  const auto expected =
-      nodes().has_unwritten() ? 0 : static_cast<std::size_t>(shadow_rows().tree().map().count_ids());
+  WantedLeaves leaves;
+  if (wanted) leaves = tree_.with_sound_tree([&] { return find_leaves(nodes(), *wanted, interrupt); });
+  // A leaf by number costs more than the next one of a scan.
+  const bool by_number = leaves.others > leaves.numbers.size() / 2;
+  const std::size_t expected = by_number ? leaves.numbers.size() * format_.leaf_capacity
+                               : nodes().has_unwritten()
+                                   ? 0
+                                   : static_cast<std::size_t>(shadow_rows().tree().map().count_ids());
   const auto row_size = static_cast<std::size_t>(row_offsets(format_.layout).size);
   const auto record_size = static_cast<std::size_t>(format_.at.size);
   const bool rows_are_records = row_size == record_size;
@@ -104,19 +111,30 @@ void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
   ids.reserve(expected);
   rows.reserve(expected * row_size);
   std::vector<std::int64_t> leaf_ids;
+  std::size_t found = 0;
   const auto take = [&](const auto& leaf) {
-    if (rows_are_records) return append(leaf, ids, rows);
+    if (rows_are_records && !wanted) return append(leaf, ids, rows);
     leaf_ids.clear(), records.clear();
     append(leaf, leaf_ids, records);
-    const std::size_t before = ids.size();
-    ids.insert(ids.end(), leaf_ids.begin(), leaf_ids.end());
-    rows.resize(ids.size() * row_size);
-    for (std::size_t i = 0; i < leaf_ids.size(); ++i)
-      row_from_record(format_.layout, records.data() + i * record_size,
-                      rows.data() + (before + i) * row_size);
+    found += leaf_ids.size();
+    std::size_t end = ids.size();
+    ids.resize(end + leaf_ids.size()), rows.resize((end + leaf_ids.size()) * row_size);
+    for (std::size_t i = 0; i < leaf_ids.size(); ++i) {
+      const double* const record = records.data() + i * record_size;
+      if (wanted && !wanted->accepts(kinds_of(record, format_.at))) continue;
+      ids[end] = leaf_ids[i];
+      row_from_record(format_.layout, record, rows.data() + end * row_size);
+      ++end;
+    }
+    ids.resize(end), rows.resize(end * row_size);
   };
+  if (by_number) {
+    tree_.read_leaves(leaves.numbers, interrupt, take, take);
+    return false;
+  }
   tree_.read_leaves(interrupt, take, take);
-  expect_objects(ids.size());
+  expect_objects(wanted ? found : ids.size());
+  return !wanted || ids.size() == found;
 }
 
 void Store::expect_objects(std::size_t found) {

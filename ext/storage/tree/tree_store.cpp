@@ -169,6 +169,25 @@ void TreeStore::read_leaves(Interrupt& interrupt, const std::function<void(const
   dirty_up_to(no_number);
 }
 
+void TreeStore::read_leaves(std::span<const NodeNumber> numbers, Interrupt& interrupt,
+                            const std::function<void(const LeafView&)>& stored,
+                            const std::function<void(const Node&)>& dirty) {
+  unsigned leaves = 0;
+  for (const NodeNumber number : numbers) {
+    if (++leaves % 16 == 0) interrupt.check();
+    const auto unwritten = cache_.dirty_node(number);
+    bool is_leaf = false;
+    if (unwritten) {
+      is_leaf = *unwritten && (*unwritten)->is_leaf();
+      if (is_leaf) dirty(**unwritten);
+    } else {
+      rows_->read_node(
+          number, [&](std::span<const std::byte> blob) { is_leaf = read_stored_leaf(number, blob, stored); });
+    }
+    if (!is_leaf) damaged("leaf " + std::to_string(number) + " is missing");
+  }
+}
+
 std::int64_t TreeStore::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
                                   std::vector<double>& records) {
   ids.clear();

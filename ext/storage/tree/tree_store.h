@@ -65,6 +65,10 @@ class TreeStore final : private MemoryHolder {
   /// from its row, checked.
   void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
                    const std::function<void(const Node&)>& dirty);
+  /// The same for the leaves of these numbers, which ascend.
+  void read_leaves(std::span<const NodeNumber> numbers, Interrupt& interrupt,
+                   const std::function<void(const LeafView&)>& stored,
+                   const std::function<void(const Node&)>& dirty);
   /// Reads the leaf after leaf `after` (0: the first one). Returns its number, or 0 at the end.
   std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
   /// Throws if the map, when written, has another count of objects.

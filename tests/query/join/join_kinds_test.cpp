@@ -105,6 +105,27 @@ TEST(JoinKinds, AnActiveSceneIsKeptAndKeepsItsTree) {
   EXPECT_EQ(without_inert(question).a->size(), 0u) << "others than those that the kept scene is for";
 }
 
+TEST(JoinKinds, ABulkLoadGivesInertObjectsLeavesOfTheirOwn) {
+  const RandomScene scene = half_inert(4000);
+  MemoryPages pages(scene.layout);
+  make_tpr_tree(pages, 3)->bulk_load(scene.ids, scene.rows, no_interrupt);
+  const Kinds all = kinds_of_all(pages);
+  EXPECT_EQ(all, (Kinds{3, 2}));
+  const KindTest wanted = KindTest::of_partners(all);
+  const WantedLeaves leaves = find_leaves(pages, wanted, no_interrupt);
+  EXPECT_GE(leaves.others, leaves.numbers.size() - 4);  // giants are apart
+  const TreeScene active = read_tree(pages, no_interrupt, wanted);
+  EXPECT_EQ(active.ids.size(), 2000u);
+  EXPECT_FALSE(active.complete);
+  JoinQuestion question = question_about(scene);
+  auto thinned = std::make_shared<Scene>();
+  thinned->name = "ships", thinned->layout = scene.layout;
+  thinned->ids = active.ids, thinned->rows = active.rows, thinned->levels = active.levels;
+  question.a = thinned, question.method = JoinMethod::tree;
+  EXPECT_EQ(numbers_of(rows_of(question)), numbers_of(filtered(scene)));
+  EXPECT_EQ(check_tree(pages, no_interrupt).problems, std::vector<std::string>{});
+}
+
 TEST(JoinKinds, ExplainCountsThePairsThatMayMeetFirst) {
   const RandomScene scene = half_inert(1000);
   JoinQuestion question = question_about(scene);

@@ -25,10 +25,10 @@ class LeafOrder {
 
   std::vector<std::uint32_t> order() {
     fill();
-    const std::size_t giants = move_giants_last();
+    const std::size_t giants = move_giants_last(), inert = move_inert_last(giants);
     std::size_t first = leaves_.first;
-    for (const std::size_t end : {endless_before(0, giants, true), giants,
-                                  endless_before(giants, items_.size(), false), items_.size()}) {
+    for (const std::size_t end : {endless_before(0, inert, true), inert, endless_before(inert, giants, true),
+                                  giants, endless_before(giants, items_.size(), false), items_.size()}) {
       const std::size_t last = leaves_.first + end * leaves_.count / items_.size();
       halve(first, last);
       first = last;
@@ -58,6 +58,21 @@ class LeafOrder {
     const auto end = std::partition(items_.begin(), items_.end(),
                                     [&](const Item& item) { return step_(), reach_[item.index] <= limit; });
     return static_cast<std::size_t>(end - items_.begin());
+  }
+
+  /// Moves the objects that may meet none of all to the end of the first `count` items; returns where they start.
+  std::size_t move_inert_last(std::size_t count) {
+    if (!state_.reader.has_kinds()) return count;
+    Kinds all = Kinds::none();
+    for (const Item& item : items_) step_(), all.include(kinds_of_item(item));
+    const auto begin = items_.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
+    const auto inert = std::partition(
+        begin, end, [&](const Item& item) { return step_(), may_meet(kinds_of_item(item), all); });
+    return static_cast<std::size_t>(inert - begin);
+  }
+
+  Kinds kinds_of_item(const Item& item) const {
+    return state_.reader.kinds(records_.data() + item.index * state_.reader.record_size());
   }
 
   /// Moves the objects without an end to one side of some items; returns where the sides meet. In a leaf of

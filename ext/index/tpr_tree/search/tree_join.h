@@ -15,6 +15,8 @@
 // a stack of node pairs, one batch.
 #pragma once
 
+#include <optional>
+
 #include "index/candidates.h"
 #include "index/pages.h"
 
@@ -31,11 +33,13 @@ struct TreeScene {
   std::vector<std::int64_t> ids;
   std::vector<double> rows;  ///< row_offsets(layout).size doubles each
   TreeLevels levels;
+  bool complete = true;  ///< it has every object of the tree
 
   Bodies bodies() const { return {layout, rows.data(), ids.size()}; }
 };
 
-TreeScene read_tree(NodeSource& source, Interrupt& interrupt);
+/// With `wanted`, only the objects that it accepts; subtrees without one are not read. A node may have no child then.
+TreeScene read_tree(NodeSource& source, Interrupt& interrupt, const std::optional<KindTest>& wanted = {});
 
 /// Pairs within one tree. `interrupt` must outlive the join; the other arguments need not. `kinds`: of the rows;
 /// only pairs that may meet are reported. Null: all may meet.
