@@ -1,4 +1,6 @@
 // Functions on tables with plans: one leg is a plain row, bit for bit, and legs as rows, merged, are plans.
+#include <algorithm>
+
 #include "scenes.h"
 #include "sqlite/database.h"
 
@@ -248,6 +250,47 @@ TEST_F(PlanQueries, WhoWaitsMeetsNobody) {
   EXPECT_EQ(db.error_of(
                 "SELECT * FROM predictive_avoid WHERE h = 60 AND tbl = 'robots' AND id = 1 AND how = 'turn'"),
             "predictive_avoid: object 1 of robots has a plan: write 'wait' or 'delay'");
+}
+
+TEST_F(PlanQueries, ALoopOverASearchThatRewritesPlansOfItsOwnTable) {
+  make_plans(80, 40, 25);
+  for (const std::string query :
+       {"predictive_window(30, 'robots', 0, 20, 0, 20) WHERE now = 4", "predictive_position(20, 'robots')",
+        "predictive_nearest(30, 'robots', 60, 9, 9) WHERE now = 4",
+        "predictive_sweep(30, 'robots') WHERE now = 4", "predictive_track(4, 30, 5, 'robots')"}) {
+    const std::string expected = db.rows("SELECT * FROM " + query);
+    EXPECT_FALSE(expected.starts_with("error")) << expected;
+    db.exec("BEGIN");
+    sqlite3_stmt* rows = nullptr;
+    ASSERT_EQ(sqlite3_prepare_v2(db.handle(), ("SELECT * FROM " + query).c_str(), -1, &rows, nullptr),
+              SQLITE_OK);
+    std::size_t count = 0;
+    while (sqlite3_step(rows) == SQLITE_ROW) {
+      if (count % 3 == 0)
+        db.exec("UPDATE robots SET plan = plan_shift(plan, 100) WHERE id % 7 = " + std::to_string(count % 7));
+      ++count;
+    }
+    EXPECT_EQ(sqlite3_finalize(rows), SQLITE_OK) << query;
+    EXPECT_EQ(count, static_cast<std::size_t>(std::count(expected.begin(), expected.end(), '\n')) + 1)
+        << query;
+    db.exec("ROLLBACK");
+    EXPECT_EQ(db.rows("SELECT * FROM " + query), expected) << query;
+  }
+}
+
+TEST_F(PlanQueries, EachHorizonReadsItsOwnLegs) {
+  make_plans(40, 21, 27, "with gaps");
+  std::string before = "none";
+  for (const std::string times :
+       {"(2) WHERE now = 3", "(40) WHERE now = 1", "(5) WHERE now = 20", "(1) WHERE now = 60"}) {
+    const std::string query =
+        "SELECT a, b, t FROM predictive_join" + times + " AND tbl = 'robots' AND within = 0.5 ORDER BY a, b";
+    const std::string rows = db.rows(query);
+    EXPECT_NE(rows, before) << times;
+    db.exec("UPDATE robots SET r = r WHERE id = 1");  // no scene is kept over a change
+    EXPECT_EQ(db.rows(query), rows) << times;
+    before = rows;
+  }
 }
 
 }  // namespace
