@@ -70,7 +70,8 @@ OwnState::OwnState(const AvoidQuestion& question) : layout(question.own->layout)
       else
         legs.push_back(motion);
     }
-    while (leg + 1 < legs.size() && legs[leg + 1].t <= question.now) ++leg;
+    const double change = legs.empty() ? question.now : std::max(question.now, legs[0].t);
+    while (leg + 1 < legs.size() && legs[leg + 1].t <= change) ++leg;
   }
   const OwnMotion& here = legs.empty() ? stored : legs[leg];
   base = motion_from(here, std::max(question.now, here.t));

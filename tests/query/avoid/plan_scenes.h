@@ -179,9 +179,9 @@ inline std::vector<Leg> legs_after(const AvoidQuestion& question, Manoeuvre how,
     return legs;
   }
   std::size_t here = 0;
-  while (here + 1 < legs.size() && (legs[here].until < question.now || legs[here + 1].t <= question.now))
-    ++here;
+  while (here + 1 < legs.size() && legs[here].until < question.now) ++here;
   const double s = std::max(question.now, legs[here].t);
+  while (here + 1 < legs.size() && legs[here + 1].t <= s) ++here;
   const Leg base = leg_from(legs[here], s);
   std::vector<Leg> after;
   if (how == Manoeuvre::wait) {
