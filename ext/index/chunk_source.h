@@ -7,9 +7,9 @@
 //   }
 //
 // The items of the tree have chunk_layout() (shape/chunk_item.h): moving boxes that contain the object with its whole
-// shape at every time of the chunk; their keys are the numbers of the chunks. Those of one object are consecutive, in
-// order of time. Not a snapshot: it is read to the end
-// before anything is written. Errors: as the table's; SQLITE_CORRUPT_VTAB for chunks that contradict their objects.
+// shape at every time of the chunk. Their keys are the numbers of the chunks; those of one object are consecutive, in
+// order of time. Not a snapshot: it is read to the end before anything is written.
+// Errors: as the table's; SQLITE_CORRUPT_VTAB for chunks that contradict their objects.
 #pragma once
 
 #include <cstdint>

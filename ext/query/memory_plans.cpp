@@ -1,6 +1,5 @@
-#include "query/memory_plans.h"
-
 #include "motion/plan/chunks.h"
+#include "query/memory_table.h"
 #include "shape/chunk_item.h"
 
 namespace foresee {

@@ -3,8 +3,6 @@
 
 #include <tuple>
 
-#include "contact/closest_approach.h"
-#include "contact/window_contact.h"
 #include "query/nearest/nearest.h"
 #include "query/plan_cases.h"
 
