@@ -14,7 +14,7 @@ using testing::rows_in_order;
 using testing::sorted_rows;
 
 constexpr JoinMethod leg_methods[] = {JoinMethod::scan, JoinMethod::grid, JoinMethod::tree, JoinMethod::gpcd,
-                                  JoinMethod::automatic};
+                                      JoinMethod::automatic};
 constexpr JoinOrder orders[] = {JoinOrder::any, JoinOrder::by_t, JoinOrder::by_dt, JoinOrder::by_t_and_ids};
 
 bool leg_rows_are_in_order(const std::vector<JoinRow>& rows, JoinOrder order) {
