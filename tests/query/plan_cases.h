@@ -25,8 +25,8 @@ struct Movers {
   std::vector<Mover> all;
 };
 
-/// What numbers of a plan are: short ones touch at joints, thirds are rounded everywhere, late ones have few digits left
-/// behind the point of a time.
+/// What numbers of a plan are: short ones touch at joints, thirds are rounded everywhere, and late times have few
+/// digits left for fractions.
 enum class PlanNumbers { halves, thirds, late };
 
 inline constexpr PlanNumbers all_plan_numbers[] = {PlanNumbers::halves, PlanNumbers::thirds,
