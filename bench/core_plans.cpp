@@ -6,10 +6,10 @@
 //     10,000 movers of 100 legs, h = 900;  100,000 movers of 10 legs, h = 90;  100,000 of one leg, h = 10.
 //   --quick: a tenth of the movers.
 //
-// "legs as rows" gives each leg an id of its own: pairs of legs of one mover are rows too, and a pair of movers has a
-// row for each pair of legs. For plans of one leg, "rows" are those of a table without the column plan. Prints
-// nanoseconds of processor time per leg alive, for starts alone and with ends; medians, and ratios within a repetition.
-// Fails if the movers that meet, or their first times, differ.
+// "legs as rows" gives each leg an id of its own. Pairs of legs of one mover are rows too, and a pair of movers has a
+// row for each pair of legs. For plans of one leg these are plain rows. Prints nanoseconds of processor time per leg
+// alive, for starts alone and with ends: medians, and ratios within a repetition. Fails if the movers that meet, or
+// their first times, differ.
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -34,7 +34,7 @@ struct World {
 constexpr Layout plans{
     .axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true, .has_until = true, .has_plan = true};
 
-std::vector<std::vector<Leg>> way_points(const World& world) {
+std::vector<std::vector<Leg>> random_plans(const World& world) {
   constexpr double duration = 10;
   const double side = std::sqrt(100.0 * world.movers);
   std::mt19937_64 random(5);
@@ -116,7 +116,7 @@ Answer join(const std::shared_ptr<const Scene>& scene, double h, bool ends, bool
 }
 
 bool compare(const World& world, int repetitions) {
-  const auto movers = way_points(world);
+  const auto movers = random_plans(world);
   const auto rows = scene_of(movers, true), with_plans = scene_of(movers, false);
   std::size_t alive = 0;
   for (const auto& legs : movers)

@@ -30,7 +30,7 @@ void ContactStage::query(const Candidates& candidates, std::vector<Pair>& batch,
   const bool times_matter = !all_times || question_.wants.contact || question_.order != JoinOrder::any;
   const std::size_t before = hits.pairs.size();
   // Where some hits may be left out or never read, write() computes the ends of the others only. Of legs, pairs that
-  // have a row are not tested again (leg_join.h), so that few are left out.
+  // have a row are not tested again (movers/leg_join.h), so that few are left out.
   hits.with_ends =
       (all_times || has_plans(question_)) && question_.order == JoinOrder::any && question_.wants.ends;
   if (candidates.touching() && (!hits.with_ends || !queries_start(slab))) {
@@ -101,7 +101,8 @@ void ContactStage::keep_queried_pairs(std::vector<Pair>& batch) const {
   const Scene& a = *question_.a;
   const Scene& b = question_.b ? *question_.b : a;
   if (question_.b == question_.a) std::erase_if(batch, [](Pair pair) { return pair.a == pair.b; });
-  if (a.layout.has_plan && &a == &b) drop_equal_ids(a.ids, batch);
+  const bool ids_repeat = a.layout.has_plan && a.first_rows.size() != a.size() + 1;
+  if (ids_repeat && &a == &b) drop_equal_ids(a.ids, batch);
   if (!question_.only_a && !question_.only_b) {
     if (!question_.b) order_by_id(a.ids, batch);
     return;

@@ -62,8 +62,8 @@ class ContactStage {
   void in_slices(std::size_t count, Work work);
   /// Appends the queried pairs of a batch that certainly touches at `now`; the batch is overwritten.
   void take_touching(std::vector<Pair>& batch, Hits& hits) const;
-  /// Keeps the queried pairs, in order and with the objects in their columns: the requested ids, no object
-  /// with itself or another of its legs, and within one scene the smaller id first.
+  /// Keeps the queried pairs, in order and with the objects in their columns: the requested ids, and within one
+  /// scene the smaller id first. No object is paired with itself or another of its legs.
   void keep_queried_pairs(std::vector<Pair>& batch) const;
   /// Keeps, of the hits from number `first` on, those whose times the slab and the queried times hold, in
   /// order.

@@ -9,8 +9,9 @@
 // next. The input of the first is all queried pairs; the last keeps those that touch. Where a side has
 // outlines or meshes, exact time decides on the smallest boxes around them, and refinement on the shapes;
 // elsewhere refinement is left out. Where objects have plans, these stages count pairs of legs, and an eighth one,
-// movers, joins those that touch to pairs of objects, the rows of the join. With method gpcd this is the join itself. The other methods go from
-// candidates to exact time directly, and the stages between are measured on their pairs.
+// movers, joins those that touch to pairs of objects, the rows of the join. With method gpcd this is the join
+// itself. The other methods go from candidates to exact time directly, and the stages between are measured on their
+// pairs.
 //
 // Guarantee: which pairs touch depends on the query alone, and so does whether a test removes a given pair.
 // Which candidates an index yields, and so the counts between, depends a little on the order of the scene's

@@ -6,7 +6,7 @@
 #include "base/float_environment.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
-#include "query/join/leg_join.h"
+#include "query/join/movers/leg_join.h"
 #include "query/join/pair_kinds.h"
 #include "query/join/slab_helpers.h"
 #include "query/join/sorted_hits.h"

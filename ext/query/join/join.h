@@ -8,7 +8,7 @@
 // self-join a < b. With all_contacts it comes once for each of its contacts that t and t_end tell apart.
 // A scene joined with itself as two sides (b == a) gives every such pair in both orders, and
 // never an object with itself. An object with a plan touches when one of its legs does, and its closest approach is
-// that of its legs (leg_join.h). Columns that `wants` leaves out are not computed.
+// that of its legs (movers/leg_join.h). Columns that `wants` leaves out are not computed.
 //
 // Rows come in the requested order. The grid answers long horizons in time slabs (time_slabs.h). For an
 // ordered result the first slabs are short, so a reader that stops early does not pay for the later rows.

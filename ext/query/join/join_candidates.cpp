@@ -8,7 +8,7 @@
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/paper_grid/paper_candidates.h"
 #include "index/tpr_tree/search/tree_join.h"
-#include "query/join/leg_tree.h"
+#include "query/join/movers/leg_tree.h"
 #include "query/join/pair_kinds.h"
 #include "query/legs/leg_candidates.h"
 #include "query/tile/ownership.h"

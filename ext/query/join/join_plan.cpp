@@ -190,8 +190,8 @@ double movers_of(const Scene& scene) {
   return static_cast<double>(has_legs ? scene.first_rows.size() - 1 : scene.size());
 }
 
-/// The plan of a join of legs: as for objects, but no slab is shorter than four median legs, because each leg that
-/// crosses the border of a slab is entered twice.
+/// The plan of a join of legs: as for objects, but no slab is shorter than four median legs. Each leg that crosses the
+/// border of a slab is entered twice.
 template <int D>
 JoinPlan plan_legs(const JoinQuestion& question, const Contact::Reach& reach) {
   constexpr double min_legs = 4;

@@ -1,7 +1,8 @@
 // Pairs of legs without an index: all pairs of movers, with the legs of each pair merged by time. The plain answer of a
 // join with plans, and the candidates of a query of one object.
 //
-//   auto candidates = make_leg_candidates({.a = ships, .b = ships, .within = true}, {now, h}, interrupt);
+//   LegCandidatesOf sides{.a = Movers(ships), .b = Movers(ships), .within = true};
+//   auto candidates = make_leg_candidates(std::move(sides), {now, h}, interrupt);
 //
 // Guarantee: every pair of legs of different movers that exist together at some time of the horizon, once; within one
 // scene the two rows of a pair have no order. Cost: a step per leg and pair of movers.

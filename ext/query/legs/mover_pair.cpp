@@ -18,6 +18,12 @@ bool is_by_end(double time, const Horizon& horizon) {
   const double error = (horizon.now - (end - of_h)) + (horizon.h - of_h);
   return time < end || (time == end && error >= 0);
 }
+/// Whether a contact that is joined to another makes it longer.
+bool extend(ContactTimes& joined, const ContactTimes& more) {
+  const bool is_longer = more.t_end > joined.t_end || more.dt_end > joined.dt_end;
+  joined.t_end = std::max(joined.t_end, more.t_end), joined.dt_end = std::max(joined.dt_end, more.dt_end);
+  return is_longer;
+}
 bool has_forms(const Movers& movers) {
   return is_stored_apart(movers.scene()->layout.shape);
 }
@@ -123,16 +129,16 @@ void MoverPair::follow_a_leg() {
   for (std::size_t i = 0, hit = 0; i < touching_.size(); ++i, ++hit) {
     while (legs_[hit] != touching_[i]) ++hit;
     Followed& one = followed_[hit];
-    one.later.push_back(times_[i]);
     ContactTimes& joined = one.hit->times;
-    for (bool more = true; more;) {
+    if (times_[i].t > joined.t_end) {
+      one.later.push_back(times_[i]);  // it may be joined by a contact that follows
+      continue;
+    }
+    extend(joined, times_[i]);
+    for (bool more = !one.later.empty(); more;) {
       more = false;
-      for (const ContactTimes& times : one.later) {
-        if (times.t > joined.t_end || (times.t_end <= joined.t_end && times.dt_end <= joined.dt_end))
-          continue;
-        joined.t_end = std::max(joined.t_end, times.t_end);
-        joined.dt_end = std::max(joined.dt_end, times.dt_end), more = true;
-      }
+      for (const ContactTimes& times : one.later)
+        if (times.t <= joined.t_end) more = extend(joined, times) || more;
     }
   }
 }

@@ -47,8 +47,8 @@ class MoverPair {
   ClosestApproach closest_approach(const Pair& legs);
 
  private:
-  /// Appends the contacts of all pairs of legs that exist together at some time of [from, until], and of those
-  /// afterwards, while contacts that start by `until` go on and `follow` is set.
+  /// Appends the contacts of all pairs of legs that exist together at some time of [from, until]. With `follow`, also
+  /// of those afterwards, while contacts that start by `until` go on.
   void gather(const Pair& movers, double from, double until, bool follow);
   /// Appends the contacts of the pairs of `legs_`, which it clears.
   void test_legs();
@@ -57,7 +57,7 @@ class MoverPair {
     MoverHit* hit;
     Pair legs;
     std::uint32_t first_b, last_a, last_b;
-    std::vector<ContactTimes> later;  ///< of pairs of legs after the hit
+    std::vector<ContactTimes> later;  ///< of pairs of legs, after a gap as yet
   };
   void follow_a_leg();
   bool find_next(Followed& one) const;

@@ -22,7 +22,8 @@ class Movers {
       : scene_(std::move(scene)),
         bodies_(scene_->bodies()),
         row_size_(static_cast<std::size_t>(bodies_.at.size)),
-        has_legs_(scene_->layout.has_plan && !scene_->first_rows.empty()) {
+        has_legs_(scene_->layout.has_plan && !scene_->first_rows.empty() &&
+                  scene_->first_rows.size() <= scene_->size()) {
     if (!has_legs_) return;
     of_.reserve(scene_->size());
     for (std::uint32_t mover = 0; mover < count(); ++mover)
@@ -67,7 +68,7 @@ class Movers {
   std::shared_ptr<const Scene> scene_;
   Bodies bodies_;
   std::size_t row_size_;
-  bool has_legs_;
+  bool has_legs_;  ///< false: each mover is one row
   std::vector<std::uint32_t> of_;
 };
 

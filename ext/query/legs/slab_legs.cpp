@@ -5,38 +5,46 @@
 
 namespace foresee {
 
-SlabLegs::SlabLegs(const Movers& movers, double from, double until, Slabs slabs) : movers_(movers) {
-  const Scene& whole = *movers.scene();
-  for (std::uint32_t mover = 0; mover < movers.count(); ++mover) {
-    const std::uint32_t first = movers.first_until(mover, from), last = movers.last(mover);
-    if (first == last || movers.t(first) > until) continue;
-    std::uint32_t end = first + 1;
-    if (last - first > 1 && movers.t(last - 1) <= until)
-      end = last;
-    else
-      for (std::uint32_t beyond = last; beyond - end > 0;) {
-        const std::uint32_t middle = end + (beyond - end) / 2;
-        movers.t(middle) <= until ? end = middle + 1 : beyond = middle;
-      }
-    waiting_.push_back({movers.t(first), first, end, mover});
-    alive_ += end - first;
-  }
-  movers_alive_ = waiting_.size();
-  is_whole_ = takes_whole(from, until, slabs);
+SlabLegs::SlabLegs(const Movers& movers, double from, double until, Slabs slabs)
+    : movers_(movers), is_whole_(takes_whole(from, until, slabs)) {
   if (is_whole_) return;
+  const Scene& whole = *movers.scene();
+  waiting_.reserve(movers.count());
+  for (std::uint32_t mover = 0; mover < movers.count(); ++mover) {
+    const std::uint32_t first = movers.first_until(mover, from), last = last_leg(mover, first, until);
+    if (first < last) waiting_.push_back({movers.t(first), first, last, mover});
+  }
   scene_ = std::make_shared<Scene>();
   scene_->name = whole.name, scene_->layout = whole.layout;
   given_ = scene_;
 }
 
+/// One past the last leg, from `first` on, that starts by `until`.
+std::uint32_t SlabLegs::last_leg(std::uint32_t mover, std::uint32_t first, double until) const {
+  std::uint32_t low = first, high = movers_.last(mover);
+  if (low < high && movers_.t(high - 1) <= until) return high;
+  while (low < high) {
+    const std::uint32_t middle = low + (high - low) / 2;
+    movers_.t(middle) <= until ? low = middle + 1 : high = middle;
+  }
+  return low;
+}
+
 bool SlabLegs::takes_whole(double from, double until, Slabs slabs) const {
   const std::size_t rows = movers_.scene()->size();
   if (slabs == Slabs::whole || movers_.scene()->forms) return true;
-  if (slabs == Slabs::one) return alive_ >= rows - rows / 4;
-  if (alive_ < rows || movers_alive_ < rows) return false;
+  if (slabs == Slabs::one) {
+    std::size_t alive = 0;
+    for (std::uint32_t mover = 0; mover < movers_.count(); ++mover) {
+      const std::uint32_t first = movers_.first_until(mover, from);
+      alive += last_leg(mover, first, until) - first;
+    }
+    return alive >= rows - rows / 4;
+  }
+  if (movers_.count() < rows) return false;
   double lives = 0;
   for (std::uint32_t row = 0; row < rows; ++row)
-    lives += std::min(movers_.until(row), until) - std::max(movers_.t(row), from);
+    lives += std::max(0.0, std::min(movers_.until(row), until) - std::max(movers_.t(row), from));
   return lives >= 0.75 * static_cast<double>(rows) * (until - from);
 }
 

@@ -1,6 +1,6 @@
 // Legs that exist during a time slab, as a scene of their own: the input of the indexes of a join slab by slab.
 //
-//   SlabLegs legs(movers, now, now + h);
+//   SlabLegs legs(movers, now, now + h, SlabLegs::Slabs::several);
 //   legs.take(from, until);                               // slabs in order of time
 //   use(legs.scene()->bodies(), legs.leg(7));             // the row of the whole scene
 //
@@ -46,12 +46,12 @@ class SlabLegs {
 
   /// Whether a copy of the legs is not worth its cost.
   bool takes_whole(double from, double until, Slabs slabs) const;
+  std::uint32_t last_leg(std::uint32_t mover, std::uint32_t first, double until) const;
   void take_legs(Left& left, double from, double until);
 
   const Movers& movers_;
-  bool is_whole_ = false;
-  std::size_t alive_ = 0, movers_alive_ = 0;  ///< during all slabs
-  std::vector<Left> waiting_, current_;       ///< movers that have not started yet, and others
+  bool is_whole_;
+  std::vector<Left> waiting_, current_;  ///< movers that have not started yet, and others
   std::shared_ptr<Scene> scene_;
   std::shared_ptr<const Scene> given_;
   std::vector<std::uint32_t> legs_, numbers_;  ///< by row of the slab

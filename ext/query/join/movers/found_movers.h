@@ -1,9 +1,9 @@
 // Contacts of movers from contacts of legs, one slab after another: one per pair of movers, or all.
 //
-//   FoundMovers found(question, a, b, pair);
-//   found.add(hits, legs_a, legs_b, interrupt);           // of all candidates of a slab
+//   FoundMovers found(question, a, b, pair, false);
+//   found.add(hits, legs_a, legs_b);                      // of all candidates of a slab
 //   found.finish(slab, interrupt);                        // joined and in the requested order
-//   while (found.any()) found.take(hits, interrupt);
+//   while (found.any()) found.take(rows, interrupt);
 //
 // First contacts: a table has the pairs that have a row, 16 bytes each. A leg that touches in a slab is the first to do
 // so unless its movers are in the table. Where t or dt is bounded from below, legs before the first slab are tested.

@@ -1,4 +1,4 @@
-#include "query/join/leg_join.h"
+#include "query/join/movers/leg_join.h"
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "query/join/leg_tree.h"
+#include "query/join/movers/leg_tree.h"
 
 #include <numeric>
 

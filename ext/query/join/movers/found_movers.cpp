@@ -1,4 +1,4 @@
-#include "query/join/found_movers.h"
+#include "query/join/movers/found_movers.h"
 
 #include <algorithm>
 #include <tuple>

@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
-#include "query/join/found_movers.h"
 #include "query/join/join_plan.h"
+#include "query/join/movers/found_movers.h"
 #include "query/join/slab_helpers.h"
 
 namespace foresee {
@@ -33,7 +33,7 @@ class LegJoin {
  private:
   /// Joins the legs of the next slab; false after the last.
   bool join_slab();
-  /// The question about the legs of a slab, whose rows are hits.
+  /// The `JoinQuestion` about the legs of a slab, whose rows are hits.
   JoinQuestion question_of_legs() const;
   void add(Hits& hits);
   void write(std::span<const MoverHit> hits);
