@@ -33,9 +33,6 @@ struct ManoeuvreCase {
     return records;
   }
 };
-}
-}
-;
 
 /// Requires: lo < hi, and the motion at the change is finite.
 std::vector<KRange> proven_ranges(const ManoeuvreCase& manoeuvre, ExactAvoidance& exact,
