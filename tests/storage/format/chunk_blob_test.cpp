@@ -47,7 +47,7 @@ std::vector<std::byte> resealed(std::vector<std::byte> blob, std::int64_t number
 }
 
 template <class T>
-std::vector<std::byte> with(std::vector<std::byte> blob, std::size_t at, T value) {
+std::vector<std::byte> replaced_at(std::vector<std::byte> blob, std::size_t at, T value) {
   std::memcpy(blob.data() + at, &value, sizeof value);
   return resealed(std::move(blob));
 }
@@ -135,28 +135,30 @@ TEST(ChunkBlob, HostileBytesAreFaults) {
   constexpr std::size_t first_knot = 16 + 8 + 2 * 8;  // the leg without end is a chunk of its own
   EXPECT_EQ(fault_of(layout, {}), "it is too short");
   EXPECT_EQ(fault_of(layout, resealed(std::vector<std::byte>(20))), "its format or kind is not known");
-  EXPECT_EQ(fault_of(layout, with(blob, 0, std::uint8_t{2})), "its format or kind is not known");
-  EXPECT_EQ(fault_of(layout, with(blob, 1, std::uint8_t{3})), "its format or kind is not known");
-  EXPECT_EQ(fault_of(layout, with(blob, 2, std::uint8_t{5})), "its format or kind is not known");
-  EXPECT_EQ(fault_of(layout, with(blob, 2, std::uint8_t{3})), "its flags do not fit its kind");
-  EXPECT_EQ(fault_of(layout, with(blob, 3, std::uint8_t{3})), "it has another number of axes");
-  EXPECT_EQ(fault_of(layout, with(blob, 4, std::uint16_t{0})), "its number of legs is out of range");
-  EXPECT_EQ(fault_of(layout, with(blob, 4, std::uint16_t{17})), "its number of legs is out of range");
-  EXPECT_EQ(fault_of(layout, with(blob, 4, std::uint16_t{9})), "its counts are out of range");
-  EXPECT_EQ(fault_of(layout, with(blob, 4, std::uint16_t{1})), "its size does not fit its counts");
-  EXPECT_EQ(fault_of(layout, with(blob, 6, std::uint16_t{4})), "its flags do not fit its kind");
-  EXPECT_EQ(fault_of(layout, with(blob, 6, std::uint16_t{1})), "its size does not fit its counts");
-  EXPECT_EQ(fault_of(layout, with(blob, 16, std::uint32_t{0})), "its counts are out of range");
-  EXPECT_EQ(fault_of(layout, with(blob, 16, std::uint32_t{3})), "its size does not fit its counts");
-  EXPECT_EQ(fault_of(layout, with(blob, 16, std::uint32_t{0xffffffff})), "its counts are out of range");
-  EXPECT_EQ(fault_of(layout, with(blob, 20, std::uint32_t{0xffffffff})), "its counts are out of range");
-  EXPECT_EQ(fault_of(layout, with(blob, 24, 0.5)), "its starts are not those of its legs");
-  EXPECT_EQ(fault_of(layout, with(blob, first_knot + 8, no_end)), "a number is not finite");
-  EXPECT_EQ(fault_of(layout, with(blob, first_knot + 8, std::nan(""))), "a number is not finite");
-  EXPECT_EQ(fault_of(layout, with(blob, first_knot + 24, 0.0)), "its times do not rise");
-  EXPECT_EQ(fault_of(layout, with(blob, first_knot + 48, no_end)),
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 0, std::uint8_t{2})), "its format or kind is not known");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 1, std::uint8_t{3})), "its format or kind is not known");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 2, std::uint8_t{5})), "its format or kind is not known");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 2, std::uint8_t{3})), "its flags do not fit its kind");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 3, std::uint8_t{3})), "it has another number of axes");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 4, std::uint16_t{0})), "its number of legs is out of range");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 4, std::uint16_t{17})), "its number of legs is out of range");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 4, std::uint16_t{9})), "its counts are out of range");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 4, std::uint16_t{1})), "its size does not fit its counts");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 6, std::uint16_t{4})), "its flags do not fit its kind");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 6, std::uint16_t{1})), "its size does not fit its counts");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 16, std::uint32_t{0})), "its counts are out of range");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 16, std::uint32_t{3})), "its size does not fit its counts");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 16, std::uint32_t{0xffffffff})),
+            "its counts are out of range");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 20, std::uint32_t{0xffffffff})),
+            "its counts are out of range");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, 24, 0.5)), "its starts are not those of its legs");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, first_knot + 8, no_end)), "a number is not finite");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, first_knot + 8, std::nan(""))), "a number is not finite");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, first_knot + 24, 0.0)), "its times do not rise");
+  EXPECT_EQ(fault_of(layout, replaced_at(blob, first_knot + 48, no_end)),
             "a knot without end is not where the mover rests");
-  EXPECT_EQ(fault_of(layout, with(with(blob, first_knot + 8, -1e308), first_knot + 32, 1e308)),
+  EXPECT_EQ(fault_of(layout, replaced_at(replaced_at(blob, first_knot + 8, -1e308), first_knot + 32, 1e308)),
             "no double holds the velocity of a leg");
   Layout uniform = layout;
   uniform.law = Law::uniform;
