@@ -17,7 +17,7 @@ from house import ROOT, main
 from prose import split_code_line, without_raw_pages
 
 LIMITS = {
-    "C++ files of ext/": 550,
+    "C++ files of ext/": 559,
     "private headers": 32,
     "private headers without a reason": 0,
     "files over 300 lines": 0,

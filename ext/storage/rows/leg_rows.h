@@ -27,6 +27,7 @@ class LegRows {
         largest_(tables.statement("SELECT number FROM {leg} ORDER BY number DESC LIMIT 1")),
         between_(tables.statement(
             "SELECT number, data FROM {leg} WHERE number BETWEEN ?1 AND ?2 ORDER BY number")),
+        one_(tables.statement("SELECT data FROM {leg} WHERE number = ?1")),
         write_(tables.statement("INSERT OR REPLACE INTO {leg} VALUES(?1, ?2)")),
         erase_(tables.statement("DELETE FROM {leg} WHERE number BETWEEN ?1 AND ?2")) {}
 
@@ -44,6 +45,15 @@ class LegRows {
     run.bind(2, last);
     for (std::optional<std::int64_t> before; run.step(); read(*before, run.blob(1)))
       before = number_after(before, run, {table_, "leg"});
+  }
+  /// Calls read(blob) if the row exists; returns whether it does.
+  template <class Read>
+  bool read_one(std::int64_t number, Read read) {
+    Statement::Run run(one_);
+    run.bind(1, number);
+    if (!run.step()) return false;
+    read(run.blob(0));
+    return true;
   }
   template <class Read>
   void read_all(Read each) {
@@ -67,7 +77,7 @@ class LegRows {
 
  private:
   std::string table_;
-  Statement largest_, between_, write_, erase_;
+  Statement largest_, between_, one_, write_, erase_;
 };
 
 }  // namespace foresee

@@ -144,7 +144,7 @@ void StoredPlans::Change::finish() {
   if (moved_)
     for (std::int64_t number = moved_->first; number <= moved_->last(); ++number) {
       std::vector<std::byte> changed;
-      plans_->rows_->read(number, number, [&](std::int64_t, std::span<const std::byte> blob) {
+      plans_->rows_->read_one(number, [&](std::span<const std::byte> blob) {
         plans_->opened(number, blob, nullptr);
         changed = chunk_of_object(blob, number, moved_->object);
       });

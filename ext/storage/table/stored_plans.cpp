@@ -121,15 +121,12 @@ void StoredPlans::read_legs(const Head& head, double from, double until, std::ve
 
 bool StoredPlans::read_chunk(std::int64_t number, Chunk& chunk) {
   const FloatEnvironment environment;
-  bool found = false;
   chunk.legs.clear();
-  rows_->read(number, number, [&](std::int64_t, std::span<const std::byte> blob) {
+  return rows_->read_one(number, [&](std::span<const std::byte> blob) {
     const StoredChunk stored = opened(number, blob, nullptr);
     chunk.object = stored.object;
     require(append_legs(stored, chunk.legs), number);
-    found = true;
   });
-  return found;
 }
 
 std::vector<std::int64_t> StoredPlans::chunks_during(double from, double until, Interrupt& interrupt) {
@@ -227,8 +224,7 @@ void StoredPlans::read_some(std::vector<Head>& heads, std::span<const std::int64
     step();
     while (head != heads.end() && head->last() < number) ++head;
     if (head == heads.end() || number < head->first) stray(number);
-    rows_->read(number, number,
-                [&](std::int64_t, std::span<const std::byte> blob) { each(*head, number, blob); });
+    rows_->read_one(number, [&](std::span<const std::byte> blob) { each(*head, number, blob); });
   }
 }
 

@@ -102,7 +102,7 @@ TEST_F(ThreePlans, ItemsContainTheLegsWithTheShapeUntilTheEnd) {
   }
 }
 
-TEST_F(ThreePlans, ANewPlanHasNewNumbersEvenAfterADelete) {
+TEST_F(ThreePlans, NumbersAreNotUsedTwiceEvenAfterADelete) {
   const double first = plan_number(record(3));
   begin(db, *store);
   store->erase(3);

@@ -1,4 +1,4 @@
-// Tables with plans as a whole: renamed, dropped, rolled back without a callback, of two connections; and tables without.
+// Tables with plans as a whole: renamed, dropped, rolled back without a callback, of two connections.
 #include <cstdio>
 #include <filesystem>
 
@@ -30,7 +30,7 @@ TEST_F(ThreePlans, ARollbackWithoutACallbackIsNoticed) {
   store->begin();
   store->insert(9, robots[1].record, {}, {}, &*robots[1].plan);
   store->sync();
-  db.run("ROLLBACK TO s0");  // SQLite calls nobody who joined later
+  db.run("ROLLBACK TO s0");  // without a callback: the store joined later
   store->sync();
   commit(db, *store);
   expect_robots(*store, robots, "rolled back");
