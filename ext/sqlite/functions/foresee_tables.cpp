@@ -7,6 +7,13 @@
 namespace foresee {
 namespace {
 
+constexpr Columns list_outputs{"name TEXT",   "schema TEXT",     "frame TEXT",
+                               "origin TEXT", "speed_unit TEXT", "objects INTEGER"};
+constexpr Columns list_inputs{"schema_name"};
+constexpr int out_name = list_outputs["name"], out_schema = list_outputs["schema"],
+              out_frame = list_outputs["frame"], out_origin = list_outputs["origin"],
+              out_speed_unit = list_outputs["speed_unit"], out_objects = list_outputs["objects"];
+
 struct ListedTable {
   std::string name, schema;
   std::optional<Frame> frame = {};  ///< nothing: the table cannot be read
@@ -35,7 +42,6 @@ class TableList final : public FunctionRows {
   bool next() override { return ++row_ < tables_.size(); }
 
   void output(sqlite3_context* context, int output) const override {
-    enum Output { out_name, out_schema, out_frame, out_origin, out_speed_unit, out_objects };
     const ListedTable& table = tables_[row_];
     const auto text = [&](std::string_view value) {
       sqlite3_result_text64(context, value.data(), value.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
@@ -57,7 +63,7 @@ class TableList final : public FunctionRows {
 
 std::unique_ptr<FunctionRows> start_tables(const FunctionCall& call) {
   Connection& connection = call.connection();
-  const auto schema = call.text(0);
+  const auto schema = call.text(list_inputs["schema_name"]);
   std::vector<ListedTable> tables;
   for (const VisibleTable& table : visible_tables(connection.db()))
     if (table.holds_moving_objects && (!schema || same_name(table.schema, *schema)))
@@ -69,9 +75,8 @@ std::unique_ptr<FunctionRows> start_tables(const FunctionCall& call) {
 
 const TableFunction& foresee_tables() {
   static const TableFunction function = {.name = "foresee_tables",
-                                         .outputs = {"name TEXT", "schema TEXT", "frame TEXT", "origin TEXT",
-                                                     "speed_unit TEXT", "objects INTEGER"},
-                                         .inputs = {"schema_name"},
+                                         .outputs = list_outputs,
+                                         .inputs = list_inputs,
                                          .key = "schema, name",
                                          .hinted = 0,
                                          .estimate =

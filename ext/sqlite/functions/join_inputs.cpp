@@ -11,22 +11,14 @@
 namespace foresee {
 namespace {
 
-/// The inputs in the order of join_input_names().
-enum Input {
-  in_h,
-  in_tbl,
-  in_within,
-  in_other,
-  in_now,
-  in_method,
-  in_within_z,
-  in_schema,
-  in_own_x0,
-  in_own_x1,
-  in_own_y0,
-  in_own_y1,
-  in_contacts
-};
+constexpr Columns join_inputs{"h",      "tbl",    "within", "other",  "now",    "method",  "within_z",
+                              "schema", "own_x0", "own_x1", "own_y0", "own_y1", "contacts"};
+constexpr int in_h = join_inputs["h"], in_tbl = join_inputs["tbl"], in_within = join_inputs["within"],
+              in_other = join_inputs["other"], in_now = join_inputs["now"], in_method = join_inputs["method"],
+              in_within_z = join_inputs["within_z"], in_schema = join_inputs["schema"],
+              in_own_x0 = join_inputs["own_x0"], in_own_x1 = join_inputs["own_x1"],
+              in_own_y0 = join_inputs["own_y0"], in_own_y1 = join_inputs["own_y1"],
+              in_contacts = join_inputs["contacts"];
 
 /// Both tables by open_table(), of one frame. Throws Error.
 OpenTables open_tables(Connection& connection, const JoinInputs& inputs) {
@@ -58,9 +50,8 @@ std::optional<Tile> read_tile(const FunctionCall& call) {
 }  // namespace
 
 std::vector<const char*> join_input_names(bool with_contacts) {
-  std::vector<const char*> names{"h",        "tbl",    "within", "other",  "now",    "method",
-                                 "within_z", "schema", "own_x0", "own_x1", "own_y0", "own_y1"};
-  if (with_contacts) names.push_back("contacts");
+  std::vector<const char*> names = join_inputs;
+  if (!with_contacts) names.pop_back();
   return names;
 }
 

@@ -6,7 +6,11 @@
 namespace foresee {
 namespace {
 
-enum Output { out_stage, out_n_before, out_n_after, out_prune_power, out_seconds, out_detail };
+constexpr Columns explain_outputs{"stage TEXT",       "n_before INTEGER", "n_after INTEGER",
+                                  "prune_power REAL", "seconds REAL",     "detail TEXT"};
+constexpr int out_stage = explain_outputs["stage"], out_n_before = explain_outputs["n_before"],
+              out_n_after = explain_outputs["n_after"], out_prune_power = explain_outputs["prune_power"],
+              out_seconds = explain_outputs["seconds"];
 
 class ExplainRows final : public FunctionRows {
  public:
@@ -48,8 +52,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 
 const TableFunction& predictive_explain() {
   static const TableFunction function = {.name = "predictive_explain",
-                                         .outputs = {"stage TEXT", "n_before INTEGER", "n_after INTEGER",
-                                                     "prune_power REAL", "seconds REAL", "detail TEXT"},
+                                         .outputs = explain_outputs,
                                          .inputs = join_input_names(),
                                          .key = "stage",
                                          .hinted = 0,

@@ -7,7 +7,12 @@
 namespace foresee {
 namespace {
 
-enum Output { out_a, out_b, out_t, out_t_end, out_dt, out_dt_end, out_t_cpa, out_dt_cpa, out_d_cpa };
+constexpr Columns join_outputs{"a INTEGER",   "b INTEGER",  "t REAL",      "t_end REAL", "dt REAL",
+                               "dt_end REAL", "t_cpa REAL", "dt_cpa REAL", "d_cpa REAL"};
+constexpr int out_a = join_outputs["a"], out_b = join_outputs["b"], out_t = join_outputs["t"],
+              out_t_end = join_outputs["t_end"], out_dt = join_outputs["dt"],
+              out_dt_end = join_outputs["dt_end"], out_t_cpa = join_outputs["t_cpa"],
+              out_dt_cpa = join_outputs["dt_cpa"], out_d_cpa = join_outputs["d_cpa"];
 
 class JoinRows final : public FunctionRows {
  public:
@@ -82,18 +87,16 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_join() {
-  static const TableFunction function = {
-      .name = "predictive_join",
-      .outputs = {"a INTEGER", "b INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL", "t_cpa REAL",
-                  "dt_cpa REAL", "d_cpa REAL"},
-      .inputs = join_input_names(true),
-      .key = "a, b, t, t_end",
-      .hinted = 1u << out_a | 1u << out_b | 1u << out_t | 1u << out_dt,
-      .estimate = estimate_join,
-      .start = start,
-      .probed = 1u << out_a | 1u << out_b,
-      .estimate_probe = estimate_pairs_of_one,
-      .orders = {{out_t, out_a, out_b}, {out_dt}}};
+  static const TableFunction function = {.name = "predictive_join",
+                                         .outputs = join_outputs,
+                                         .inputs = join_input_names(true),
+                                         .key = "a, b, t, t_end",
+                                         .hinted = 1u << out_a | 1u << out_b | 1u << out_t | 1u << out_dt,
+                                         .estimate = estimate_join,
+                                         .start = start,
+                                         .probed = 1u << out_a | 1u << out_b,
+                                         .estimate_probe = estimate_pairs_of_one,
+                                         .orders = {{out_t, out_a, out_b}, {out_dt}}};
   return function;
 }
 

@@ -10,20 +10,16 @@
 namespace foresee {
 namespace {
 
-enum NearestOutput { out_id, out_rank, out_distance, out_t, out_dt };
-enum NearestInput {
-  in_h,
-  in_tbl,
-  in_k,
-  in_x,
-  in_now = in_x + 3,
-  in_qvx,
-  in_method = in_qvx + 3,
-  in_schema,
-  in_lat,
-  in_lon,
-  in_mask
-};
+constexpr Columns nearest_outputs{"id INTEGER", "rank INTEGER", "distance REAL", "t REAL", "dt REAL"};
+constexpr int out_id = nearest_outputs["id"], out_rank = nearest_outputs["rank"],
+              out_distance = nearest_outputs["distance"], out_t = nearest_outputs["t"];
+constexpr Columns nearest_inputs{"h",   "tbl", "k",      "x",      "y",   "z",   "now", "qvx",
+                                 "qvy", "qvz", "method", "schema", "lat", "lon", "mask"};
+constexpr int in_h = nearest_inputs["h"], in_tbl = nearest_inputs["tbl"], in_k = nearest_inputs["k"],
+              in_x = nearest_inputs["x"], in_now = nearest_inputs["now"], in_qvx = nearest_inputs["qvx"],
+              in_method = nearest_inputs["method"], in_schema = nearest_inputs["schema"],
+              in_lat = nearest_inputs["lat"], in_lon = nearest_inputs["lon"],
+              in_mask = nearest_inputs["mask"];
 
 class NearestRows final : public FunctionRows {
  public:
@@ -114,15 +110,13 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_nearest() {
-  static const TableFunction function = {
-      .name = "predictive_nearest",
-      .outputs = {"id INTEGER", "rank INTEGER", "distance REAL", "t REAL", "dt REAL"},
-      .inputs = {"h", "tbl", "k", "x", "y", "z", "now", "qvx", "qvy", "qvz", "method", "schema", "lat", "lon",
-                 "mask"},
-      .key = "id",
-      .hinted = 0,
-      .estimate = estimate_nearest,
-      .start = start};
+  static const TableFunction function = {.name = "predictive_nearest",
+                                         .outputs = nearest_outputs,
+                                         .inputs = nearest_inputs,
+                                         .key = "id",
+                                         .hinted = 0,
+                                         .estimate = estimate_nearest,
+                                         .start = start};
   return function;
 }
 

@@ -7,8 +7,13 @@
 namespace foresee {
 namespace {
 
-enum Output { out_id, out_x, out_vx = out_x + 3, out_lat = out_vx + 3, out_lon, out_height };
-enum Input { in_at, in_tbl, in_schema };
+constexpr Columns position_outputs{"id INTEGER", "x REAL",  "y REAL",   "z REAL",   "vx REAL",
+                                   "vy REAL",    "vz REAL", "lat REAL", "lon REAL", "height REAL"};
+constexpr int out_id = position_outputs["id"], out_x = position_outputs["x"], out_vx = position_outputs["vx"],
+              out_lat = position_outputs["lat"];
+constexpr Columns position_inputs{"at", "tbl", "schema"};
+constexpr int in_at = position_inputs["at"], in_tbl = position_inputs["tbl"],
+              in_schema = position_inputs["schema"];
 
 class PositionRows final : public FunctionRows {
  public:
@@ -59,17 +64,15 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_position() {
-  static const TableFunction function = {
-      .name = "predictive_position",
-      .outputs = {"id INTEGER", "x REAL", "y REAL", "z REAL", "vx REAL", "vy REAL", "vz REAL", "lat REAL",
-                  "lon REAL", "height REAL"},
-      .inputs = {"at", "tbl", "schema"},
-      .key = "id",
-      .hinted = 1u << out_id,
-      .estimate = estimate_positions,
-      .start = start,
-      .probed = 1u << out_id,
-      .estimate_probe = estimate_object};
+  static const TableFunction function = {.name = "predictive_position",
+                                         .outputs = position_outputs,
+                                         .inputs = position_inputs,
+                                         .key = "id",
+                                         .hinted = 1u << out_id,
+                                         .estimate = estimate_positions,
+                                         .start = start,
+                                         .probed = 1u << out_id,
+                                         .estimate_probe = estimate_object};
   return function;
 }
 

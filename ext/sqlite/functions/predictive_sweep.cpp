@@ -7,8 +7,13 @@
 namespace foresee {
 namespace {
 
-enum SweepOutput { out_id, out_x0 };
-enum SweepInput { in_h, in_tbl, in_within, in_now, in_within_z, in_schema };
+constexpr Columns sweep_outputs{"id INTEGER", "x0 REAL", "x1 REAL", "y0 REAL",
+                                "y1 REAL",    "z0 REAL", "z1 REAL"};
+constexpr int out_id = sweep_outputs["id"], out_x0 = sweep_outputs["x0"];
+constexpr Columns sweep_inputs{"h", "tbl", "within", "now", "within_z", "schema"};
+constexpr int in_h = sweep_inputs["h"], in_tbl = sweep_inputs["tbl"], in_within = sweep_inputs["within"],
+              in_now = sweep_inputs["now"], in_within_z = sweep_inputs["within_z"],
+              in_schema = sweep_inputs["schema"];
 
 class SweepRows final : public FunctionRows {
  public:
@@ -64,14 +69,13 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_sweep() {
-  static const TableFunction function = {
-      .name = "predictive_sweep",
-      .outputs = {"id INTEGER", "x0 REAL", "x1 REAL", "y0 REAL", "y1 REAL", "z0 REAL", "z1 REAL"},
-      .inputs = {"h", "tbl", "within", "now", "within_z", "schema"},
-      .key = "id",
-      .hinted = 0xf << out_x0,
-      .estimate = estimate_positions,
-      .start = start};
+  static const TableFunction function = {.name = "predictive_sweep",
+                                         .outputs = sweep_outputs,
+                                         .inputs = sweep_inputs,
+                                         .key = "id",
+                                         .hinted = 0xf << out_x0,
+                                         .estimate = estimate_positions,
+                                         .start = start};
   return function;
 }
 

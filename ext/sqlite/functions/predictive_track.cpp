@@ -7,8 +7,13 @@
 namespace foresee {
 namespace {
 
-enum TrackOutput { out_id, out_t, out_x, out_lat = out_x + 3, out_lon, out_height };
-enum TrackInput { in_t0, in_t1, in_step, in_tbl, in_schema };
+constexpr Columns track_outputs{"id INTEGER", "t REAL",   "x REAL",   "y REAL",
+                                "z REAL",     "lat REAL", "lon REAL", "height REAL"};
+constexpr int out_id = track_outputs["id"], out_t = track_outputs["t"], out_x = track_outputs["x"],
+              out_lat = track_outputs["lat"];
+constexpr Columns track_inputs{"t0", "t1", "step", "tbl", "schema"};
+constexpr int in_t0 = track_inputs["t0"], in_t1 = track_inputs["t1"], in_step = track_inputs["step"],
+              in_tbl = track_inputs["tbl"], in_schema = track_inputs["schema"];
 
 class TrackRows final : public FunctionRows {
  public:
@@ -57,9 +62,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 
 const TableFunction& predictive_track() {
   static const TableFunction function = {.name = "predictive_track",
-                                         .outputs = {"id INTEGER", "t REAL", "x REAL", "y REAL", "z REAL",
-                                                     "lat REAL", "lon REAL", "height REAL"},
-                                         .inputs = {"t0", "t1", "step", "tbl", "schema"},
+                                         .outputs = track_outputs,
+                                         .inputs = track_inputs,
                                          .key = "id, t",
                                          .hinted = 1u << out_id,
                                          .estimate = estimate_tracks,

@@ -10,19 +10,16 @@
 namespace foresee {
 namespace {
 
-enum WindowOutput { out_id, out_t, out_t_end, out_dt, out_dt_end };
-enum WindowInput {
-  in_h,
-  in_tbl,
-  in_x0,
-  in_now = in_x0 + 6,
-  in_wvx,
-  in_method = in_wvx + 3,
-  in_schema,
-  in_zone,
-  in_mask,
-  in_contacts
-};
+constexpr Columns window_outputs{"id INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL"};
+constexpr int out_id = window_outputs["id"], out_t = window_outputs["t"], out_t_end = window_outputs["t_end"],
+              out_dt = window_outputs["dt"], out_dt_end = window_outputs["dt_end"];
+constexpr Columns window_inputs{"h",   "tbl", "x0",  "x1",     "y0",     "y1",   "z0",   "z1",      "now",
+                                "wvx", "wvy", "wvz", "method", "schema", "zone", "mask", "contacts"};
+constexpr int in_h = window_inputs["h"], in_tbl = window_inputs["tbl"], in_x0 = window_inputs["x0"],
+              in_now = window_inputs["now"], in_wvx = window_inputs["wvx"],
+              in_method = window_inputs["method"], in_schema = window_inputs["schema"],
+              in_zone = window_inputs["zone"], in_mask = window_inputs["mask"],
+              in_contacts = window_inputs["contacts"];
 
 class WindowRows final : public FunctionRows {
  public:
@@ -112,15 +109,13 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_window() {
-  static const TableFunction function = {
-      .name = "predictive_window",
-      .outputs = {"id INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL"},
-      .inputs = {"h", "tbl", "x0", "x1", "y0", "y1", "z0", "z1", "now", "wvx", "wvy", "wvz", "method",
-                 "schema", "zone", "mask", "contacts"},
-      .key = "id, t, t_end",
-      .hinted = 0,
-      .estimate = estimate_window,
-      .start = start};
+  static const TableFunction function = {.name = "predictive_window",
+                                         .outputs = window_outputs,
+                                         .inputs = window_inputs,
+                                         .key = "id, t, t_end",
+                                         .hinted = 0,
+                                         .estimate = estimate_window,
+                                         .start = start};
   return function;
 }
 

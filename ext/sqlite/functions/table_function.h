@@ -2,7 +2,7 @@
 //
 //   const TableFunction positions = {
 //       .name = "predictive_position",
-//       .outputs = {"id INTEGER", "x REAL"},
+//       .outputs = position_outputs,            // constexpr Columns position_outputs{"id INTEGER", "x REAL"};
 //       .inputs = {"at", "tbl"},                // hidden columns, in call order; the first one is required
 //       .key = "id",
 //       .hinted = 0,
@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "sqlite/functions/call_estimate.h"
+#include "sqlite/functions/columns.h"
 #include "sqlite/functions/function_call.h"
 
 namespace foresee {
@@ -38,8 +39,8 @@ class FunctionRows {
 
 struct TableFunction {
   const char* name;
-  std::vector<const char*> outputs;  ///< name and type
-  std::vector<const char*> inputs;   ///< names
+  std::vector<const char*> outputs;  ///< name and type; Columns, where their places are used (columns.h)
+  std::vector<const char*> inputs;   ///< names, likewise
   const char* key;       ///< the outputs that identify a row of a call, never NULL; null: a call has one row
   std::uint32_t hinted;  ///< bit set: constraints on this output may reduce the cost of a call
   CallEstimate (*estimate)(const CallSizes& sizes);  ///< of a whole call

@@ -10,8 +10,12 @@
 namespace foresee {
 namespace {
 
-enum Output { out_seq, out_op, out_a, out_b, out_t, out_now };
-enum Input { in_watch, in_since, in_schema };
+constexpr Columns changes_outputs{"seq INTEGER", "op TEXT", "a INTEGER", "b INTEGER", "t REAL", "now REAL"};
+constexpr int out_seq = changes_outputs["seq"], out_op = changes_outputs["op"], out_a = changes_outputs["a"],
+              out_b = changes_outputs["b"], out_now = changes_outputs["now"];
+constexpr Columns changes_inputs{"watch", "since", "schema"};
+constexpr int in_watch = changes_inputs["watch"], in_since = changes_inputs["since"],
+              in_schema = changes_inputs["schema"];
 
 constexpr std::int64_t batch_size = 1000;
 
@@ -117,18 +121,17 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_changes() {
-  static const TableFunction function = {
-      .name = "predictive_changes",
-      .outputs = {"seq INTEGER", "op TEXT", "a INTEGER", "b INTEGER", "t REAL", "now REAL"},
-      .inputs = {"watch", "since", "schema"},
-      .key = "seq, a, b",
-      .hinted = 0,
-      .estimate =
-          [](const CallSizes&) {
-            return CallEstimate{1000, 1000};
-          },
-      .start = start,
-      .orders = {{out_seq}}};
+  static const TableFunction function = {.name = "predictive_changes",
+                                         .outputs = changes_outputs,
+                                         .inputs = changes_inputs,
+                                         .key = "seq, a, b",
+                                         .hinted = 0,
+                                         .estimate =
+                                             [](const CallSizes&) {
+                                               return CallEstimate{1000, 1000};
+                                             },
+                                         .start = start,
+                                         .orders = {{out_seq}}};
   return function;
 }
 

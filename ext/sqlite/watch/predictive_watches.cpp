@@ -10,27 +10,21 @@
 namespace foresee {
 namespace {
 
-enum Output {
-  out_name,
-  out_schema,
-  out_tbl,
-  out_other,
-  out_horizon,
-  out_within,
-  out_within_z,
-  out_clock,
-  out_tolerance,
-  out_keep,
-  out_ahead,
-  out_now,
-  out_seq,
-  out_oldest,
-  out_pairs,
-  out_waiting,
-  out_early,
-  out_fault
-};
-enum Input { in_schema, in_old_schema };
+constexpr Columns watches_outputs{
+    "name TEXT",     "schema TEXT",    "tbl TEXT",       "other TEXT",      "horizon REAL",  "within REAL",
+    "within_z REAL", "clock TEXT",     "tolerance REAL", "keep INTEGER",    "ahead REAL",    "now REAL",
+    "seq INTEGER",   "oldest INTEGER", "pairs INTEGER",  "waiting INTEGER", "early INTEGER", "fault TEXT"};
+constexpr int out_name = watches_outputs["name"], out_schema = watches_outputs["schema"],
+              out_tbl = watches_outputs["tbl"], out_other = watches_outputs["other"],
+              out_horizon = watches_outputs["horizon"], out_within = watches_outputs["within"],
+              out_within_z = watches_outputs["within_z"], out_clock = watches_outputs["clock"],
+              out_tolerance = watches_outputs["tolerance"], out_keep = watches_outputs["keep"],
+              out_ahead = watches_outputs["ahead"], out_now = watches_outputs["now"],
+              out_seq = watches_outputs["seq"], out_oldest = watches_outputs["oldest"],
+              out_pairs = watches_outputs["pairs"], out_waiting = watches_outputs["waiting"],
+              out_fault = watches_outputs["fault"];
+constexpr Columns watches_inputs{"schema_name", "within_schema"};  // the second: its name up to 0.2.0
+constexpr int in_schema = watches_inputs["schema_name"], in_old_schema = watches_inputs["within_schema"];
 
 struct ListedWatch {
   QualifiedName name;
@@ -157,20 +151,16 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_watches() {
-  static const TableFunction function = {
-      .name = "predictive_watches",
-      .outputs = {"name TEXT", "schema TEXT", "tbl TEXT", "other TEXT", "horizon REAL", "within REAL",
-                  "within_z REAL", "clock TEXT", "tolerance REAL", "keep INTEGER", "ahead REAL", "now REAL",
-                  "seq INTEGER", "oldest INTEGER", "pairs INTEGER", "waiting INTEGER", "early INTEGER",
-                  "fault TEXT"},
-      .inputs = {"schema_name", "within_schema"},  // the second: its name up to 0.2.0
-      .key = "schema, name",
-      .hinted = 0,
-      .estimate =
-          [](const CallSizes&) {
-            return CallEstimate{100, 3};
-          },
-      .start = start};
+  static const TableFunction function = {.name = "predictive_watches",
+                                         .outputs = watches_outputs,
+                                         .inputs = watches_inputs,
+                                         .key = "schema, name",
+                                         .hinted = 0,
+                                         .estimate =
+                                             [](const CallSizes&) {
+                                               return CallEstimate{100, 3};
+                                             },
+                                         .start = start};
   return function;
 }
 

@@ -9,9 +9,13 @@
 namespace foresee {
 namespace {
 
+constexpr Columns to_globe_inputs{"in_lat", "in_lon", "in_height", "in_speed", "in_course", "in_climb"};
+constexpr Columns from_globe_inputs{"in_x", "in_y", "in_z", "in_vx", "in_vy", "in_vz"};
+
 std::unique_ptr<FunctionRows> start_to_globe(const FunctionCall& call) {
   const FloatEnvironment environment;
-  enum Input { in_lat, in_lon, in_height, in_speed, in_course, in_climb };
+  constexpr int in_lat = to_globe_inputs["in_lat"], in_height = to_globe_inputs["in_height"],
+                in_speed = to_globe_inputs["in_speed"], in_climb = to_globe_inputs["in_climb"];
   const auto place = place_input(call, in_lat);
   if (!place) return std::make_unique<OneRow>(std::vector<std::optional<double>>{});
   const OnGlobe point = to_globe({{*place, course_input(call, in_speed)},
@@ -37,7 +41,7 @@ std::optional<std::array<double, 3>> three_numbers(const FunctionCall& call, int
 
 std::unique_ptr<FunctionRows> start_from_globe(const FunctionCall& call) {
   const FloatEnvironment environment;
-  enum Input { in_x, in_vx = in_x + 3 };
+  constexpr int in_x = from_globe_inputs["in_x"], in_vx = from_globe_inputs["in_vx"];
   const auto x = three_numbers(call, in_x), v = three_numbers(call, in_vx);
   if (!x) return std::make_unique<OneRow>(std::vector<std::optional<double>>{});
   OnGlobe point{*x, {}};
@@ -54,15 +58,14 @@ std::unique_ptr<FunctionRows> start_from_globe(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& geo_to_globe() {
-  static const TableFunction function = {
-      .name = "geo_to_globe",
-      .outputs = {"x REAL", "y REAL", "z REAL", "vx REAL", "vy REAL", "vz REAL", "ax REAL", "ay REAL",
-                  "az REAL"},
-      .inputs = {"in_lat", "in_lon", "in_height", "in_speed", "in_course", "in_climb"},
-      .key = nullptr,
-      .hinted = 0,
-      .estimate = estimate_one_row,
-      .start = start_to_globe};
+  static const TableFunction function = {.name = "geo_to_globe",
+                                         .outputs = {"x REAL", "y REAL", "z REAL", "vx REAL", "vy REAL",
+                                                     "vz REAL", "ax REAL", "ay REAL", "az REAL"},
+                                         .inputs = to_globe_inputs,
+                                         .key = nullptr,
+                                         .hinted = 0,
+                                         .estimate = estimate_one_row,
+                                         .start = start_to_globe};
   return function;
 }
 
@@ -70,7 +73,7 @@ const TableFunction& globe_to_geo() {
   static const TableFunction function = {
       .name = "globe_to_geo",
       .outputs = {"lat REAL", "lon REAL", "height REAL", "speed REAL", "course REAL", "climb REAL"},
-      .inputs = {"in_x", "in_y", "in_z", "in_vx", "in_vy", "in_vz"},
+      .inputs = from_globe_inputs,
       .key = nullptr,
       .hinted = 0,
       .estimate = estimate_one_row,

@@ -9,9 +9,13 @@
 namespace foresee {
 namespace {
 
+constexpr Columns to_plane_inputs{"in_lat", "in_lon", "in_speed", "in_course", "lat0", "lon0"};
+constexpr Columns to_geo_inputs{"in_x", "in_y", "in_vx", "in_vy", "lat0", "lon0"};
+
 std::unique_ptr<FunctionRows> start_to_plane(const FunctionCall& call) {
   const FloatEnvironment environment;
-  enum Input { in_lat, in_lon, in_speed, in_course, in_lat0 };
+  constexpr int in_lat = to_plane_inputs["in_lat"], in_speed = to_plane_inputs["in_speed"],
+                in_lat0 = to_plane_inputs["lat0"];
   const LatLon origin = origin_of(call, in_lat0);
   const auto place = place_input(call, in_lat);
   if (!place) return std::make_unique<OneRow>(std::vector<std::optional<double>>{});
@@ -23,7 +27,8 @@ std::unique_ptr<FunctionRows> start_to_plane(const FunctionCall& call) {
 
 std::unique_ptr<FunctionRows> start_to_geo(const FunctionCall& call) {
   const FloatEnvironment environment;
-  enum Input { in_x, in_y, in_vx, in_vy, in_lat0 };
+  constexpr int in_x = to_geo_inputs["in_x"], in_y = to_geo_inputs["in_y"], in_vx = to_geo_inputs["in_vx"],
+                in_vy = to_geo_inputs["in_vy"], in_lat0 = to_geo_inputs["lat0"];
   const LatLon origin = origin_of(call, in_lat0);
   const auto x = finite_number(call, in_x), y = finite_number(call, in_y);
   if (!x || !y) return std::make_unique<OneRow>(std::vector<std::optional<double>>{});
@@ -40,21 +45,20 @@ std::unique_ptr<FunctionRows> start_to_geo(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& geo_to_plane() {
-  static const TableFunction function = {
-      .name = "geo_to_plane",
-      .outputs = {"x REAL", "y REAL", "vx REAL", "vy REAL"},
-      .inputs = {"in_lat", "in_lon", "in_speed", "in_course", "lat0", "lon0"},
-      .key = nullptr,
-      .hinted = 0,
-      .estimate = estimate_one_row,
-      .start = start_to_plane};
+  static const TableFunction function = {.name = "geo_to_plane",
+                                         .outputs = {"x REAL", "y REAL", "vx REAL", "vy REAL"},
+                                         .inputs = to_plane_inputs,
+                                         .key = nullptr,
+                                         .hinted = 0,
+                                         .estimate = estimate_one_row,
+                                         .start = start_to_plane};
   return function;
 }
 
 const TableFunction& plane_to_geo() {
   static const TableFunction function = {.name = "plane_to_geo",
                                          .outputs = {"lat REAL", "lon REAL", "speed REAL", "course REAL"},
-                                         .inputs = {"in_x", "in_y", "in_vx", "in_vy", "lat0", "lon0"},
+                                         .inputs = to_geo_inputs,
                                          .key = nullptr,
                                          .hinted = 0,
                                          .estimate = estimate_one_row,

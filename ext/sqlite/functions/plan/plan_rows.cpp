@@ -8,6 +8,12 @@
 namespace foresee {
 namespace {
 
+constexpr Columns leg_outputs{"leg INTEGER", "t REAL",  "until REAL", "x REAL",  "y REAL",  "z REAL",
+                              "vx REAL",     "vy REAL", "vz REAL",    "ax REAL", "ay REAL", "az REAL"};
+constexpr Columns leg_inputs{"in_plan"};
+constexpr int out_leg = leg_outputs["leg"], out_t = leg_outputs["t"], out_until = leg_outputs["until"],
+              out_x = leg_outputs["x"];
+
 class LegRows final : public FunctionRows {
  public:
   LegRows(std::vector<Leg> legs, int axes) : legs_(std::move(legs)), axes_(axes) {}
@@ -15,7 +21,6 @@ class LegRows final : public FunctionRows {
   bool next() override { return ++row_ < legs_.size(); }
 
   void output(sqlite3_context* context, int output) const override {
-    enum Output { out_leg, out_t, out_until, out_x };
     const Leg& leg = legs_[row_];
     if (output == out_leg) return sqlite3_result_int64(context, static_cast<std::int64_t>(row_) + 1);
     if (output == out_t) return sqlite3_result_double(context, leg.t);
@@ -36,7 +41,7 @@ class LegRows final : public FunctionRows {
 };
 
 std::unique_ptr<FunctionRows> start_plan_rows(const FunctionCall& call) {
-  sqlite3_value* value = call.value(0);
+  sqlite3_value* value = call.value(leg_inputs["in_plan"]);
   const std::optional<Plan> plan = value ? plan_of(value) : std::nullopt;
   if (!plan) return std::make_unique<LegRows>(std::vector<Leg>(), 0);
   check_size(*plan);
@@ -46,19 +51,17 @@ std::unique_ptr<FunctionRows> start_plan_rows(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& plan_rows() {
-  static const TableFunction function = {
-      .name = "plan_rows",
-      .outputs = {"leg INTEGER", "t REAL", "until REAL", "x REAL", "y REAL", "z REAL", "vx REAL", "vy REAL",
-                  "vz REAL", "ax REAL", "ay REAL", "az REAL"},
-      .inputs = {"in_plan"},
-      .key = "leg",
-      .hinted = 0,
-      .estimate =
-          [](const CallSizes&) {
-            return CallEstimate{50, 20};
-          },
-      .start = start_plan_rows,
-      .orders = {{0}}};
+  static const TableFunction function = {.name = "plan_rows",
+                                         .outputs = leg_outputs,
+                                         .inputs = leg_inputs,
+                                         .key = "leg",
+                                         .hinted = 0,
+                                         .estimate =
+                                             [](const CallSizes&) {
+                                               return CallEstimate{50, 20};
+                                             },
+                                         .start = start_plan_rows,
+                                         .orders = {{out_leg}}};
   return function;
 }
 
