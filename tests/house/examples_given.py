@@ -24,6 +24,7 @@ DRAWINGS = {
     "packed_legs.h": ("bytes 0 to 7",),
     "shadow_schema.h": ("<name>",),
     "watch_rows.h": ("<name>",),
+    "pair_keys.h": ("<name>",),
     "tree_store.h": ("write  ",),
 }
 
@@ -106,6 +107,7 @@ GIVEN = {
     "pair_contacts.h": {"tables": "const JoinedTables&", "state": "const WatchState&", "pairs": "std::span<const PairIds>"},
     "settlement.h": {"tables": "const JoinedTables&", "before": "const WatchState&", "pairs": "WatchPairs&", "log": "WatchLog&"},
     "watch_state.h": {"pairs": "WatchPairs&", "log": "WatchLog&"},
+    "pair_keys.h": {"keys": "PairKeys&", "pair": "const WatchedPair&", "other": "const WatchedPair&"},
     "shared_form.h": {"source": "FormSource&"},
     "extents_cache.h": {"hull": "const std::shared_ptr<const Form>&"},
     "form_rows.h": {"rows": "const OutlineRows&"},

@@ -84,15 +84,10 @@ void Settlement::apply_changes() {
 }
 
 void Settlement::read_old_pairs() {
-  const auto add = [&](const std::vector<WatchedPair>& pairs) {
-    old_.insert(old_.end(), pairs.begin(), pairs.end());
-  };
-  for (const std::int64_t id : changed_.a.ids) add(rows_.pairs_of_a(id));
-  for (const std::int64_t id : changed_.b.ids) add(rows_.pairs_of_b(id));
+  old_ = rows_.pairs_of(changed_.a.ids, changed_.b.ids);
 }
 
-/// Reads the due pairs whose objects have not changed. A waiting pair that enters the horizon keeps its
-/// stored start; each of the others needs a contact query.
+/// Reads the due pairs whose objects have not changed, with a contact query for each.
 void Settlement::query_due_pairs() {
   std::vector<PairIds> uncertain;
   const auto is_changed = [&](const WatchedPair& pair) {
@@ -101,10 +96,7 @@ void Settlement::query_due_pairs() {
   const auto read_pair = [&](const WatchedPair& pair) {
     if (is_changed(pair)) return;
     old_.push_back(pair);
-    if (!pair.held && pair.t > clock_ && pair.t < horizon_end_)
-      new_.push_back({pair.a, pair.b, pair.t, pair.t, pair.t, true});
-    else
-      uncertain.push_back({pair.a, pair.b});
+    uncertain.push_back({pair.a, pair.b});
   };
   for (const WatchedPair& pair : rows_.due_pairs(true, clock_)) read_pair(pair);
   for (const WatchedPair& pair : rows_.due_pairs(false, horizon_end_)) read_pair(pair);
@@ -129,10 +121,12 @@ void Settlement::look_ahead(double from) {
   for (auto rows = join.next(); !rows.empty(); rows = join.next()) {
     unknown.clear();
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(unknown), [&](const JoinRow& row) {
-      return row.contact.t >= from || (row.contact.t_end >= from && row.contact.t_end <= state_.known_to);
+      const double end = row.contact.t_end;
+      return row.contact.t >= from || (end >= ends_known_to(before_) && end <= ends_known_to(state_));
     });
     take(unknown);
   }
+  std::sort(new_.begin() + static_cast<std::ptrdiff_t>(first), new_.end(), by_ids);  // as the rows are
   for (std::size_t i = first; i < new_.size(); ++i)
     if (const auto known = rows_.pair(new_[i].a, new_[i].b)) old_.push_back(*known);
 }
@@ -145,9 +139,10 @@ JoinQuestion Settlement::question(const Horizon& horizon) const {
   return question;
 }
 
-// Ends beyond the reach are clipped to it. A contact that lasts beyond known_to is never due: the next
+// Ends beyond the reach are clipped to it. A contact that lasts beyond ends_known_to() is never due: the next
 // look-ahead finds its end.
 void Settlement::take(std::span<const JoinRow> found) {
+  const double last_due = ends_known_to(state_);
   const bool within_one = tables_.is_within_one();
   for (const JoinRow& row : found) {
     if (within_one && row.a == row.b) continue;
@@ -155,7 +150,7 @@ void Settlement::take(std::span<const JoinRow> found) {
     WatchedPair pair{row.a, row.b, contact.t, contact.t_end, contact.t, false};
     if (!tables_.b && pair.b < pair.a) std::swap(pair.a, pair.b);
     pair.held = pair.t < horizon_end_ || reach_ == state_.horizon;
-    if (pair.due > state_.known_to) pair.due = never_due;
+    if (pair.due > last_due) pair.due = never_due;
     new_.push_back(pair);
   }
 }
@@ -191,41 +186,39 @@ void Settlement::for_each_difference(const std::function<void(const WatchedPair*
 void Settlement::write_differences(bool all_are_known) {
   decide_ties();
   sort_and_unique(old_), sort_and_unique(new_);
-  if (all_are_known && differ_mostly()) {
+  if (all_are_known && (before_.anew || differ_mostly())) {
     replaces_ = has_written_ = true;
     rows_.erase_all_pairs();
   }
   for_each_difference(
       [&](const WatchedPair* before, const WatchedPair* after) { write_difference(before, after); });
+  rows_.write_keys();
 }
 
 bool Settlement::differ_mostly() {
   std::size_t kept = 0;
   for_each_difference([&](const WatchedPair* before, const WatchedPair* after) {
-    const PairChange change = change_between(before, after, {clock_, state_.tolerance});
+    const PairChange change = change_between(before, after, watch_clock());
     kept += !change.writes && !change.erases;
   });
   return old_.size() + new_.size() > 4 * kept;
 }
 
 void Settlement::write_difference(const WatchedPair* before, const WatchedPair* after) {
-  const WatchClock clock{clock_, state_.tolerance};
+  const WatchClock clock = watch_clock();
   const PairChange change = change_between(before, after, clock);
   const WatchedPair& row = change.row;
   const auto waits = [](const WatchedPair* pair) { return pair && !pair->held; };
   state_.waited += waits(after) && !waits(before);
   state_.dropped += waits(before) && !after;
   has_written_ |= change.erases || change.writes || change.op;
-  const auto write = [&](const WatchedPair& pair, PairWrite how) {
-    rows_.write_pair(pair, how, state_.tolerance > 0);
-  };
+  const bool with_told = state_.tolerance > 0;
   if (replaces_) {
-    if (!change.erases) write(change.writes ? row : *before, PairWrite::adds);
+    if (!change.erases) rows_.write_pair(nullptr, change.writes ? row : *before, with_told);
   } else if (change.erases) {
-    rows_.erase_pair(row.a, row.b);
+    rows_.erase_pair(row);
   } else if (change.writes) {
-    const bool only_moves = before && before->held == row.held && before->due == row.due;
-    write(row, !before ? PairWrite::adds : only_moves ? PairWrite::moves : PairWrite::changes);
+    rows_.write_pair(before, row, with_told);
   }
   if (change.op && logs_) log_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
 }

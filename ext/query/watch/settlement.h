@@ -9,9 +9,10 @@
 //
 //   changed objects   old pairs come from range reads, new pairs from a search (pair_search.h)
 //   the clock         a due row is shown, gets its next contact, or is erased; when the horizon passes
-//                     known_to, a look-ahead join finds the contacts that start or end beyond it; it reaches
-//                     further if few waiting pairs are erased before they are shown
-//   recomputation     if the changes are unknown, or the clock goes back or beyond known_to: the join of all
+//                     known_to, a look-ahead join finds the contacts that start beyond it, and those that end
+//                     before the next look-ahead; it reaches further if few waiting pairs are erased before they
+//                     are shown
+//   recomputation     if the changes are unknown, or the clock goes back or beyond the known ends: the join of all
 //                     objects is compared with all rows
 //
 // Only differences are written. Guarantee: afterwards the held rows are those of predictive_join at the
@@ -34,6 +35,10 @@ namespace foresee {
 inline double next_above(double x) {
   return std::nextafter(x, std::numeric_limits<double>::infinity());
 }
+
+/// Each pair of the rows whose contact ends up to this time is due then or before. A time not after known_to, and
+/// after the clock of the next look-ahead if the clock moves in small steps.
+double ends_known_to(const WatchState& state);
 
 class Settlement {
  public:
@@ -78,6 +83,7 @@ class Settlement {
   void write_difference(const WatchedPair* before, const WatchedPair* after);
 
   Horizon queried_horizon() const { return {clock_, reach_}; }
+  WatchClock watch_clock() const { return {clock_, state_.tolerance, horizon_end_}; }
   JoinQuestion question(const Horizon& horizon) const;
 
   JoinedTables tables_;
@@ -91,7 +97,7 @@ class Settlement {
   double reach_ = 0;        ///< length of the contact queries, from the clock
   std::vector<WatchedPair> old_, new_;
   bool logs_ = true, has_written_ = false;
-  bool replaces_ = false;  ///< every row is written, into an empty table
+  bool replaces_ = false;  ///< every row is written, into an empty table, and every key
 };
 
 }  // namespace foresee

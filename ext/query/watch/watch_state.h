@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,18 +43,12 @@ struct WatchState : WatchDeclaration {
 
 // What a watch keeps: the rows of its pairs, and the log of what was reported.
 //
-//   pairs.write_pair({.a = 1, .b = 2, .t = 95, .due = 105, .told = 95, .held = true}, PairWrite::adds, false);
+//   pairs.write_pair(nullptr, {.a = 1, .b = 2, .t = 95, .due = 105, .told = 95, .held = true}, false);
+//   pairs.write_keys();
 //   log.append({.seq = 7, .op = '+', .a = 1, .b = 2, .t = 95, .now = 0});
 //
 // A settlement (settlement.h) reads and writes through these interfaces. Shadow tables of a database implement
 // them (sqlite/watch/watch_rows.h), and so does memory in tests.
-
-/// What writing a pair does to its row.
-enum class PairWrite : std::uint8_t {
-  adds,     ///< a new row
-  moves,    ///< only times change, and no index does
-  changes,  ///< any other change
-};
 
 class WatchPairs {
  public:
@@ -61,16 +56,19 @@ class WatchPairs {
 
   /// In order of (a, b).
   virtual std::vector<WatchedPair> pairs() = 0;
-  virtual std::vector<WatchedPair> pairs_of_a(std::int64_t id) = 0;
-  virtual std::vector<WatchedPair> pairs_of_b(std::int64_t id) = 0;
+  /// Those with one of these ids on its side, in any order. Requires: ids in rising order.
+  virtual std::vector<WatchedPair> pairs_of(std::span<const std::int64_t> a,
+                                            std::span<const std::int64_t> b) = 0;
   /// Those of this state whose `due` is at most `until`, in any order.
   virtual std::vector<WatchedPair> due_pairs(bool held, double until) = 0;
   virtual std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) = 0;
 
-  /// `with_told`: otherwise `told` equals t and is not stored.
-  virtual void write_pair(const WatchedPair& pair, PairWrite how, bool with_told) = 0;
-  virtual void erase_pair(std::int64_t a, std::int64_t b) = 0;
+  /// `before`: the stored row, null for a new pair. `with_told`: otherwise `told` equals t and is not stored.
+  virtual void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_told) = 0;
+  virtual void erase_pair(const WatchedPair& pair) = 0;
   virtual void erase_all_pairs() = 0;
+  /// Call it after the last write: keys by b and by `due` may wait until then.
+  virtual void write_keys() {}
 };
 
 struct LoggedChange {

@@ -8,10 +8,11 @@
 // clock means that the pair touches, whichever time it is: shown is the later of the two. So the passage of
 // time changes no row. A pair whose contact starts beyond the horizon is stored but not reported: it waits.
 //
-// `due` is the clock at which the pair has to be computed again. For a pair that waits it is the start of the
-// contact. Else it is some time not after the end of the contact, or never if the contact lasts beyond all
-// that the watch has computed. A `due` that is too early costs one computation; one that is too late would
-// give a wrong result. A later end is therefore written only when the row is due.
+// `due` says when the pair has to be computed again. For a pair that waits it is a time not after the start of the
+// contact: the pair is computed once the horizon reaches it. Else it is a time not after the end of the contact, for
+// the clock, or never if the contact lasts beyond all that the watch has computed. A `due` that is too early costs
+// one computation; one that is too late would give a wrong result. So a row keeps its `due` while that is not too
+// late, and a new `due` is early: reports move the times of most pairs a little, and then no `due` is written.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +34,7 @@ struct WatchedPair {
 struct WatchClock {
   double clock = 0;
   double tolerance = 0;
+  double horizon_end = 0;
 
   double shown(double t) const { return t > clock ? t : clock; }
 };

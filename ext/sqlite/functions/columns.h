@@ -1,8 +1,8 @@
 // Outputs or inputs of a table-valued function, each written once: the declaration, and the place of a column by name.
 //
 //   constexpr Columns outputs{"id INTEGER", "t REAL", "x REAL"};
-//   constexpr int out_t = outputs["t"];               // 1; a name that is not there does not compile
-//   const TableFunction tracks = {.name = "predictive_track", .outputs = outputs, …};
+//   static_assert(outputs["t"] == 1);                       // a name that is not there does not compile
+//   const std::vector<const char*> declared = outputs;      // for TableFunction::outputs
 //
 // Guarantee: a place is that of the declared column, whatever is added between. Cost: none at run time.
 #pragma once

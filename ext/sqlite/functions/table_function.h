@@ -2,7 +2,7 @@
 //
 //   const TableFunction positions = {
 //       .name = "predictive_position",
-//       .outputs = position_outputs,            // constexpr Columns position_outputs{"id INTEGER", "x REAL"};
+//       .outputs = {"id INTEGER", "x REAL"},    // Columns (columns.h), where a place is needed
 //       .inputs = {"at", "tbl"},                // hidden columns, in call order; the first one is required
 //       .key = "id",
 //       .hinted = 0,

@@ -200,11 +200,12 @@ int watch_rename(sqlite3_vtab* base, const char* new_name) noexcept {
     WatchTable& table = table_of(base);
     Connection& connection = *table.connection;
     const WatchState state = table.rows()->read_state();
+    const bool has_key_tables = table.rows()->has_key_tables();
     const bool settled = is_settled(connection, state, watched_tables(connection, table.name.schema, state));
     parse_watch(new_name, {"ships", "horizon = 0"});  // throws for a name that a watch cannot have
     table.watches().remove_from_tables(connection, table.name, state);
     table.watches().forget(table.name);
-    WatchRows::tables(connection.db(), table.name).rename(new_name);
+    WatchRows::tables(connection.db(), table.name, has_key_tables).rename(new_name);
     table.old_names.push_back(std::exchange(table.name.table, new_name));
     table.watches().add_to_tables(connection, table.name, state);
     if (!settled) return;

@@ -38,12 +38,16 @@ std::string name_of(const ShownPair& pair) {
 
 }  // namespace
 
-// A watch that is not settled is read by the join, so only its indexes can be wrong.
+// A watch that is not settled is read by the join, so only its keys can be wrong.
 std::string watch_fault(WatchTable& table) {
   Connection& connection = *table.connection;
   const std::shared_ptr<WatchRows> rows = table.rows();
   const WatchState state = rows->read_state();
-  if (!rows->indexes_agree()) return "the indexes of " + table.name.table + "_pair do not hold its rows";
+  const std::string& name = table.name.table;
+  if (!rows->keys_agree())
+    return rows->has_key_tables()
+               ? name + "_back and " + name + "_due do not hold the keys of " + name + "_pair"
+               : "the indexes of " + name + "_pair do not hold its rows";
   const OpenTables tables = watched_tables(connection, table.name.schema, state);
   if (!is_settled(connection, state, tables)) return "";
   std::vector<ShownPair> held;

@@ -63,7 +63,10 @@ void WatchCursor::filter(int plan, sqlite3_value** arguments) {
 
 /// The stored pairs, without those of changed objects.
 std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSides& changed) const {
-  const auto pairs = only_a_ ? rows.pairs_of_a(*only_a_) : only_b_ ? rows.pairs_of_b(*only_b_) : rows.pairs();
+  const auto id_of = [](const auto& id) { return id ? std::span(&*id, 1) : std::span<const std::int64_t>(); };
+  const auto pairs = only_a_   ? rows.pairs_of(id_of(only_a_), {})
+                     : only_b_ ? rows.pairs_of({}, id_of(only_b_))
+                               : rows.pairs();
   std::vector<ShownPair> kept;
   for (const WatchedPair& pair : pairs)
     if (pair.held && (!only_b_ || pair.b == *only_b_) && !changed.a.holds(pair.a) && !changed.b.holds(pair.b))

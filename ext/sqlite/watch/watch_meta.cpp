@@ -100,8 +100,9 @@ class MetaValues {
 };
 
 // Format 2 has rows that are not due, which readers of format 1 would never examine. Those readers do not
-// check `format`, but report a file without "early" as damaged: so format 2 has it under another name.
-constexpr std::int64_t newest_format = 2;
+// check `format`, but report a file without "early" as damaged: so format 2 has it under another name. Format 3 has
+// waiting pairs that are due before they start, and a new watch has `key_tables` (pair_keys.h).
+constexpr std::int64_t newest_format = 3;
 
 const char* early_key(std::int64_t format) {
   return format == 1 ? "early" : "early_reports";
@@ -169,6 +170,8 @@ WatchState WatchRows::read_state() {
   constexpr auto min_integer = std::numeric_limits<std::int64_t>::min();
   state.stamp = values.whole("stamp", min_integer),
   state.other_stamp = values.whole("other_stamp", min_integer);
+  use_pairs(values.whole("key_tables", 0, 1).value_or(0) != 0);
+  keys_.forget();
   require_clock_in_range(values, state, [&] { return has_pairs(); });
   return state;
 }
@@ -207,6 +210,7 @@ void WatchRows::write_declaration(const WatchDeclaration& declaration) {
   write_meta("ahead", declaration.ahead);
   write_meta("seq", std::optional(std::int64_t{0}));
   write_meta(early_key(newest_format), std::optional(std::int64_t{0}));
+  write_meta("key_tables", std::optional(std::int64_t{1}));
 }
 
 void WatchRows::write_state(const WatchState& state, const WatchState& before) {
@@ -224,7 +228,7 @@ void WatchRows::write_state(const WatchState& state, const WatchState& before) {
   } else {
     write_meta("format", std::optional(newest_format));
     write_meta(early_key(newest_format), std::optional(state.early));
-    write_meta(early_key(before.format), std::optional<std::int64_t>());
+    if (before.format == 1) write_meta(early_key(1), std::optional<std::int64_t>());
   }
   write_changed("stamp", state.stamp, before.stamp);
   write_changed("other_stamp", state.other_stamp, before.other_stamp);

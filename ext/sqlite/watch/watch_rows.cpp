@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 #include "storage/rows/store_error.h"
 
 namespace foresee {
 namespace {
 
-constexpr std::array<const char*, 3> suffixes{"pair", "log", "meta"};
+constexpr std::array<const char*, 5> suffixes{"pair", "back", "due", "log", "meta"};
 
 constexpr const char* pair_columns = "SELECT a, b, t, due, state, coalesce(told, t) FROM {pair} ";
 
@@ -19,29 +18,41 @@ bool is_watch_suffix(std::string_view suffix) {
   return is_one_of(suffix, suffixes);
 }
 
-// The other keys are unnamed indexes: SQLite names them, so they are renamed with their table.
-ShadowTables WatchRows::tables(sqlite3* db, const QualifiedName& name) {
-  return {
-      db,
-      name,
-      {{"pair",
-        "(a INTEGER, b INTEGER, t REAL, due REAL, state INTEGER, told REAL, PRIMARY KEY(a, b), UNIQUE(b, a), "
-        "UNIQUE(state, due, a, b)) WITHOUT ROWID"},
-       {"log", "(seq INTEGER PRIMARY KEY, op TEXT, a INTEGER, b INTEGER, t REAL, now REAL)"},
-       {"meta", "(key TEXT PRIMARY KEY, value) WITHOUT ROWID"}}};
+ShadowTables WatchRows::tables(sqlite3* db, const QualifiedName& name, bool has_key_tables) {
+  std::vector<ShadowTable> all{
+      {"pair",
+       "(a INTEGER, b INTEGER, t REAL, due REAL, state INTEGER, told REAL, PRIMARY KEY(a, b)) WITHOUT ROWID"},
+      {"log", "(seq INTEGER PRIMARY KEY, op TEXT, a INTEGER, b INTEGER, t REAL, now REAL)"},
+      {"meta", "(key TEXT PRIMARY KEY, value) WITHOUT ROWID"}};
+  if (has_key_tables)
+    for (ShadowTable& table : PairKeys::tables()) all.push_back(std::move(table));
+  return {db, name, std::move(all)};
 }
 
-WatchRows::WatchRows(sqlite3* db, const QualifiedName& name) : name_(name) {
-  const ShadowTables shadow = tables(db, name);
+WatchRows::WatchRows(sqlite3* db, const QualifiedName& name) : db_(db), name_(name) {
+  const ShadowTables shadow = tables(db, name, false);
   shadow.require_tables();
   const auto sql = [&](const std::string& text) { return shadow.statement(text); };
-  const std::string pairs = pair_columns;
   meta_ = sql("SELECT key, value FROM {meta}");
   write_meta_ = sql("INSERT OR REPLACE INTO {meta} VALUES(?1, ?2)");
+  append_ = sql("INSERT OR REPLACE INTO {log} VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
+  trim_ = sql("DELETE FROM {log} WHERE seq <= ?1");
+  oldest_ = sql("SELECT min(seq) FROM {log}");
+  changes_ =
+      sql("SELECT seq, op, a, b, t, now FROM {log} WHERE seq > ?1 AND seq <= ?2 ORDER BY seq LIMIT ?3");
+}
+
+/// Another connection may have created the watch again, with or without tables of keys.
+void WatchRows::use_pairs(bool with_key_tables) {
+  if (has_key_tables_ == with_key_tables) return;
+  const ShadowTables shadow = tables(db_, name_, with_key_tables);
+  shadow.require_tables();
+  has_key_tables_ = with_key_tables;
+  keys_.connect(shadow, with_key_tables);
+  const auto sql = [&](const std::string& text) { return shadow.statement(text); };
+  const std::string pairs = pair_columns;
   pairs_ = sql(pairs + "ORDER BY a, b");
   pairs_of_a_ = sql(pairs + "WHERE a = ?1 ORDER BY b");
-  pairs_of_b_ = sql(pairs + "WHERE b = ?1 ORDER BY a");
-  due_pairs_ = sql(pairs + "WHERE state = ?1 AND due <= ?2");
   pair_ = sql(pairs + "WHERE a = ?1 AND b = ?2");
   add_pair_ = sql("INSERT INTO {pair} VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
   move_pair_ = sql("UPDATE {pair} SET t = ?3, told = ?6 WHERE a = ?1 AND b = ?2");
@@ -50,13 +61,6 @@ WatchRows::WatchRows(sqlite3* db, const QualifiedName& name) : name_(name) {
   erase_all_pairs_ = sql("DELETE FROM {pair}");
   count_pairs_ = sql("SELECT count(*) FROM {pair} WHERE state = ?1");
   any_pair_ = sql("SELECT 1 FROM {pair} LIMIT 1");
-  by_b_ = sql("SELECT a, b FROM {pair} ORDER BY b, a");
-  by_due_ = sql("SELECT a, b, due, state FROM {pair} ORDER BY state, due, a, b");
-  append_ = sql("INSERT OR REPLACE INTO {log} VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
-  trim_ = sql("DELETE FROM {log} WHERE seq <= ?1");
-  oldest_ = sql("SELECT min(seq) FROM {log}");
-  changes_ =
-      sql("SELECT seq, op, a, b, t, now FROM {log} WHERE seq > ?1 AND seq <= ?2 ORDER BY seq LIMIT ?3");
 }
 
 void WatchRows::damaged(const std::string& what) const {
@@ -67,8 +71,7 @@ void WatchRows::damaged(const std::string& what) const {
 
 // --- _pair
 
-std::vector<WatchedPair> WatchRows::read_pairs(Statement::Run& run) const {
-  std::vector<WatchedPair> pairs;
+void WatchRows::read_pairs(Statement::Run& run, std::vector<WatchedPair>& pairs) const {
   while (run.step()) {
     const auto number = [&](int column) {
       if (sqlite3_value_type(run.value(column)) != SQLITE_FLOAT) damaged("pair");
@@ -82,70 +85,96 @@ std::vector<WatchedPair> WatchRows::read_pairs(Statement::Run& run) const {
     const bool is_due = sqlite3_value_type(run.value(3)) != SQLITE_NULL;
     pairs.push_back({a, b, number(2), is_due ? number(3) : never_due, number(5), state == 1});
   }
+}
+
+/// The rows of these keys, read in the order of the table: its pages once.
+std::vector<WatchedPair> WatchRows::pairs_with(std::vector<PairIds> keys) {
+  std::sort(keys.begin(), keys.end());
+  std::vector<WatchedPair> pairs;
+  pairs.reserve(keys.size());
+  for (const PairIds& key : keys) {
+    const std::size_t before = pairs.size();
+    Statement::Run run(pair_);
+    run.bind(1, key.a);
+    run.bind(2, key.b);
+    read_pairs(run, pairs);
+    if (pairs.size() == before) damaged("pair");  // it lacks the pair of a key
+  }
   return pairs;
 }
 
 std::vector<WatchedPair> WatchRows::pairs() {
+  std::vector<WatchedPair> pairs;
   Statement::Run run(pairs_);
-  return read_pairs(run);
+  read_pairs(run, pairs);
+  return pairs;
 }
 
-std::vector<WatchedPair> WatchRows::pairs_of_a(std::int64_t id) {
-  Statement::Run run(pairs_of_a_);
-  run.bind(1, id);
-  return read_pairs(run);
-}
-
-std::vector<WatchedPair> WatchRows::pairs_of_b(std::int64_t id) {
-  Statement::Run run(pairs_of_b_);
-  run.bind(1, id);
-  return read_pairs(run);
+std::vector<WatchedPair> WatchRows::pairs_of(std::span<const std::int64_t> a,
+                                             std::span<const std::int64_t> b) {
+  std::vector<WatchedPair> pairs;
+  for (const std::int64_t id : a) {
+    Statement::Run run(pairs_of_a_);
+    run.bind(1, id);
+    read_pairs(run, pairs);
+  }
+  std::vector<PairIds> keys;
+  for (const std::int64_t id : b) keys_.append_of_b(id, keys);
+  std::erase_if(keys, [&](const PairIds& key) { return std::binary_search(a.begin(), a.end(), key.a); });
+  const std::vector<WatchedPair> others = pairs_with(std::move(keys));
+  pairs.insert(pairs.end(), others.begin(), others.end());
+  return pairs;
 }
 
 std::vector<WatchedPair> WatchRows::due_pairs(bool held, double until) {
-  Statement::Run run(due_pairs_);
-  run.bind(1, std::int64_t{held});
-  run.bind(2, until);
-  return read_pairs(run);
+  return pairs_with(keys_.due(held, until));
 }
 
 std::optional<WatchedPair> WatchRows::pair(std::int64_t a, std::int64_t b) {
   Statement::Run run(pair_);
   run.bind(1, a);
   run.bind(2, b);
-  const std::vector<WatchedPair> found = read_pairs(run);
+  std::vector<WatchedPair> found;
+  read_pairs(run, found);
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
 // An unexpected row is damage of the watch, not an error of the statement that commits.
-void WatchRows::write_pair(const WatchedPair& pair, PairWrite how, bool with_told) try {
-  Statement::Run run(how == PairWrite::adds    ? add_pair_
-                     : how == PairWrite::moves ? move_pair_
-                                               : change_pair_);
+void WatchRows::write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_told) try {
+  const bool only_moves = before && before->held == pair.held && before->due == pair.due;
+  Statement::Run run(!before ? add_pair_ : only_moves ? move_pair_ : change_pair_);
   run.bind(1, pair.a);
   run.bind(2, pair.b);
   run.bind(3, pair.t);
-  if (how != PairWrite::moves) {
+  if (!only_moves) {
     if (pair.due != never_due) run.bind(4, pair.due);
     run.bind(5, std::int64_t{pair.held});
   }
   if (with_told) run.bind(6, pair.told);
   run.step();
+  before ? keys_.change(*before, pair) : keys_.add(pair);
 } catch (const StoreError& error) {
   if (error.code != SQLITE_CONSTRAINT_PRIMARYKEY && error.code != SQLITE_CONSTRAINT_UNIQUE) throw;
   damaged("pair");
 }
 
-void WatchRows::erase_pair(std::int64_t a, std::int64_t b) {
+void WatchRows::erase_pair(const WatchedPair& pair) {
   Statement::Run run(erase_pair_);
-  run.bind(1, a);
-  run.bind(2, b);
+  run.bind(1, pair.a);
+  run.bind(2, pair.b);
   run.step();
+  keys_.erase(pair);
 }
 
 void WatchRows::erase_all_pairs() {
   Statement::Run run(erase_all_pairs_);
   run.step();
+  keys_.erase_all();
+}
+
+void WatchRows::write_keys() try { keys_.write(); } catch (const StoreError& error) {
+  if (error.code != SQLITE_CONSTRAINT_PRIMARYKEY) throw;
+  damaged("pair");
 }
 
 std::int64_t WatchRows::count_pairs(bool held) {
@@ -157,32 +186,6 @@ std::int64_t WatchRows::count_pairs(bool held) {
 bool WatchRows::has_pairs() {
   Statement::Run run(any_pair_);
   return run.step();
-}
-
-/// Compares an index with `pairs`, in its order; the statement reads the index alone.
-bool WatchRows::holds(Statement& index, std::span<const WatchedPair> pairs, bool with_due) {
-  auto pair = pairs.begin();
-  for (Statement::Run run(index); run.step(); ++pair) {
-    if (pair == pairs.end() || run.integer(0) != pair->a || run.integer(1) != pair->b) return false;
-    if (!with_due) continue;
-    const bool is_due = sqlite3_value_type(run.value(2)) != SQLITE_NULL;
-    const double due = is_due ? sqlite3_value_double(run.value(2)) : never_due;
-    if (due != pair->due || run.integer(3) != pair->held) return false;
-  }
-  return pair == pairs.end();
-}
-
-bool WatchRows::indexes_agree() {
-  std::vector<WatchedPair> rows = pairs();
-  const auto sort_by = [&](auto key) {
-    std::sort(rows.begin(), rows.end(), [&](const auto& x, const auto& y) { return key(x) < key(y); });
-  };
-  sort_by([](const WatchedPair& pair) { return std::tuple(pair.b, pair.a); });
-  if (!holds(by_b_, rows, false)) return false;
-  sort_by([](const WatchedPair& pair) {  // NULL, never due, comes first
-    return std::tuple(pair.held, pair.due != never_due, pair.due, pair.a, pair.b);
-  });
-  return holds(by_due_, rows, true);
 }
 
 // --- _log

@@ -1,12 +1,14 @@
 // Every SQL statement that a predictive watch runs on its shadow tables, as plain functions.
 //
 //   <name>_pair(a, b, t, due, state, told, PRIMARY KEY(a, b)) WITHOUT ROWID    state 0 waits, 1 holds
+//   <name>_back, <name>_due                                                    keys of pairs: pair_keys.h
 //   <name>_log(seq INTEGER PRIMARY KEY, op, a, b, t, now)                      what changed
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID                     watch_state.h
 //
 // Guarantee: each call sees and writes the database as this connection does now, so transactions, savepoints
-// and crash recovery are SQLite's. Numbers are checked when they are read: SQLITE_CORRUPT_VTAB for values
-// that no watch writes. Cost: a look-up or a row per call; statements are compiled once.
+// and crash recovery are SQLite's; keys of pairs wait for write_keys(). Numbers are checked when they are read:
+// SQLITE_CORRUPT_VTAB for values that no watch writes. Cost: a look-up or a row per call; statements are compiled
+// once.
 #pragma once
 
 #include <optional>
@@ -15,20 +17,24 @@
 #include <vector>
 
 #include "query/watch/watch_state.h"
+#include "sqlite/watch/pair_keys.h"
 #include "storage/rows/shadow_tables.h"
 
 namespace foresee {
 
-/// True for pair, log and meta.
+/// True for pair, back, due, log and meta.
 bool is_watch_suffix(std::string_view suffix);
 
 class WatchRows final : public WatchPairs, public WatchLog {
  public:
-  static ShadowTables tables(sqlite3* db, const QualifiedName& name);
+  /// `has_key_tables`: false for a watch of an older version, whose pairs have indexes.
+  static ShadowTables tables(sqlite3* db, const QualifiedName& name, bool has_key_tables = true);
 
   WatchRows(sqlite3* db, const QualifiedName& name);
 
   const QualifiedName& name() const { return name_; }
+  /// As the last read_state() found.
+  bool has_key_tables() const { return has_key_tables_.value_or(true); }
 
   // --- _meta
   WatchState read_state();
@@ -41,19 +47,20 @@ class WatchRows final : public WatchPairs, public WatchLog {
   void write_damaged();
   void write_tables(const WatchDeclaration& declaration);
 
-  // --- _pair
+  // --- _pair and its keys; requires: read_state() was called
   std::vector<WatchedPair> pairs() override;
-  std::vector<WatchedPair> pairs_of_a(std::int64_t id) override;
-  std::vector<WatchedPair> pairs_of_b(std::int64_t id) override;
+  std::vector<WatchedPair> pairs_of(std::span<const std::int64_t> a,
+                                    std::span<const std::int64_t> b) override;
   std::vector<WatchedPair> due_pairs(bool held, double until) override;
   std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) override;
-  void write_pair(const WatchedPair& pair, PairWrite how, bool with_told) override;
-  void erase_pair(std::int64_t a, std::int64_t b) override;
+  void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_told) override;
+  void erase_pair(const WatchedPair& pair) override;
   /// Cost: the pages of the tables are released without reading rows.
   void erase_all_pairs() override;
+  void write_keys() override;
   std::int64_t count_pairs(bool held);
-  /// True if each index holds exactly the rows of the table.
-  bool indexes_agree();
+  /// True if each key table, or index, holds exactly the keys of the rows.
+  bool keys_agree() { return keys_.agree(pairs()); }
 
   // --- _log
   void append(const LoggedChange& change) override;
@@ -65,17 +72,21 @@ class WatchRows final : public WatchPairs, public WatchLog {
 
  private:
   [[noreturn]] void damaged(const std::string& what) const;
-  std::vector<WatchedPair> read_pairs(Statement::Run& run) const;
+  void use_pairs(bool with_key_tables);
+  void read_pairs(Statement::Run& run, std::vector<WatchedPair>& pairs) const;
+  std::vector<WatchedPair> pairs_with(std::vector<PairIds> keys);
   bool has_pairs();
-  static bool holds(Statement& index, std::span<const WatchedPair> pairs, bool with_due);
   template <class Value>
   void write_meta(std::string_view key, const std::optional<Value>& value);
   template <class Value>
   void write_changed(std::string_view key, const Value& value, const Value& before);
 
+  sqlite3* db_;
   QualifiedName name_;
+  std::optional<bool> has_key_tables_;  ///< nothing: not known yet
+  PairKeys keys_;
   Statement meta_, write_meta_;
-  Statement pairs_, pairs_of_a_, pairs_of_b_, due_pairs_, pair_, any_pair_, count_pairs_, by_b_, by_due_;
+  Statement pairs_, pairs_of_a_, pair_, any_pair_, count_pairs_;
   Statement add_pair_, move_pair_, change_pair_, erase_pair_, erase_all_pairs_;
   Statement append_, trim_, oldest_, changes_;
 };

@@ -22,11 +22,11 @@ class MemoryWatch final : public WatchPairs, public WatchLog {
   std::vector<WatchedPair> pairs() override {
     return those([](const WatchedPair&) { return true; });
   }
-  std::vector<WatchedPair> pairs_of_a(std::int64_t id) override {
-    return those([&](const WatchedPair& pair) { return pair.a == id; });
-  }
-  std::vector<WatchedPair> pairs_of_b(std::int64_t id) override {
-    return those([&](const WatchedPair& pair) { return pair.b == id; });
+  std::vector<WatchedPair> pairs_of(std::span<const std::int64_t> a,
+                                    std::span<const std::int64_t> b) override {
+    return those([&](const WatchedPair& pair) {
+      return std::binary_search(a.begin(), a.end(), pair.a) || std::binary_search(b.begin(), b.end(), pair.b);
+    });
   }
   std::vector<WatchedPair> due_pairs(bool held, double until) override {
     return those([&](const WatchedPair& pair) { return pair.held == held && pair.due <= until; });
@@ -35,18 +35,20 @@ class MemoryWatch final : public WatchPairs, public WatchLog {
     const auto found = rows.find({a, b});
     return found == rows.end() ? std::nullopt : std::optional(found->second);
   }
-  void write_pair(const WatchedPair& pair, PairWrite how, bool with_told) override {
-    EXPECT_EQ(rows.contains({pair.a, pair.b}), how != PairWrite::adds);
-    WatchedPair& row = rows[{pair.a, pair.b}];
-    if (how == PairWrite::moves) {
-      EXPECT_EQ(row.held, pair.held);
-      EXPECT_EQ(row.due, pair.due);
-    }
-    row = pair;
+  void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_told) override {
+    EXPECT_EQ(rows.contains({pair.a, pair.b}), before != nullptr);
+    if (before) expect_stored(*before);
+    WatchedPair& row = rows[{pair.a, pair.b}] = pair;
     if (!with_told) row.told = row.t;
+    keys_wait = true;
   }
-  void erase_pair(std::int64_t a, std::int64_t b) override { EXPECT_EQ(rows.erase({a, b}), 1u); }
-  void erase_all_pairs() override { rows.clear(); }
+  void erase_pair(const WatchedPair& pair) override {
+    expect_stored(pair);
+    rows.erase({pair.a, pair.b});
+    keys_wait = true;
+  }
+  void erase_all_pairs() override { rows.clear(), keys_wait = true; }
+  void write_keys() override { keys_wait = false; }
   void append(const LoggedChange& change) override { log.push_back(change); }
   void trim(std::int64_t up_to) override {
     std::erase_if(log, [&](const LoggedChange& change) { return change.seq <= up_to; });
@@ -54,8 +56,15 @@ class MemoryWatch final : public WatchPairs, public WatchLog {
 
   std::map<Ids, WatchedPair> rows;
   std::vector<LoggedChange> log;
+  bool keys_wait = false;
 
  private:
+  /// The keys of a row can only be erased if the caller knows them.
+  void expect_stored(const WatchedPair& pair) {
+    const WatchedPair& row = rows[{pair.a, pair.b}];
+    EXPECT_EQ(row.held, pair.held);
+    EXPECT_EQ(row.due, pair.due);
+  }
   template <class Keep>
   std::vector<WatchedPair> those(Keep keep) const {
     std::vector<WatchedPair> found;
@@ -79,6 +88,7 @@ struct Watched {
     const std::size_t known = watch.log.size();
     Settlement settlement(tables, state, watch, watch, {never});
     if (const auto after = settlement.settle()) state = *after;
+    EXPECT_FALSE(watch.keys_wait);
     ships->commit(), ferries->commit();
     for (std::size_t i = known; i < watch.log.size(); ++i) {
       const LoggedChange& change = watch.log[i];

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace foresee {
 namespace {
 
-constexpr WatchClock at_ten{.clock = 10, .tolerance = 0};
+constexpr WatchClock at_ten{.clock = 10, .tolerance = 0, .horizon_end = 70};
 
 WatchedPair held(double t, double due = 100) {
   return {.a = 1, .b = 2, .t = t, .due = due, .told = t, .held = true};
@@ -54,6 +56,54 @@ TEST(WatchedPair, AnEarlierEndIsWrittenAndALaterOneOnlyOnceItIsDue) {
   EXPECT_TRUE(change_between(&before, &earlier, at_ten).writes);
   EXPECT_FALSE(change_between(&before, &later, at_ten).writes);
   EXPECT_TRUE(change_between(&before, &later, {.clock = 50, .tolerance = 0}).writes);
+}
+
+TEST(WatchedPair, AWaitingPairIsDueNotAfterItsStartAndIsWrittenOnlyIfThatIsTooLate) {
+  const WatchedPair found = waiting(90), later = waiting(120), sooner = waiting(71),
+                    much_later = waiting(1e300);
+  const WatchedPair before = change_between(nullptr, &found, at_ten).row;
+  EXPECT_GT(before.due, at_ten.horizon_end);
+  EXPECT_LE(before.due, found.t);
+  EXPECT_FALSE(change_between(&before, &found, at_ten).writes);
+  EXPECT_FALSE(change_between(&before, &later, at_ten).writes);
+  EXPECT_FALSE(change_between(&before, &much_later, at_ten).writes);
+  const PairChange moved = change_between(&before, &sooner, at_ten);
+  EXPECT_TRUE(moved.writes);
+  EXPECT_GT(moved.row.due, at_ten.horizon_end);
+  EXPECT_LE(moved.row.due, sooner.t);
+  // Once the horizon has reached `due`, the pair gets one that is not reached yet.
+  const WatchClock then{.clock = 25, .tolerance = 0, .horizon_end = before.due};
+  const PairChange again = change_between(&before, &later, then);
+  EXPECT_TRUE(again.writes);
+  EXPECT_EQ(again.op, 0);
+  EXPECT_GT(again.row.due, then.horizon_end);
+}
+
+TEST(WatchedPair, TheEndOfAContactIsDueEarlyUntilItWasTested) {
+  const WatchedPair first = held(12, 110);
+  const WatchedPair before = change_between(nullptr, &first, at_ten).row;
+  EXPECT_LT(before.due, 110);
+  EXPECT_GT(before.due, 90);
+  const WatchedPair sooner = held(12, before.due + 1), much_sooner = held(12, before.due - 1);
+  EXPECT_FALSE(change_between(&before, &sooner, at_ten).writes);
+  EXPECT_TRUE(change_between(&before, &much_sooner, at_ten).writes);
+  const WatchClock due{.clock = before.due, .tolerance = 0, .horizon_end = before.due + 60};
+  EXPECT_EQ(change_between(&before, &first, due).row.due, 110);
+}
+
+TEST(WatchedPair, ATimeIsNeverDueLateWhateverTheNumbers) {
+  for (const double clock : {-1e308, -5.0, 0.0, 1e9, 1e308})
+    for (const double wait : {0.0, 5e-324, 1e-9, 3.0, 1e308, HUGE_VAL})
+      for (const double time : {clock, clock + wait, clock - wait, 1e308, -1e308}) {
+        const WatchClock at{.clock = clock, .tolerance = 0, .horizon_end = clock + 60};
+        for (const bool holds : {false, true}) {
+          const WatchedPair pair{.a = 1, .b = 2, .t = time, .due = time, .told = time, .held = holds};
+          const double due = change_between(nullptr, &pair, at).row.due,
+                       from = holds ? clock : at.horizon_end;
+          EXPECT_LE(due, time) << clock << ", " << wait;
+          EXPECT_TRUE(due > from || due == time) << clock << ", " << wait;
+        }
+      }
 }
 
 }  // namespace

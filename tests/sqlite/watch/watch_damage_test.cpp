@@ -13,6 +13,12 @@ struct WatchDamage {
 
 constexpr WatchDamage watch_damages[] = {
     {"NoPairs", "DROP TABLE alerts_pair"},
+    {"NoKeysByB", "DROP TABLE alerts_back"},
+    {"NoKeysByDue", "DROP TABLE alerts_due"},
+    {"KeysOfOtherColumns", "DROP TABLE alerts_due; CREATE TABLE alerts_due(x)"},
+    {"KeysOfText", "UPDATE alerts_back SET b = 'x'; UPDATE alerts_due SET due = 'soon'"},
+    {"KeysWithoutPairs", "DELETE FROM alerts_pair"},
+    {"PairsWithoutKeys", "DELETE FROM alerts_back; DELETE FROM alerts_due"},
     {"NoLog", "DROP TABLE alerts_log"},
     {"NoMeta", "DROP TABLE alerts_meta"},
     {"NoTablesAtAll", "DROP TABLE alerts_pair; DROP TABLE alerts_log; DROP TABLE alerts_meta"},
@@ -26,7 +32,7 @@ constexpr WatchDamage watch_damages[] = {
     {"NothingKept", "UPDATE alerts_meta SET value = 0 WHERE key = 'keep'"},
     {"InfiniteClock", "UPDATE alerts_meta SET value = 9e999 WHERE key = 'now'"},
     {"InfinitelyFarAsked", "UPDATE alerts_meta SET value = -9e999 WHERE key = 'asked'"},
-    {"NewerFormat", "UPDATE alerts_meta SET value = 3 WHERE key = 'format'"},
+    {"NewerFormat", "UPDATE alerts_meta SET value = 4 WHERE key = 'format'"},
     {"NoFormat", "DELETE FROM alerts_meta WHERE key = 'format'"},
     {"NoSuchTable", "UPDATE alerts_meta SET value = 'boats' WHERE key = 'tbl'"},
     {"NoSuchOther", "UPDATE alerts_meta SET value = 'boats' WHERE key = 'other'"},
@@ -114,10 +120,10 @@ TEST(DamagedWatches, UnknownFormatsAreReportedAndOlderOnesRead) {
       "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx, r);"
       "INSERT INTO ships VALUES (1, 0, 1, 10), (2, 120, -1, 10), (3, 110, 0, 1);"
       "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100);"
-      "UPDATE alerts_meta SET value = 3 WHERE key = 'format'");
+      "UPDATE alerts_meta SET value = 4 WHERE key = 'format'");
   EXPECT_EQ(
       db.rows("SELECT a FROM alerts"),
-      "error: alerts: stored in format 3; this version of foresee reads formats up to 2: open it with the "
+      "error: alerts: stored in format 4; this version of foresee reads formats up to 3: open it with the "
       "version that wrote it");
   // The format of 0.2.0.
   db.exec(
@@ -130,7 +136,7 @@ TEST(DamagedWatches, UnknownFormatsAreReportedAndOlderOnesRead) {
     expect_joined(db, "h = 100");
     EXPECT_EQ(db.rows("SELECT early FROM predictive_watches"), "7");
     EXPECT_EQ(db.rows("SELECT key, value FROM alerts_meta WHERE key LIKE 'early%' OR key = 'format'"),
-              "early|NULL\nearly_reports|7\nformat|2");
+              "early|NULL\nearly_reports|7\nformat|3");
   }
 }
 

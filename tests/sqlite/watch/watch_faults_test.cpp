@@ -102,8 +102,8 @@ struct WatchCommit : ::testing::Test {
 
 TEST_F(WatchCommit, FailsWholeWhereAShadowTableRefuses) {
   const std::string before = all_of_watch(db);
-  for (const char* event :
-       {"INSERT ON alerts_log", "UPDATE ON alerts_pair", "INSERT ON alerts_pair", "INSERT ON alerts_meta"}) {
+  for (const char* event : {"INSERT ON alerts_log", "UPDATE ON alerts_pair", "INSERT ON alerts_pair",
+                            "INSERT ON alerts_back", "INSERT ON alerts_due", "INSERT ON alerts_meta"}) {
     db.exec(std::string("CREATE TRIGGER forbid BEFORE ") + event +
             " BEGIN SELECT raise(ABORT, 'forbidden'); END");
     EXPECT_NE(db.error_of("UPDATE ships SET t = 6, x = x + 5 WHERE id % 9 = 1"), "") << event;

@@ -74,6 +74,8 @@ inline std::string all_of_watch(Database& db) {
   for (const std::string watch : {"alerts", "near", "passing"}) {
     all += db.rows("SELECT * FROM " + watch + " ORDER BY a, b") + "\n";
     all += db.rows("SELECT * FROM " + watch + "_pair ORDER BY a, b") + "\n";
+    all += db.rows("SELECT * FROM " + watch + "_back ORDER BY b, a") + "\n";
+    all += db.rows("SELECT * FROM " + watch + "_due ORDER BY state, due, a, b") + "\n";
     all += db.rows("SELECT * FROM " + watch + "_log") + "\n";
     all += db.rows("SELECT * FROM " + watch + "_meta WHERE key NOT LIKE '%stamp'") + "\n";
   }

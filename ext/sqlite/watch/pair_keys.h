@@ -1,0 +1,75 @@
+// Keys of a watch's pairs beside (a, b): by b, and by the time at which they are due, in tables of their own.
+//
+//   <name>_back(b, a, PRIMARY KEY(b, a)) WITHOUT ROWID
+//   <name>_due(state, due, a, b, PRIMARY KEY(state, due, a, b)) WITHOUT ROWID    without pairs that are never due
+//
+//   keys.add(pair);  keys.erase(other);                // waits
+//   keys.write();                                      // in key order, once per settlement
+//
+// SQLite writes an index row by row, in the order of the table: a commit of many pairs then touches its pages at
+// random, and each may be read and written many times. A watch of format 1 or 2 has such indexes; this class only
+// reads them.
+//
+// Guarantee: after write() the tables hold the keys of exactly the pairs added and not erased. Cost: a row each.
+#pragma once
+
+#include <vector>
+
+#include "query/watch/pair_contacts.h"
+#include "query/watch/watch_state.h"
+#include "storage/rows/shadow_tables.h"
+
+namespace foresee {
+
+class PairKeys {
+ public:
+  static std::vector<ShadowTable> tables();
+
+  /// Uses the tables of a watch from now on. `in_tables`: else indexes of the table of pairs have the keys.
+  void connect(const ShadowTables& tables, bool in_tables);
+
+  // --- reading; requires: nothing waits
+  /// The pairs with this b, in order of a.
+  void append_of_b(std::int64_t b, std::vector<PairIds>& pairs);
+  /// The pairs of this state whose `due` is at most `until`, in order of `due`.
+  std::vector<PairIds> due(bool held, double until);
+  /// Whether the keys are those of exactly these pairs.
+  bool agree(std::vector<WatchedPair> pairs);
+
+  // --- writing
+  void add(const WatchedPair& pair);
+  void erase(const WatchedPair& pair);
+  /// Requires: the same a and b.
+  void change(const WatchedPair& before, const WatchedPair& after);
+  /// Erases the keys of all pairs at once, also those that no pair has.
+  void erase_all();
+  /// Writes what waits. Throws StoreError SQLITE_CONSTRAINT_PRIMARYKEY for a key that is there already.
+  void write();
+  /// Forgets what waits, of a settlement that failed.
+  void forget() { back_waits_.clear(), due_waits_.clear(); }
+
+ private:
+  struct BackKey {
+    std::int64_t b, a;
+    bool adds;
+    auto operator<=>(const BackKey&) const = default;
+  };
+  struct DueKey {
+    bool held;
+    double due;
+    std::int64_t a, b;
+    bool adds;
+    auto operator<=>(const DueKey&) const = default;
+  };
+
+  void note_due(const WatchedPair& pair, bool adds);
+  static bool holds(Statement& keys, const std::vector<WatchedPair>& pairs, bool with_due);
+
+  bool in_tables_ = false;
+  Statement of_b_, due_, all_back_, all_due_;
+  Statement add_back_, erase_back_, erase_all_back_, add_due_, erase_due_, erase_all_due_;
+  std::vector<BackKey> back_waits_;
+  std::vector<DueKey> due_waits_;
+};
+
+}  // namespace foresee
