@@ -36,6 +36,7 @@ PRIVATE = {
     "query/legs/slab_legs.h": "legs of one slab; leg_join.cpp would have over 300 lines",
     "query/join/slab_helpers.h": "threads of a join with an interface of their own; join.cpp would have over 300 lines",
     "shape/outline/triangulation.h": "the public header of triangulation.cpp; convex_pieces.cpp would have over 300 lines",
+    "sqlite/watch/pair_keys.h": "two shadow tables with an interface of their own; watch_rows.cpp would have over 300 lines",
     "storage/nodes/id_map.h": "the id map with an interface of its own; node_cache.h would have over 300 lines",
     "storage/nodes/node_slots.h": "nodes in memory, without rows and log; node_cache.h would have over 300 lines",
     "storage/nodes/object_spill.h": "a temporary file of objects; tree_load.cpp would have over 300 lines",
