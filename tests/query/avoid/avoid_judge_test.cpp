@@ -45,7 +45,8 @@ void draw_changes(AvoidQuestion& question, Random& random) {
   if (layout.law == Law::accelerated) queried.push_back({Manoeuvre::accelerate, -1, 1});
   const QueriedChanges& one = queried[random.below(queried.size())];
   question.how = one.manoeuvre, question.lo = one.lo, question.hi = one.hi;
-  question.bend_follows_speed = random.below(2) == 0;
+  const bool on_globe = random.below(2) == 0;
+  question.on_globe = on_globe && (one.manoeuvre == Manoeuvre::speed || one.manoeuvre == Manoeuvre::delay);
 }
 
 std::string described(const RandomScene& scene, const AvoidQuestion& question) {

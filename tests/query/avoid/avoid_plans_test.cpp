@@ -15,7 +15,7 @@ using testing::Random;
 using testing::rows_of;
 using testing::text_of;
 
-const int rounds = std::getenv("FORESEE_LONG") ? 100 : 1;
+const int plan_rounds = std::getenv("FORESEE_LONG") ? 100 : 1;
 
 /// Any manoeuvre that the object can make, with a range.
 void choose_manoeuvre(AvoidQuestion& question, Random& random) {
@@ -121,7 +121,7 @@ void expect_plan(const AvoidQuestion& question, const AvoidRow& row) {
 TEST(AvoidPlans, IsSoundAndTightAgainstThePlainJoinOverLegs) {
   Random random(41);
   int clear = 0, blocked = 0;
-  for (int round = 0; round < 600 * rounds; ++round) {
+  for (int round = 0; round < 600 * plan_rounds; ++round) {
     const PlanScene scene = plan_scene(random, 2 + random.below(8));
     AvoidQuestion question = scene.question(0);
     choose_manoeuvre(question, random);
@@ -153,14 +153,14 @@ TEST(AvoidPlans, IsSoundAndTightAgainstThePlainJoinOverLegs) {
       }
     }
   }
-  EXPECT_GT(clear, 200 * rounds);
-  EXPECT_GT(blocked, 100 * rounds);
+  EXPECT_GT(clear, 200 * plan_rounds);
+  EXPECT_GT(blocked, 100 * plan_rounds);
 }
 
 TEST(AvoidPlans, DecidesZeroAsTheJoin) {
   Random random(42);
   int touching = 0;
-  for (int round = 0; round < 400 * rounds; ++round) {
+  for (int round = 0; round < 400 * plan_rounds; ++round) {
     const PlanScene scene = plan_scene(random, 2 + random.below(5));
     AvoidQuestion question = scene.question(0);
     question.how = Manoeuvre::wait, question.lo = question.hi = 0, question.touching = Touching::ignore;
@@ -171,7 +171,7 @@ TEST(AvoidPlans, DecidesZeroAsTheJoin) {
     EXPECT_EQ(rows[0].clear, plain.is_clear(0)) << round;
     touching += !rows[0].clear;
   }
-  EXPECT_GT(touching, 50 * rounds);
+  EXPECT_GT(touching, 50 * plan_rounds);
 }
 
 TEST(AvoidPlans, RefusesOtherManoeuvresOfAPlan) {

@@ -249,7 +249,7 @@ TEST_F(PlanQueries, WhoWaitsMeetsNobody) {
   EXPECT_GT(clear, 3);
   EXPECT_EQ(db.error_of(
                 "SELECT * FROM predictive_avoid WHERE h = 60 AND tbl = 'robots' AND id = 1 AND how = 'turn'"),
-            "predictive_avoid: object 1 of robots has a plan: write 'wait' or 'delay'");
+            "robots: row 1 has a plan: write 'wait' or 'delay'");
 }
 
 TEST_F(PlanQueries, ALoopOverASearchThatRewritesPlansOfItsOwnTable) {
