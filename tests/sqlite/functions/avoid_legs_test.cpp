@@ -25,12 +25,12 @@ TEST_F(AvoidInLegs, WaitsUntilTheOtherHasPassed) {
                     "FROM predictive_avoid(60, 'carts', 1, 1, 'wait', 0, 30)"),
             "0|0.0|2.12132|2|2|1|2.0\n1|2.12132|30.0|2|NULL|0|0.0");
   EXPECT_EQ(legs("60, 'carts', 1, 1, 'wait', 3, 3", "clear"),
-            "1|0.0|3.0|0.0|0.0|0.0|0.0\n2|3.0|Inf|0.0|0.0|2.0|0.0");
+            "1|0.0|3.0|0.0|0.0|0.0|0.0\n2|3.0|NULL|0.0|0.0|2.0|0.0");
 }
 
 TEST_F(AvoidInLegs, ResumesItsVelocity) {
   EXPECT_EQ(legs("60, 'carts', 1, 1, 'speed', -1, -1", "clear AND resume = 5"),
-            "1|0.0|5.0|0.0|0.0|1.0|0.0\n2|5.0|Inf|5.0|0.0|2.0|0.0");
+            "1|0.0|5.0|0.0|0.0|1.0|0.0\n2|5.0|NULL|5.0|0.0|2.0|0.0");
   EXPECT_EQ(
       db.rows("SELECT clear FROM predictive_avoid(60, 'carts', 1, 1, 'speed', -1, -1) WHERE resume = 3"), "0")
       << "late by 1.5: 2.1 apart, within 3";
