@@ -47,8 +47,8 @@ struct Run {
 
 /// The rows of each query, one after the other; `plans`: of a table with a row per mover.
 template <class Use>
-void ask(Statement& statement, const Schedule& schedule, Question question, double h, int queries, bool plans,
-         Use use) {
+void for_each_row(Statement& statement, const Schedule& schedule, Question question, double h, int queries,
+                  bool plans, Use use) {
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> place(0, schedule.side - 33), start(500, 560);
   for (int i = 0; i < queries; ++i) {
@@ -69,27 +69,27 @@ Run run(Statement& statement, const Schedule& schedule, Question question, doubl
         bool plans = false) {
   Run run{0, 0, 0};
   run.seconds = seconds_of([&] {
-    ask(statement, schedule, question, h, queries, plans, [&](int, std::int64_t id, double number) {
+    for_each_row(statement, schedule, question, h, queries, plans, [&](int, std::int64_t id, double number) {
       run.sum += static_cast<std::uint64_t>(id) * std::bit_cast<std::uint64_t>(number), ++run.rows;
     });
   });
   return run;
 }
 
-/// Whether plans and the legs of that minute have the same first contacts in windows, or the same least distances.
+/// Whether plans and the legs of that minute have the same first contacts in windows, or the same smallest distances.
 bool agree(Statement& plans, Statement& few, const Schedule& schedule, Question question, double h,
            int queries) {
   if (question == Question::partners) return true;  // of a leg, and of a mover
   std::map<std::pair<int, std::int64_t>, double> ours, theirs;
-  const auto keep_least = [&](auto& least, std::int64_t ids) {
-    return [&least, ids, question](int query, std::int64_t id, double number) {
+  const auto keep_min = [&](auto& smallest, std::int64_t ids) {
+    return [&smallest, ids, question](int query, std::int64_t id, double number) {
       const auto key = std::pair(query, question == Question::window ? id / ids : 0);
-      const auto [found, is_new] = least.try_emplace(key, number);
+      const auto [found, is_new] = smallest.try_emplace(key, number);
       if (!is_new) found->second = std::min(found->second, number);
     };
   };
-  ask(plans, schedule, question, h, queries, true, keep_least(ours, 1));
-  ask(few, schedule, question, h, queries, false, keep_least(theirs, ids_per_mover));
+  for_each_row(plans, schedule, question, h, queries, true, keep_min(ours, 1));
+  for_each_row(few, schedule, question, h, queries, false, keep_min(theirs, ids_per_mover));
   return ours == theirs;
 }
 

@@ -74,11 +74,11 @@ void load(Database& db, const std::vector<Orbit>& orbits, int legs) {
 /// The rows of some satellites by every pair of legs.
 void check_some(Database& db, const std::string& horizon) {
   for (const int id : {0, 7, 42}) {
-    const std::string asked =
+    const std::string queried =
         " FROM predictive_join WHERE tbl = 'satellites' AND within = 2970 AND now = 0 AND h = " + horizon +
         " AND a = " + std::to_string(id);
-    Statement differing(db, "SELECT count(*) FROM (SELECT b, t, t_end" + asked +
-                                " EXCEPT SELECT b, t, t_end" + asked + " AND method = 'scan')");
+    Statement differing(db, "SELECT count(*) FROM (SELECT b, t, t_end" + queried +
+                                " EXCEPT SELECT b, t, t_end" + queried + " AND method = 'scan')");
     differing.step();
     if (differing.integer(0) != 0) throw Error("the plain answer has other pairs");
   }

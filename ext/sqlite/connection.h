@@ -89,7 +89,8 @@ class Connection {
   /// Cost: as above, for the plans that exist then; a cached scene of other times is replaced.
   std::shared_ptr<const Scene> load_legs(const OpenTable& table, const LegTimes& times = {});
 
-  /// The cached scene of this version, or null: nothing is decoded. `times`: those that it must cover; `others`: as above.
+  /// The cached scene of this version, or null: nothing is decoded. `times`: those that it must cover. `others`: as
+  /// above.
   std::shared_ptr<const Scene> find_scene(const OpenTable& table, bool with_levels = false,
                                           const LegTimes& times = {},
                                           const std::optional<Kinds>& others = {});

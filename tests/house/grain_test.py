@@ -17,8 +17,8 @@ from house import ROOT, main
 from prose import split_code_line, without_raw_pages
 
 LIMITS = {
-    "C++ files of ext/": 559,
-    "private headers": 32,
+    "C++ files of ext/": 593,
+    "private headers": 35,
     "private headers without a reason": 0,
     "files over 300 lines": 0,
     "folders over 26 files": 0,
@@ -33,6 +33,8 @@ PRIVATE = {
     "query/join/movers/leg_tree.h": "a tree over the legs of a slab; join_candidates.cpp needs no pages otherwise",
     "query/legs/leg_candidates.h": "an index without an index, with an interface of its own and tests through the scan",
     "query/legs/mover_pair.h": "exact answers about two movers, a subject of its own; found_movers.cpp would have over 300 lines",
+    "query/nearest/nearest_rows.h": "the ranking of distances, apart from the search; nearest.cpp would have over 300 lines",
+    "query/window/mover_window.h": "windows over plans, apart from those over rows; window.cpp would have over 300 lines",
     "query/legs/slab_legs.h": "legs of one slab; leg_join.cpp would have over 300 lines",
     "query/join/slab_helpers.h": "threads of a join with an interface of their own; join.cpp would have over 300 lines",
     "shape/outline/triangulation.h": "the public header of triangulation.cpp; convex_pieces.cpp would have over 300 lines",

@@ -32,7 +32,7 @@ class LongestPause final : public Interrupt {
   double last_ = first_, longest_ = 0;
 };
 
-/// The least share of three runs: another process on the machine can lengthen one pause, a sort without polls all.
+/// The smallest share of three runs: another process on the machine can lengthen one pause, a sort without polls all.
 template <class Command>
 double best_share(Command command) {
   double best = 1;

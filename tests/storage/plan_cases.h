@@ -30,7 +30,7 @@ inline Plan plan_of_knots(std::vector<Knot> knots, std::vector<std::size_t> part
 }
 
 /// Any plan that check_plan() accepts. Numbers have all bits; times meet often.
-inline Plan random_stored_plan(testing::Random& random, int axes, PlanKind kind, int most_legs = 70) {
+inline Plan random_stored_plan(testing::Random& random, int axes, PlanKind kind, int max_legs = 70) {
   Plan plan{.kind = kind, .axes = axes, .part_starts = {}};
   double t = random.in(-50, 50);
   const auto place = [&] {
@@ -40,10 +40,10 @@ inline Plan random_stored_plan(testing::Random& random, int axes, PlanKind kind,
     return x;
   };
   const auto later = [&] { return t += random.below(20) == 0 ? 1e-9 : random.in(0.1, 9); };
-  const auto up_to = [&](int most) {
-    return 1 + static_cast<int>(random.below(static_cast<unsigned>(most)));
+  const auto up_to = [&](int limit) {
+    return 1 + static_cast<int>(random.below(static_cast<unsigned>(limit)));
   };
-  const int legs = up_to(most_legs);
+  const int legs = up_to(max_legs);
   const bool rests = random.below(4) == 0;
   if (kind != PlanKind::knots) {
     for (int i = 0; i < legs; ++i) {

@@ -45,7 +45,7 @@ class ClearRanges {
   std::vector<KRange> between(double lo, double hi);
 
  private:
-  /// A range, and the families of its legs; those of later legs once they are asked for.
+  /// A range, and the families of its legs; those of later legs once they are needed.
   class Range {
    public:
     Range(const Legs& legs, double from_k, double to_k, bool first)

@@ -36,7 +36,7 @@ class ExactAvoidance {
 
   using Records = OwnState::Records;  ///< of the legs of one motion, in order of time
 
-  /// `max_legs`: of any motion that is asked about.
+  /// `max_legs`: of any motion that is tested.
   ExactAvoidance(const AvoidQuestion& question, const OwnState& own, std::size_t max_legs, Scenes near,
                  Interrupt& interrupt);
   ~ExactAvoidance();

@@ -3,9 +3,9 @@
 // All changed motions together are bounds of positions, velocities and accelerations, like an entry of the
 // tree. So one query of the tree finds the intruders.
 //
-// Guarantee: every object that any change can touch during the horizon, once, and possibly others. Of a plan every leg. All of
-// them may meet the own object (shape/kinds.h). A scene and a tree give the same. Cost: the nodes that meet
-// the moving box around all changes. A scene is read completely, and must not have outlines.
+// Guarantee: every object that any change can touch during the horizon, once, and possibly others. Of a plan every
+// leg. All of them may meet the own object (shape/kinds.h). A scene and a tree give the same. Cost: the nodes that
+// meet the moving box around all changes. A scene is read completely, and must not have outlines.
 #pragma once
 
 #include <memory>

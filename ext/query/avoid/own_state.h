@@ -3,8 +3,7 @@
 //   const OwnState own(question);
 //   own.record_of(own.base)                                    // what a change at once would store
 //
-// Everything that avoidance asks about the own motion starts from these numbers; sets of changed motions are Changes
-// (motion/changes.h). Cost: a microsecond, and some ns per leg.
+// All changed motions start from these numbers; sets of them are Changes (motion/changes.h). Cost: a microsecond, and some ns per leg.
 #pragma once
 
 #include <cstddef>
@@ -50,11 +49,11 @@ struct ChangedLegs {
   bool are_later = false;
 };
 
-/// Requires: `queried` is of the question.
+/// Requires: `queried` is of `question`.
 ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, const QueriedChanges& queried);
 
-/// The plan to store for k: of an object with a plan, or where the manoeuvre gives several legs. Nothing else, and for a
-/// k of an object without a plan that changes nothing. A plan of knots remains one if knots have just these legs.
+/// The plan to store for k: of an object with a plan, or where the manoeuvre gives several legs. Otherwise nothing, and
+/// nothing for a k that does not change an object without a plan. A plan of knots remains one if knots have just these legs.
 std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& own,
                                  const QueriedChanges& queried, double k);
 

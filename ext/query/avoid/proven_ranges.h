@@ -15,7 +15,7 @@
 
 namespace foresee {
 
-/// One manoeuvre of a question, and the objects that it may touch.
+/// One manoeuvre that is queried, and the objects that it may touch.
 struct ManoeuvreCase {
   const AvoidQuestion& question;
   const OwnState& own;

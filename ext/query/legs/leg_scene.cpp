@@ -109,16 +109,16 @@ class LegFilter {
   }
 
  private:
-  /// An upper bound of the object's reach: the half extents of the chunk contain it beside the way of the legs from
-  /// the chord, which is at least that of their ends. The pad exceeds the rounding of the sums, 12 units.
+  /// An upper bound of the object's reach: what the half extents of the chunk have beyond the distance of the ends of
+  /// its legs from the chord. The pad exceeds the rounding of the sums, 12 units.
   Vec<D> reach_of_object(const FoundChunk<D>& chunk, const std::vector<Leg>& legs) const {
     Vec<D> far = Vec<D>::Zero();
     const auto include = [&](const Vec<D>& x, const Vec<D>& size, double time) {
       const double s = time - chunk.chord.t;
-      const Vec<D> way = chunk.chord.v * s;
+      const Vec<D> moved = chunk.chord.v * s;
       const double late = std::abs(time) + std::abs(chunk.chord.t);
       const Vec<D> pad = (size + chunk.chord.x.abs() + chunk.chord.v.abs() * late) * rounding_pad;
-      const Vec<D> off = (x - (chunk.chord.x + way)).abs() - (pad + smallest_pad);
+      const Vec<D> off = (x - (chunk.chord.x + moved)).abs() - (pad + smallest_pad);
       far = (off < chunk.half).select(far.max(off), far);  // not where numbers overflow
     };
     for (const Leg& leg : legs) {

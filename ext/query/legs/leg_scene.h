@@ -4,8 +4,8 @@
 //   auto legs = legs_near<2>(ships, moving_window<2>(lower, upper, velocity, horizon), horizon, margin, interrupt);
 //   for (std::size_t i = 0; i < legs->object_count(); ++i) decide(legs->rows_of(i));
 //
-// Guarantee: of the plans of the target, every leg that comes into the box, with the shape of its object, during the
-// horizon is in the scene; other legs may be, too. Chunks are read before the call returns, so the scene may outlive
+// Guarantee: the scene has every leg whose object comes into the box with its shape during the horizon, and perhaps
+// other legs. Chunks are read before the call returns, so the scene may outlive
 // the tree. Cost: the nodes whose bounds meet the box, and some 10 ns per leg of the chunks found. Memory: the result.
 #pragma once
 

@@ -44,9 +44,9 @@ PairChange change_between(const WatchedPair* before, const WatchedPair* after, c
     change.op = '+', change.row.due = early(after->due, clock);
   else if (before && before->held)
     change.op = '-';
-  const bool stays =
+  const bool is_valid =
       before && !before->held && !after->held && before->due > clock.horizon_end && before->due <= after->t;
-  change.writes = !stays;
+  change.writes = !is_valid;
   return change;
 }
 

@@ -1,6 +1,6 @@
 // Outputs or inputs of a table-valued function, each written once: the declaration, and the place of a column by name.
 //
-//   constexpr Columns outputs{"id INTEGER", "t REAL", "x REAL"};
+//   constexpr ColumnList outputs{"id INTEGER", "t REAL", "x REAL"};
 //   static_assert(outputs["t"] == 1);                       // a name that is not there does not compile
 //   const std::vector<const char*> declared = outputs;      // for TableFunction::outputs
 //
@@ -14,11 +14,11 @@
 namespace foresee {
 
 template <std::size_t N>
-class Columns {
+class ColumnList {
  public:
   /// Each is a name, or a name and a type.
   template <class... Texts>
-  constexpr Columns(Texts... columns) : columns_{columns...} {}
+  constexpr ColumnList(Texts... columns) : columns_{columns...} {}
 
   consteval int operator[](std::string_view name) const {
     for (std::size_t place = 0; place < N; ++place)
@@ -37,6 +37,6 @@ class Columns {
 };
 
 template <class... Texts>
-Columns(Texts...) -> Columns<sizeof...(Texts)>;
+ColumnList(Texts...) -> ColumnList<sizeof...(Texts)>;
 
 }  // namespace foresee

@@ -7,9 +7,9 @@
 namespace foresee {
 namespace {
 
-constexpr Columns list_outputs{"name TEXT",   "schema TEXT",     "frame TEXT",
-                               "origin TEXT", "speed_unit TEXT", "objects INTEGER"};
-constexpr Columns list_inputs{"schema_name"};
+constexpr ColumnList list_outputs{"name TEXT",   "schema TEXT",     "frame TEXT",
+                                  "origin TEXT", "speed_unit TEXT", "objects INTEGER"};
+constexpr ColumnList list_inputs{"schema_name"};
 constexpr int out_name = list_outputs["name"], out_schema = list_outputs["schema"],
               out_frame = list_outputs["frame"], out_origin = list_outputs["origin"],
               out_speed_unit = list_outputs["speed_unit"], out_objects = list_outputs["objects"];

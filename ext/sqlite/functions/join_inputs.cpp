@@ -11,8 +11,8 @@
 namespace foresee {
 namespace {
 
-constexpr Columns join_inputs{"h",      "tbl",    "within", "other",  "now",    "method",  "within_z",
-                              "schema", "own_x0", "own_x1", "own_y0", "own_y1", "contacts"};
+constexpr ColumnList join_inputs{"h",      "tbl",    "within", "other",  "now",    "method",  "within_z",
+                                 "schema", "own_x0", "own_x1", "own_y0", "own_y1", "contacts"};
 constexpr int in_h = join_inputs["h"], in_tbl = join_inputs["tbl"], in_within = join_inputs["within"],
               in_other = join_inputs["other"], in_now = join_inputs["now"], in_method = join_inputs["method"],
               in_within_z = join_inputs["within_z"], in_schema = join_inputs["schema"],

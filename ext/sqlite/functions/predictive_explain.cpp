@@ -6,8 +6,8 @@
 namespace foresee {
 namespace {
 
-constexpr Columns explain_outputs{"stage TEXT",       "n_before INTEGER", "n_after INTEGER",
-                                  "prune_power REAL", "seconds REAL",     "detail TEXT"};
+constexpr ColumnList explain_outputs{"stage TEXT",       "n_before INTEGER", "n_after INTEGER",
+                                     "prune_power REAL", "seconds REAL",     "detail TEXT"};
 constexpr int out_stage = explain_outputs["stage"], out_n_before = explain_outputs["n_before"],
               out_n_after = explain_outputs["n_after"], out_prune_power = explain_outputs["prune_power"],
               out_seconds = explain_outputs["seconds"];

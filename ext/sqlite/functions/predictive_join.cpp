@@ -7,8 +7,8 @@
 namespace foresee {
 namespace {
 
-constexpr Columns join_outputs{"a INTEGER",   "b INTEGER",  "t REAL",      "t_end REAL", "dt REAL",
-                               "dt_end REAL", "t_cpa REAL", "dt_cpa REAL", "d_cpa REAL"};
+constexpr ColumnList join_outputs{"a INTEGER",   "b INTEGER",  "t REAL",      "t_end REAL", "dt REAL",
+                                  "dt_end REAL", "t_cpa REAL", "dt_cpa REAL", "d_cpa REAL"};
 constexpr int out_a = join_outputs["a"], out_b = join_outputs["b"], out_t = join_outputs["t"],
               out_t_end = join_outputs["t_end"], out_dt = join_outputs["dt"],
               out_dt_end = join_outputs["dt_end"], out_t_cpa = join_outputs["t_cpa"],

@@ -10,11 +10,11 @@
 namespace foresee {
 namespace {
 
-constexpr Columns nearest_outputs{"id INTEGER", "rank INTEGER", "distance REAL", "t REAL", "dt REAL"};
+constexpr ColumnList nearest_outputs{"id INTEGER", "rank INTEGER", "distance REAL", "t REAL", "dt REAL"};
 constexpr int out_id = nearest_outputs["id"], out_rank = nearest_outputs["rank"],
               out_distance = nearest_outputs["distance"], out_t = nearest_outputs["t"];
-constexpr Columns nearest_inputs{"h",   "tbl", "k",      "x",      "y",   "z",   "now", "qvx",
-                                 "qvy", "qvz", "method", "schema", "lat", "lon", "mask"};
+constexpr ColumnList nearest_inputs{"h",   "tbl", "k",      "x",      "y",   "z",   "now", "qvx",
+                                    "qvy", "qvz", "method", "schema", "lat", "lon", "mask"};
 constexpr int in_h = nearest_inputs["h"], in_tbl = nearest_inputs["tbl"], in_k = nearest_inputs["k"],
               in_x = nearest_inputs["x"], in_now = nearest_inputs["now"], in_qvx = nearest_inputs["qvx"],
               in_method = nearest_inputs["method"], in_schema = nearest_inputs["schema"],

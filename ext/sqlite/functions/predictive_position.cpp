@@ -7,11 +7,11 @@
 namespace foresee {
 namespace {
 
-constexpr Columns position_outputs{"id INTEGER", "x REAL",  "y REAL",   "z REAL",   "vx REAL",
-                                   "vy REAL",    "vz REAL", "lat REAL", "lon REAL", "height REAL"};
+constexpr ColumnList position_outputs{"id INTEGER", "x REAL",  "y REAL",   "z REAL",   "vx REAL",
+                                      "vy REAL",    "vz REAL", "lat REAL", "lon REAL", "height REAL"};
 constexpr int out_id = position_outputs["id"], out_x = position_outputs["x"], out_vx = position_outputs["vx"],
               out_lat = position_outputs["lat"];
-constexpr Columns position_inputs{"at", "tbl", "schema"};
+constexpr ColumnList position_inputs{"at", "tbl", "schema"};
 constexpr int in_at = position_inputs["at"], in_tbl = position_inputs["tbl"],
               in_schema = position_inputs["schema"];
 

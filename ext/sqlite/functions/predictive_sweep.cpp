@@ -7,10 +7,10 @@
 namespace foresee {
 namespace {
 
-constexpr Columns sweep_outputs{"id INTEGER", "x0 REAL", "x1 REAL", "y0 REAL",
-                                "y1 REAL",    "z0 REAL", "z1 REAL"};
+constexpr ColumnList sweep_outputs{"id INTEGER", "x0 REAL", "x1 REAL", "y0 REAL",
+                                   "y1 REAL",    "z0 REAL", "z1 REAL"};
 constexpr int out_id = sweep_outputs["id"], out_x0 = sweep_outputs["x0"];
-constexpr Columns sweep_inputs{"h", "tbl", "within", "now", "within_z", "schema"};
+constexpr ColumnList sweep_inputs{"h", "tbl", "within", "now", "within_z", "schema"};
 constexpr int in_h = sweep_inputs["h"], in_tbl = sweep_inputs["tbl"], in_within = sweep_inputs["within"],
               in_now = sweep_inputs["now"], in_within_z = sweep_inputs["within_z"],
               in_schema = sweep_inputs["schema"];

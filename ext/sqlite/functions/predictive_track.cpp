@@ -7,11 +7,11 @@
 namespace foresee {
 namespace {
 
-constexpr Columns track_outputs{"id INTEGER", "t REAL",   "x REAL",   "y REAL",
-                                "z REAL",     "lat REAL", "lon REAL", "height REAL"};
+constexpr ColumnList track_outputs{"id INTEGER", "t REAL",   "x REAL",   "y REAL",
+                                   "z REAL",     "lat REAL", "lon REAL", "height REAL"};
 constexpr int out_id = track_outputs["id"], out_t = track_outputs["t"], out_x = track_outputs["x"],
               out_lat = track_outputs["lat"];
-constexpr Columns track_inputs{"t0", "t1", "step", "tbl", "schema"};
+constexpr ColumnList track_inputs{"t0", "t1", "step", "tbl", "schema"};
 constexpr int in_t0 = track_inputs["t0"], in_t1 = track_inputs["t1"], in_step = track_inputs["step"],
               in_tbl = track_inputs["tbl"], in_schema = track_inputs["schema"];
 

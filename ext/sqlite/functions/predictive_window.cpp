@@ -10,11 +10,11 @@
 namespace foresee {
 namespace {
 
-constexpr Columns window_outputs{"id INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL"};
+constexpr ColumnList window_outputs{"id INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL"};
 constexpr int out_id = window_outputs["id"], out_t = window_outputs["t"], out_t_end = window_outputs["t_end"],
               out_dt = window_outputs["dt"], out_dt_end = window_outputs["dt_end"];
-constexpr Columns window_inputs{"h",   "tbl", "x0",  "x1",     "y0",     "y1",   "z0",   "z1",      "now",
-                                "wvx", "wvy", "wvz", "method", "schema", "zone", "mask", "contacts"};
+constexpr ColumnList window_inputs{"h",   "tbl", "x0",  "x1",     "y0",     "y1",   "z0",   "z1",      "now",
+                                   "wvx", "wvy", "wvz", "method", "schema", "zone", "mask", "contacts"};
 constexpr int in_h = window_inputs["h"], in_tbl = window_inputs["tbl"], in_x0 = window_inputs["x0"],
               in_now = window_inputs["now"], in_wvx = window_inputs["wvx"],
               in_method = window_inputs["method"], in_schema = window_inputs["schema"],

@@ -2,7 +2,7 @@
 //
 //   const TableFunction positions = {
 //       .name = "predictive_position",
-//       .outputs = {"id INTEGER", "x REAL"},    // Columns (columns.h), where a place is needed
+//       .outputs = {"id INTEGER", "x REAL"},    // ColumnList (columns.h), where a place is needed
 //       .inputs = {"at", "tbl"},                // hidden columns, in call order; the first one is required
 //       .key = "id",
 //       .hinted = 0,
@@ -39,7 +39,7 @@ class FunctionRows {
 
 struct TableFunction {
   const char* name;
-  std::vector<const char*> outputs;  ///< name and type; Columns, where their places are used (columns.h)
+  std::vector<const char*> outputs;  ///< name and type; ColumnList, where their places are used (columns.h)
   std::vector<const char*> inputs;   ///< names, likewise
   const char* key;       ///< the outputs that identify a row of a call, never NULL; null: a call has one row
   std::uint32_t hinted;  ///< bit set: constraints on this output may reduce the cost of a call

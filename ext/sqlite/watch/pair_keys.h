@@ -6,7 +6,7 @@
 //   keys.add(pair);  keys.erase(other);                // waits
 //   keys.write();                                      // in key order, once per settlement
 //
-// SQLite writes an index row by row, in the order of the table: a commit of many pairs then touches its pages at
+// SQLite writes an index row by row, in the order of the table. A commit of many pairs then touches its pages at
 // random, and each may be read and written many times. A watch of format 1 or 2 has such indexes; this class only
 // reads them.
 //

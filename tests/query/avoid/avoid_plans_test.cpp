@@ -39,7 +39,7 @@ void choose_manoeuvre(AvoidQuestion& question, Random& random) {
   question.touching = random.below(2) ? Touching::part : Touching::ignore;
 }
 
-/// The plain answer for one question.
+/// The plain answer for one object.
 class PlainAnswer {
  public:
   explicit PlainAnswer(const AvoidQuestion& question) : question_(question), how_(*question.how) {

@@ -1,4 +1,4 @@
-// Nearest movers with plans: the least of the distances of all their legs, from scenes and from both trees.
+// Nearest movers with plans: the smallest distance of all their legs, from scenes and from both trees.
 #include <gtest/gtest.h>
 
 #include <tuple>

@@ -1,5 +1,5 @@
-// A watch over movers with plans: after every settlement its rows are the first contacts of the plain answer, all pairs
-// of legs merged, and a new plan is a changed object.
+// A watch over movers with plans. After every settlement its rows are the first contacts of the plain answer, all pairs
+// of legs merged. A new plan is a changed object.
 #include <gtest/gtest.h>
 
 #include "query/plan_cases.h"

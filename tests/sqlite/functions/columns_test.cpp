@@ -5,12 +5,12 @@
 namespace foresee {
 namespace {
 
-constexpr Columns three_columns{"id INTEGER", "t REAL", "t_end REAL"};
+constexpr ColumnList three_columns{"id INTEGER", "t REAL", "t_end REAL"};
 static_assert(three_columns["id"] == 0 && three_columns["t"] == 1 && three_columns["t_end"] == 2);
-constexpr Columns one_name{"h"};
+constexpr ColumnList one_name{"h"};
 static_assert(one_name["h"] == 0);
 
-TEST(Columns, TheDeclarationHasThemInOrder) {
+TEST(ColumnList, TheDeclarationHasThemInOrder) {
   const std::vector<const char*> declared = three_columns;
   ASSERT_EQ(declared.size(), 3u);
   EXPECT_STREQ(declared[static_cast<std::size_t>(three_columns["t"])], "t REAL");

@@ -9,8 +9,8 @@
 namespace foresee {
 namespace {
 
-constexpr Columns to_globe_inputs{"in_lat", "in_lon", "in_height", "in_speed", "in_course", "in_climb"};
-constexpr Columns from_globe_inputs{"in_x", "in_y", "in_z", "in_vx", "in_vy", "in_vz"};
+constexpr ColumnList to_globe_inputs{"in_lat", "in_lon", "in_height", "in_speed", "in_course", "in_climb"};
+constexpr ColumnList from_globe_inputs{"in_x", "in_y", "in_z", "in_vx", "in_vy", "in_vz"};
 
 std::unique_ptr<FunctionRows> start_to_globe(const FunctionCall& call) {
   const FloatEnvironment environment;

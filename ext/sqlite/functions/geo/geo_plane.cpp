@@ -9,8 +9,8 @@
 namespace foresee {
 namespace {
 
-constexpr Columns to_plane_inputs{"in_lat", "in_lon", "in_speed", "in_course", "lat0", "lon0"};
-constexpr Columns to_geo_inputs{"in_x", "in_y", "in_vx", "in_vy", "lat0", "lon0"};
+constexpr ColumnList to_plane_inputs{"in_lat", "in_lon", "in_speed", "in_course", "lat0", "lon0"};
+constexpr ColumnList to_geo_inputs{"in_x", "in_y", "in_vx", "in_vy", "lat0", "lon0"};
 
 std::unique_ptr<FunctionRows> start_to_plane(const FunctionCall& call) {
   const FloatEnvironment environment;

@@ -8,9 +8,9 @@
 namespace foresee {
 namespace {
 
-constexpr Columns leg_outputs{"leg INTEGER", "t REAL",  "until REAL", "x REAL",  "y REAL",  "z REAL",
-                              "vx REAL",     "vy REAL", "vz REAL",    "ax REAL", "ay REAL", "az REAL"};
-constexpr Columns leg_inputs{"in_plan"};
+constexpr ColumnList leg_outputs{"leg INTEGER", "t REAL",  "until REAL", "x REAL",  "y REAL",  "z REAL",
+                                 "vx REAL",     "vy REAL", "vz REAL",    "ax REAL", "ay REAL", "az REAL"};
+constexpr ColumnList leg_inputs{"in_plan"};
 constexpr int out_leg = leg_outputs["leg"], out_t = leg_outputs["t"], out_until = leg_outputs["until"],
               out_x = leg_outputs["x"];
 

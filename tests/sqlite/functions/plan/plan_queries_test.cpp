@@ -54,12 +54,12 @@ TEST_F(PlanQueries, OneLegIsAPlainRow) {
         "predictive_window(5, ?, 0, 15, 0, 15) WHERE now = 1 ORDER BY id",
         "predictive_nearest(5, ?, 10, 15, 15) WHERE now = 1 ORDER BY rank",
         "predictive_sweep(5, ?) WHERE now = 1 ORDER BY id"}) {
-    const auto ask = [&](const std::string& table) {
+    const auto rows_of = [&](const std::string& table) {
       std::string sql = "SELECT * FROM " + query;
       return db.rows(sql.replace(sql.find('?'), 1, "'" + table + "'"));
     };
-    EXPECT_EQ(ask("robots"), ask("plain")) << query;
-    EXPECT_NE(ask("plain"), "") << query;
+    EXPECT_EQ(rows_of("robots"), rows_of("plain")) << query;
+    EXPECT_NE(rows_of("plain"), "") << query;
   }
 }
 
@@ -228,7 +228,7 @@ TEST_F(PlanQueries, AWatchReportsMovers) {
   }
 }
 
-TEST_F(PlanQueries, WhoWaitsMeetsNobody) {
+TEST_F(PlanQueries, AMoverThatWaitsMeetsNoOther) {
   make_plans(12, 8, 23);
   int clear = 0;
   for (int id = 1; id <= 12; ++id) {

@@ -69,7 +69,7 @@ TEST_F(AvoidInPlans, RefusesWhatAPlanCannotDo) {
   EXPECT_EQ(db.rows("SELECT count(*) > 0 FROM predictive_avoid(60, 'robots', 3)"), "1");
 }
 
-TEST_F(AvoidInPlans, FindsWhomItsLegsMeet) {
+TEST_F(AvoidInPlans, FindsTheObjectsThatItsLegsMeet) {
   EXPECT_EQ(contacts(), "1|2");
   EXPECT_EQ(
       db.rows("SELECT clear, k_from, below FROM predictive_avoid(200, 'robots', 1, 0.5, 'wait', 0, 0, 2)"),
