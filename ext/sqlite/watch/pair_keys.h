@@ -43,7 +43,7 @@ class PairKeys {
   void change(const WatchedPair& before, const WatchedPair& after);
   /// Erases the keys of all pairs at once, also those that no pair has.
   void erase_all();
-  /// Writes what waits. Throws StoreError SQLITE_CONSTRAINT_PRIMARYKEY for a key that is there already.
+  /// Writes what waits. Throws StoreError SQLITE_CONSTRAINT for a key that is there already.
   void write();
   /// Forgets what waits, of a settlement that failed.
   void forget() { back_waits_.clear(), due_waits_.clear(); }

@@ -10,6 +10,12 @@ namespace {
 
 constexpr std::array<const char*, 5> suffixes{"pair", "back", "due", "log", "meta"};
 
+/// Whether a row is there already. Without extended result codes, which the application chooses, one code has all
+/// constraints; the shadow tables have only keys.
+bool is_conflict(const StoreError& error) {
+  return (error.code & 0xff) == SQLITE_CONSTRAINT;
+}
+
 constexpr const char* pair_columns = "SELECT a, b, t, due, state, coalesce(told, t) FROM {pair} ";
 
 }  // namespace
@@ -154,7 +160,7 @@ void WatchRows::write_pair(const WatchedPair* before, const WatchedPair& pair, b
   run.step();
   before ? keys_.change(*before, pair) : keys_.add(pair);
 } catch (const StoreError& error) {
-  if (error.code != SQLITE_CONSTRAINT_PRIMARYKEY && error.code != SQLITE_CONSTRAINT_UNIQUE) throw;
+  if (!is_conflict(error)) throw;
   damaged("pair");
 }
 
@@ -173,7 +179,7 @@ void WatchRows::erase_all_pairs() {
 }
 
 void WatchRows::write_keys() try { keys_.write(); } catch (const StoreError& error) {
-  if (error.code != SQLITE_CONSTRAINT_PRIMARYKEY) throw;
+  if (!is_conflict(error)) throw;
   damaged("pair");
 }
 
