@@ -10,10 +10,11 @@
 namespace foresee {
 namespace {
 
-constexpr Columns changes_outputs{"seq INTEGER", "op TEXT", "a INTEGER", "b INTEGER", "t REAL", "now REAL"};
+constexpr ColumnList changes_outputs{"seq INTEGER", "op TEXT", "a INTEGER",
+                                     "b INTEGER",   "t REAL",  "now REAL"};
 constexpr int out_seq = changes_outputs["seq"], out_op = changes_outputs["op"], out_a = changes_outputs["a"],
               out_b = changes_outputs["b"], out_now = changes_outputs["now"];
-constexpr Columns changes_inputs{"watch", "since", "schema"};
+constexpr ColumnList changes_inputs{"watch", "since", "schema"};
 constexpr int in_watch = changes_inputs["watch"], in_since = changes_inputs["since"],
               in_schema = changes_inputs["schema"];
 

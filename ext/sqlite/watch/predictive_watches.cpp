@@ -10,7 +10,7 @@
 namespace foresee {
 namespace {
 
-constexpr Columns watches_outputs{
+constexpr ColumnList watches_outputs{
     "name TEXT",     "schema TEXT",    "tbl TEXT",       "other TEXT",      "horizon REAL",  "within REAL",
     "within_z REAL", "clock TEXT",     "tolerance REAL", "keep INTEGER",    "ahead REAL",    "now REAL",
     "seq INTEGER",   "oldest INTEGER", "pairs INTEGER",  "waiting INTEGER", "early INTEGER", "fault TEXT"};
@@ -23,7 +23,7 @@ constexpr int out_name = watches_outputs["name"], out_schema = watches_outputs["
               out_seq = watches_outputs["seq"], out_oldest = watches_outputs["oldest"],
               out_pairs = watches_outputs["pairs"], out_waiting = watches_outputs["waiting"],
               out_fault = watches_outputs["fault"];
-constexpr Columns watches_inputs{"schema_name", "within_schema"};  // the second: its name up to 0.2.0
+constexpr ColumnList watches_inputs{"schema_name", "within_schema"};  // the second: its name up to 0.2.0
 constexpr int in_schema = watches_inputs["schema_name"], in_old_schema = watches_inputs["within_schema"];
 
 struct ListedWatch {
