@@ -1,4 +1,4 @@
-// ColumnList lat, lon, speed and course of a stored record, on the globe also z and vz, as a table in degrees shows them.
+// Columns lat, lon, speed and course of a stored record, on the globe also z and vz, as a table in degrees shows them.
 //
 //   const Flight report = shown_report(store, 42, record);         // one geodesic
 //   shown_number(GeoColumn::course, report)                        // nothing: it is at rest
