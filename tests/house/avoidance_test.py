@@ -1,4 +1,4 @@
-"""The program of docs/how-to/clear_traffic.md makes traffic keep clear."""
+"""The programs of docs/examples make traffic and robots keep clear, as the pages say."""
 import re
 import subprocess
 import tempfile
@@ -51,6 +51,16 @@ class Program(WithPython):
         said = self.advise([(1, 0, 0, 0, 0, 10)])
         self.assertEqual(said, ["0 encounters of 0 ships before, 0 after, 0 of them new",
                                 "0 ships changed, 0 of them their course; 0 have no clear change"])
+
+
+class Warehouse(WithPython):
+    def test_no_conflict_is_left_as_the_page_says(self):
+        done = subprocess.run([PYTHON, ROOT / "docs/examples/warehouse.py", "--extension", EXTENSION], text=True,
+                              capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (ROOT / "docs/how-to/movers_with_plans.md").read_text()
+        for line in done.stdout.splitlines()[3:]:
+            self.assertIn("    " + line.split(";")[0] + "\n", page)
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ class Python(unittest.TestCase):
     def test_tutorials_print_what_they_say(self):
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "foresee.py").write_text(STAND_IN.format(path=str(EXTENSION)))
-            for page in ("docs/tutorials/drones.md",):
+            for page in ("docs/tutorials/drones.md", "docs/how-to/plans_from_other_tools.md"):
                 program, printed = example(page)
                 done = run(program, PYTHONPATH=folder)
                 self.assertEqual((done.returncode, done.stdout), (0, printed), done.stderr)
