@@ -3,7 +3,8 @@
 //   const OwnState own(question);
 //   own.record_of(own.base)                                    // what a change at once would store
 //
-// All changed motions start from these numbers; sets of them are Changes (motion/changes.h). Cost: a microsecond, and some ns per leg.
+// All changed motions start from these numbers; sets of them are Changes (motion/changes.h). Cost: a microsecond, and
+// some ns per leg.
 #pragma once
 
 #include <cstddef>
@@ -52,8 +53,9 @@ struct ChangedLegs {
 /// Requires: `queried` is of `question`.
 ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, const QueriedChanges& queried);
 
-/// The plan to store for k: of an object with a plan, or where the manoeuvre gives several legs. Otherwise nothing, and
-/// nothing for a k that does not change an object without a plan. A plan of knots remains one if knots have just these legs.
+/// The plan to store for k: of an object with a plan, or where the manoeuvre gives several legs. Otherwise nothing,
+/// and nothing for a k that does not change an object without a plan. A plan of knots remains one if knots have just
+/// these legs.
 std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& own,
                                  const QueriedChanges& queried, double k);
 

@@ -4,7 +4,8 @@
 //   auto candidates = meeting_candidates(make_all_pairs(count, interrupt), question.kinds);
 //
 // An object is inert if no object of the other side may meet it: then it is not read (all_that_may_meet()). Where a
-// scene of all objects has it, the index does not get it (without_inert()). Of the other pairs the grid and the tree keep those that may meet; a filter does the same for the other methods.
+// scene of all objects has it, the index does not get it (without_inert()). Of the other pairs the grid and the tree
+// keep those that may meet; a filter does the same for the other methods.
 //
 // Guarantee: of the queried pairs exactly those remain that may meet. Cost: one pass over the rows of a
 // scene, which keeps the result; without the columns none. Join, explain and watch call these functions.

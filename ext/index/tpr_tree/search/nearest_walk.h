@@ -7,10 +7,10 @@
 //     for (std::size_t i = 0; i < hits.slots.size() && hits.distances[i] <= reach; ++i)
 //       …                                                // measure exactly, shrink reach
 //
-// Guarantee: once next() returns false, every object that was not returned has its centre farther than
-// `reach` from the point. That holds at every time of the horizon at which the object exists. Left out are objects
-// that `test` does not accept, and those with a plan. The objects of one leaf are sorted by a lower bound of their distance. A chunk of a plan is
-// an item whose box contains the centre of its object: DistanceTo::boxes bounds by the boxes.
+// Guarantee: once next() returns false, every object that was not returned has its centre farther than `reach` from
+// the point. That holds at every time of the horizon at which the object exists. Left out are objects that `test` does
+// not accept, and those with a plan. The objects of one leaf are sorted by a lower bound of their distance. A chunk of
+// a plan is an item whose box contains the centre of its object: DistanceTo::boxes bounds by the boxes.
 #pragma once
 
 #include "base/error.h"
