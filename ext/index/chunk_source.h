@@ -1,10 +1,9 @@
 // Plans of a table as queries read them: a TPR-tree of chunks, the legs of each chunk, and the records of their
 // objects.
 //
-//   for (const std::int64_t number : chunks_in(source.tree(), window)) {      // any walk of index/tpr_tree/search
-//     source.read_chunk(number, chunk);
-//     scene.add(chunk.object, source.find_object(chunk.object), chunk.legs);
-//   }
+//   Chunk chunk;
+//   plans.read_chunk(8, chunk);                          // 8: the key of an item that a walk of plans.tree() has found
+//   add(plans.find_object(chunk.object), chunk.legs);
 //
 // The items of the tree have chunk_layout() (shape/chunk_item.h): moving boxes that contain the object with its whole
 // shape at every time of the chunk. Their keys are the numbers of the chunks; those of one object are consecutive, in

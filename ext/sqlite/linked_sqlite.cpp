@@ -28,6 +28,7 @@ constexpr sqlite3_api_routines linked = [] {
   api.declare_vtab = sqlite3_declare_vtab;
   api.errmsg = sqlite3_errmsg;
   api.exec = sqlite3_exec;
+  api.extended_errcode = sqlite3_extended_errcode;
   api.finalize = sqlite3_finalize;
   api.free = sqlite3_free;
   api.last_insert_rowid = sqlite3_last_insert_rowid;

@@ -1,7 +1,7 @@
 // Conversion of SQL values into plans of a table, and of stored plans into SQL values.
 //
 //   const PlanValues plans(declaration, interrupt);
-//   const Plan plan = plans.stored(plans.written(value), origin);      // metres, legs checked
+//   const Plan plan = plans.stored(*plans.written(value), origin);      // metres, legs checked
 //   result_plan(context, plans.shown(plan, frame));
 //
 // A table of metres stores a plan as it is written. A table in degrees takes knots as longitude and latitude; each one

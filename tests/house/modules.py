@@ -19,15 +19,15 @@ MAY_INCLUDE["storage"] = {"geography", "shape", "motion", "base"}
 MAY_INCLUDE["geography"] = {"shape", "motion", "base"}
 MAY_INCLUDE["sqlite"] = {"storage", "geography", *ORDER}
 MAY_INCLUDE["hosts"] = {"sqlite"}
-# What the index asks of a place to keep pages, which storage supplies; and the tree that it makes of them.
-PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
+# What the index asks of a place to keep pages, and of plans, which storage supplies; and the tree that it makes of them.
+PAGE_INTERFACE = {"index/pages.h", "index/chunk_source.h", "index/tpr_tree/tpr_tree.h", "index/tpr_tree/node.h"}
 SEES_SQLITE = {"storage", "sqlite", "hosts"}
 # The modules inside a module: each may include those to its right.
 INSIDE = {
     "contact": ["clearance", "mesh", "outline", "boxes", "set", "certified", "exact", "minkowski", "constraint"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
     "shape": ["mesh", "outline"],
-    "query": ["avoid", "watch", "join", "legs", "tile", "sweep", "window", "nearest", "position"],
+    "query": ["avoid", "watch", "join", "tile", "sweep", "window", "nearest", "position", "legs"],
     "storage": ["table", "tree", "nodes", "journal", "rows", "format"],
     "sqlite": ["watch", "functions", "names", "table"],
 }

@@ -186,7 +186,7 @@ TEST_F(VersionZeroTwo, IsWrittenWithItsWatchOfFormatOne) {
   db.run(
       "DELETE FROM ships WHERE id = 12; INSERT INTO ships VALUES(500, 104, 1.5, 2.5, 0, 0, 1, 0, 'new'); "
       "COMMIT");
-  EXPECT_EQ(rows(db, "SELECT value FROM near_meta WHERE key = 'format'"), "2|\n");
+  EXPECT_EQ(rows(db, "SELECT value FROM near_meta WHERE key = 'format'"), "3|\n");
   expect_watch_equals_join();
   db.run(
       "INSERT INTO hulls SELECT 100 + id, t, x + 7, y, vx, vy, shape, heading, r FROM hulls WHERE id % 4 = "

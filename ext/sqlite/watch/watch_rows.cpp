@@ -10,10 +10,11 @@ namespace {
 
 constexpr std::array<const char*, 5> suffixes{"pair", "back", "due", "log", "meta"};
 
-/// Whether a row is there already. Without extended result codes, which the application chooses, one code has all
-/// constraints; the shadow tables have only keys.
-bool is_conflict(const StoreError& error) {
-  return (error.code & 0xff) == SQLITE_CONSTRAINT;
+/// Whether the last statement failed because a row is there already. The application chooses whether results have
+/// extended codes.
+bool is_conflict(sqlite3* db) {
+  const int code = sqlite3_extended_errcode(db);
+  return code == SQLITE_CONSTRAINT_PRIMARYKEY || code == SQLITE_CONSTRAINT_UNIQUE;
 }
 
 constexpr const char* pair_columns = "SELECT a, b, t, due, state, coalesce(told, t) FROM {pair} ";
@@ -159,8 +160,8 @@ void WatchRows::write_pair(const WatchedPair* before, const WatchedPair& pair, b
   if (with_told) run.bind(6, pair.told);
   run.step();
   before ? keys_.change(*before, pair) : keys_.add(pair);
-} catch (const StoreError& error) {
-  if (!is_conflict(error)) throw;
+} catch (const StoreError&) {
+  if (!is_conflict(db_)) throw;
   damaged("pair");
 }
 
@@ -178,8 +179,8 @@ void WatchRows::erase_all_pairs() {
   keys_.erase_all();
 }
 
-void WatchRows::write_keys() try { keys_.write(); } catch (const StoreError& error) {
-  if (!is_conflict(error)) throw;
+void WatchRows::write_keys() try { keys_.write(); } catch (const StoreError&) {
+  if (!is_conflict(db_)) throw;
   damaged("pair");
 }
 

@@ -4,7 +4,7 @@
 //   for (std::size_t i = 0; i < writer.chunks(); ++i) rows.write(first + i, writer.blob(i, first + i));
 //
 //   StoredChunk chunk;
-//   if (const char* fault = open_chunk(layout, blob, number, chunk)) …
+//   if (const char* fault = open_chunk(layout, blob, 8, chunk)) …
 //   if (const char* fault = append_legs(chunk, legs)) …  // or append_to_plan(chunk, plan)
 //
 //     byte 0   1      2       3      4..5   6..7   8..15    only the first chunk of a plan

@@ -37,7 +37,7 @@ std::int64_t StoredPlans::last_number() {
 StoredPlans::Change::~Change() {
   if (written_ == 0 || finished_) return;
   // After some errors SQLite has rolled everything back: another connection may have these numbers by now.
-  if (sqlite3_txn_state(plans_->db_, plans_->tree_name_.schema.c_str()) != SQLITE_TXN_WRITE) return;
+  if (rolled_back_) return;
   try {
     plans_->rows_->erase(first_, first_ + written_ - 1);
   } catch (...) {

@@ -124,7 +124,7 @@ void Store::insert(std::int64_t id, std::span<const double> record, std::span<sq
                    const std::optional<LatLon>& origin, const Plan* plan) {
   start_change(record);
   AtomicChange atomic_change(*this);
-  StoredPlans::Change plans(plans_.get());
+  StoredPlans::Change plans(plans_.get(), rolled_back_);
   record = plan ? plans.add(id, record, *plan) : plans.keep(id, id, {}, record);
   if (plan) require_sound(record);
   if (origin) origin_.change() = {.known = true, .unwritten = true, .value = origin};
@@ -140,7 +140,7 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
                    std::span<sqlite3_value*> auxiliaries, const Plan* plan) {
   start_change(record);
   AtomicChange atomic_change(*this);
-  StoredPlans::Change plans(plans_.get());
+  StoredPlans::Change plans(plans_.get(), rolled_back_);
   if (plans_) record = change_plans(plans, id, new_id, record, plan);
   tree_.with_sound_tree([&] {
     log_before_change(id);
@@ -162,7 +162,7 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
 void Store::erase(std::int64_t id) {
   start_change({});
   AtomicChange atomic_change(*this);
-  StoredPlans::Change plans(plans_.get());
+  StoredPlans::Change plans(plans_.get(), rolled_back_);
   if (plans_) plans.remove(id, read(id).value_or(std::vector<double>()));
   tree_.with_sound_tree([&] {
     log_before_change(id);

@@ -118,8 +118,9 @@ class StoredPlans final : public Journal::Participant {
 /// it has added; the journal restores the rest.
 class StoredPlans::Change {
  public:
-  /// `plans`: null in a table without; then every call does nothing.
-  explicit Change(StoredPlans* plans) : plans_(plans) {}
+  /// `plans`: null in a table without; then every call does nothing. `rolled_back`: becomes true if SQLite rolls
+  /// everything back during the change.
+  Change(StoredPlans* plans, const bool& rolled_back) : plans_(plans), rolled_back_(rolled_back) {}
   ~Change();
   Change(const Change&) = delete;
   Change& operator=(const Change&) = delete;
@@ -141,6 +142,7 @@ class StoredPlans::Change {
 
  private:
   StoredPlans* plans_;
+  const bool& rolled_back_;
   std::vector<double> record_;
   std::optional<ChunkWriter> added_;
   std::int64_t first_ = 0, written_ = 0;  ///< of the new plan: its first number, and the rows written

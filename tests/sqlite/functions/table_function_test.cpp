@@ -3,6 +3,7 @@
 
 #include "sqlite/callback.h"
 #include "sqlite/database.h"
+#include "sqlite/functions/columns.h"
 
 namespace foresee {
 namespace {
@@ -171,6 +172,17 @@ TEST_F(TableFunctionTest, IsReadOnlyAndNeedsNoCreate) {
   EXPECT_EQ(db.error_of("DELETE FROM countdown"), "table countdown may not be modified");
   EXPECT_EQ(db.error_of("CREATE VIRTUAL TABLE c USING countdown"), "no such module: countdown");
   EXPECT_EQ(db.error_of("SELECT rowid FROM countdown(1)"), "no such column: rowid");
+}
+
+constexpr ColumnList three_columns{"id INTEGER", "t REAL", "t_end REAL"};
+static_assert(three_columns["id"] == 0 && three_columns["t"] == 1 && three_columns["t_end"] == 2);
+constexpr ColumnList one_name{"h"};
+static_assert(one_name["h"] == 0);
+
+TEST(ColumnList, TheDeclarationHasThemInOrder) {
+  const std::vector<const char*> declared = three_columns;
+  ASSERT_EQ(declared.size(), 3u);
+  EXPECT_STREQ(declared[static_cast<std::size_t>(three_columns["t"])], "t REAL");
 }
 
 }  // namespace
