@@ -132,6 +132,11 @@ NearObjects intruders(const AvoidQuestion& question, const std::vector<std::uniq
     std::vector<MovingBox<D>> boxes;
     for (const auto& leg : legs)
       boxes.push_back(box_around<D>(question, *leg, leg->between<D>(queried.lo, queried.hi), margin));
+    // A delay spares whom it touches at its stored start, with all legs: one of these may be near there alone.
+    if (near->layout.has_plan && legs[0]->starts_vary()) {
+      const auto stored = no_changes_of(legs[0]->unchanged());
+      boxes.push_back(box_around<D>(question, *stored, stored->between<D>(0, 0), margin));
+    }
     if (others.scene) {
       walk_scene<D>(*others.scene, {*others.scene, horizon, boxes}, itself, partners, interrupt, *near);
     } else {
@@ -144,10 +149,10 @@ NearObjects intruders(const AvoidQuestion& question, const std::vector<std::uniq
       const auto is_other = [&](std::int64_t id) { return id != itself; };
       if (others.chunks) add_legs_near<D>(others, boxes, horizon, zero, interrupt, partners, is_other, *near);
     }
-    if (boxes.size() == 1) return;
+    if (legs.size() == 1) return;
     const RowsNear<D> rows(*near, horizon, boxes);
-    found.of_leg.resize(boxes.size());
-    for (std::size_t box = 0; box < boxes.size(); ++box) {
+    found.of_leg.resize(legs.size());
+    for (std::size_t box = 0; box < legs.size(); ++box) {
       interrupt.check();
       for (std::uint32_t row = 0; row < near->size(); ++row)
         if (rows.has(row, box)) found.of_leg[box].push_back(row);
