@@ -105,8 +105,8 @@ std::vector<double> changed_record(const AvoidQuestion& question, const OwnState
   const Layout& layout = question.own->layout;
   const ChangedLegs changed = changed_legs(question, own, queried);
   OwnMotion motion = changed.legs[0]->changed(k);
-  const bool has_begun = own.legs_before + own.leg > 0 || own.stored.t < own.base.t;
-  if (question.plan && queried.manoeuvre == Manoeuvre::wait && has_begun) motion = own.stored;
+  const bool has_started = own.legs_before + own.leg > 0 || own.stored.t < own.base.t;
+  if (question.plan && queried.manoeuvre == Manoeuvre::wait && has_started) motion = own.stored;
   if (question.plan || queried.manoeuvre == Manoeuvre::wait || question.resume) {
     motion.until = motion_in(layout, question.record).until;
     if (changed.are_later) motion.until += k;

@@ -132,7 +132,7 @@ NearObjects intruders(const AvoidQuestion& question, const std::vector<std::uniq
     std::vector<MovingBox<D>> boxes;
     for (const auto& leg : legs)
       boxes.push_back(box_around<D>(question, *leg, leg->between<D>(queried.lo, queried.hi), margin));
-    // A delay spares whom it touches at its stored start, with all legs: one of these may be near there alone.
+    // A delay spares the objects that it touches at its stored start, with all legs: one may be near there alone.
     if (near->layout.has_plan && legs[0]->starts_vary()) {
       const auto stored = no_changes_of(legs[0]->unchanged());
       boxes.push_back(box_around<D>(question, *stored, stored->between<D>(0, 0), margin));
