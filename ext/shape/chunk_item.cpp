@@ -9,8 +9,22 @@
 #include "shape/shapes.h"
 
 namespace foresee {
+namespace {
 
-void write_chunk_item(const Layout& layout, const double* record, std::span<const Leg> legs, double* item) {
+/// The box of these legs around the path of an item.
+ChunkBox box_along(const double* item, const Offsets& at, std::span<const Leg> legs, int axes) {
+  ChunkBox box{.t = item[at.t], .until = legs.back().until};
+  std::copy_n(item + at.x, axes, box.x.begin());
+  std::copy_n(item + at.v, axes, box.v.begin());
+  box.half = half_extents_around(box, legs, axes);
+  box.t = legs.front().t;
+  return box;
+}
+
+}  // namespace
+
+void write_chunk_item(const Layout& layout, const double* record, std::span<const Leg> legs, double* item,
+                      const double* given) {
   const FloatEnvironment environment;
   const Offsets from = record_offsets(layout), at = record_offsets(chunk_layout(layout));
   Leg cut;
@@ -18,7 +32,7 @@ void write_chunk_item(const Layout& layout, const double* record, std::span<cons
     cut = legs.back(), cut.until = record[from.until];  // a leg without end is a chunk of its own
     legs = {&cut, 1};
   }
-  const ChunkBox box = chunk_box(legs, layout.axes);
+  const ChunkBox box = given ? box_along(given, at, legs, layout.axes) : chunk_box(legs, layout.axes);
   item[at.t] = box.t;
   item[at.until] = std::max(box.t, std::min(box.until, record[from.until]));
   with_axes(layout.axes, [&]<int D>(Axes<D>) {

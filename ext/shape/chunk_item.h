@@ -16,7 +16,9 @@
 namespace foresee {
 
 /// `record`: of the object, record_offsets(layout). `item`: filled, record_offsets(chunk_layout(layout)).
+/// `given`: null, or an item whose place, velocity and t the box has, instead of those of chunk_box().
 /// Requires: a layout with plans; at least one leg.
-void write_chunk_item(const Layout& layout, const double* record, std::span<const Leg> legs, double* item);
+void write_chunk_item(const Layout& layout, const double* record, std::span<const Leg> legs, double* item,
+                      const double* given = nullptr);
 
 }  // namespace foresee

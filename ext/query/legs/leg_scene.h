@@ -5,8 +5,8 @@
 //   for (std::size_t i = 0; i < legs->object_count(); ++i) decide(legs->rows_of(i));
 //
 // Guarantee: the scene has every leg whose object comes into the box with its shape during the horizon, and perhaps
-// other legs. Chunks are read before the call returns, so the scene may outlive
-// the tree. Cost: the nodes whose bounds meet the box, and some 10 ns per leg of the chunks found. Memory: the result.
+// other legs. Chunks are read before the call returns, so the scene may outlive the tree. Cost: the nodes whose
+// bounds meet the box, and some 10 ns per leg of the chunks found. Memory: the result.
 #pragma once
 
 #include <functional>

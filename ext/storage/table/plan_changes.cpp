@@ -4,6 +4,7 @@
 
 #include "base/float_environment.h"
 #include "motion/plan/plan_legs.h"
+#include "shape/chunk_item.h"
 #include "storage/rows/store_error.h"
 #include "storage/table/stored_plans.h"
 
@@ -68,7 +69,7 @@ std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<cons
   record_[static_cast<std::size_t>(plans.at_.chunks)] = static_cast<double>(chunks);
   std::vector<double> item(static_cast<std::size_t>(plans.item_at_.size));
   for (std::int64_t i = 0; i < chunks; ++i) {
-    plans.make_item(added_->legs(static_cast<std::size_t>(i)), record_.data(), item.data());
+    write_chunk_item(plans.layout_, record_.data(), added_->legs(static_cast<std::size_t>(i)), item.data());
     plans.tree_.insert(first_ + i, item);
   }
   return record_;
@@ -103,7 +104,7 @@ std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t 
   plans.rows_->read(head.first, head.last(), [&](std::int64_t number, std::span<const std::byte> blob) {
     legs.clear();
     plans.require(append_legs(plans.opened(number, blob, &head), legs), number);
-    plans.make_item(legs, record_.data(), item.data());
+    write_chunk_item(plans.layout_, record_.data(), legs, item.data());
     if (!plans.tree_.update(number, item))
       plans.damaged("chunk " + std::to_string(number) + " is missing in " + plans.name_.table + "_chunk_map");
     ++next;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/float_environment.h"
+#include "shape/chunk_item.h"
 #include "storage/rows/store_error.h"
 #include "storage/table/stored_plans.h"
 
@@ -21,7 +22,8 @@ void StoredPlans::rebuild(std::vector<Head>& heads, std::span<const double> reco
     require(append_legs(opened(number, blob, &head), legs), number);
     numbers.push_back(number);
     items.resize(items.size() + item_size);
-    make_item(legs, records.data() + head.record * record_size, items.data() + items.size() - item_size);
+    write_chunk_item(layout_, records.data() + head.record * record_size, legs,
+                     items.data() + items.size() - item_size);
   };
   scan(
       heads, take, [&](std::int64_t number) { strays.push_back(number); }, interrupt);
@@ -80,12 +82,12 @@ class PlansCheck {
     return same;
   }
 
-  /// The box may be larger than that of make_item(): another version may have written it.
+  /// The box may be larger than that of write_chunk_item(): another version may have written it.
   void item(const double* record, std::int64_t number, std::span<const Leg> legs) {
     const double* const item = plans_.tree().nodes().find_record(number);
     if (!item) return say_(name(number) + " is missing in the tree of chunks");
     std::vector<double> own(static_cast<std::size_t>(item_at_.size));
-    plans_.make_item(legs, record, own.data(), item);
+    write_chunk_item(plans_.layout(), record, legs, own.data(), item);
     bool contains = item[item_at_.t] <= own[static_cast<std::size_t>(item_at_.t)] &&
                     own[static_cast<std::size_t>(item_at_.until)] <= item[item_at_.until];
     for (int axis = 0; axis < plans_.layout().axes; ++axis)

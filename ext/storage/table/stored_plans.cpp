@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "base/interrupt_steps.h"
 #include "index/tpr_tree/node.h"
 #include "motion/plan/plan_legs.h"
-#include "shape/shapes.h"
 #include "storage/rows/store_error.h"
 
 namespace foresee {
@@ -226,43 +224,6 @@ void StoredPlans::read_some(std::vector<Head>& heads, std::span<const std::int64
     if (head == heads.end() || number < head->first) stray(number);
     rows_->read_one(number, [&](std::span<const std::byte> blob) { each(*head, number, blob); });
   }
-}
-
-// --- items
-
-void StoredPlans::make_item(std::span<const Leg> legs, const double* record, double* item,
-                            const double* given) const {
-  constexpr double largest = std::numeric_limits<double>::max();
-  const double end = record[at_.until];
-  Leg cut;
-  if (legs.back().until == no_end && end < no_end && legs.back().t <= end) {
-    cut = legs.back(), cut.until = end;  // a leg without end is a chunk of its own
-    legs = {&cut, 1};
-  }
-  ChunkBox box;
-  if (given) {
-    box = {.t = given[item_at_.t], .until = legs.back().until};
-    std::copy_n(given + item_at_.x, layout_.axes, box.x.begin());
-    std::copy_n(given + item_at_.v, layout_.axes, box.v.begin());
-    box.half = half_extents_around(box, legs, layout_.axes);
-    box.t = legs.front().t;
-  } else {
-    box = chunk_box(legs, layout_.axes);
-  }
-  item[item_at_.t] = box.t;
-  item[item_at_.until] = std::max(box.t, std::min(box.until, end));
-  with_axes(layout_.axes, [&]<int D>(Axes<D>) {
-    const Extents<D> shape = extents_of<D>(layout_.shape, record, at_);
-    for (int axis = 0; axis < D; ++axis) {
-      const auto j = static_cast<std::size_t>(axis);
-      item[item_at_.x + axis] = box.x[j];
-      item[item_at_.v + axis] = box.v[j];
-      const double half = sum_outward(box.half[j], std::max(-shape.lower[axis], shape.upper[axis]));
-      item[item_at_.half + axis] = std::min(half, largest);  // no bound, to the tree
-    }
-  });
-  if (item_at_.category != Offsets::absent) item[item_at_.category] = record[at_.category];
-  if (item_at_.mask != Offsets::absent) item[item_at_.mask] = record[at_.mask];
 }
 
 }  // namespace foresee

@@ -69,11 +69,6 @@ class StoredPlans final : public Journal::Participant {
   void read_all(std::vector<Head>& heads, double from, double until, const EachPlan& each,
                 Interrupt& interrupt);
 
-  /// The item of a chunk; `item` has the doubles of a record of the tree. `given`: null, or an item whose place,
-  /// velocity and t the box has.
-  void make_item(std::span<const Leg> legs, const double* record, double* item,
-                 const double* given = nullptr) const;
-
   // plans_check.cpp; `records`: of the heads
   /// Replaces the tree by the items of these plans, and deletes all other chunks. Requires: in a change.
   void rebuild(std::vector<Head>& heads, std::span<const double> records, Interrupt& interrupt);
