@@ -104,9 +104,8 @@ void compare_loads(const Schedule& schedule) {
   }
   std::printf(
       "  load: legs as rows %.0f ns per leg, %.1f bytes   plans from blobs %.0f ns (%.2fx), %.1f bytes   "
-      "from texts "
-      "%.0f ns (%.2fx)\n",
-      ns[0], bytes[0], ns[1], ns[1] / ns[0], bytes[1], ns[2], ns[2] / ns[0]);
+      "from texts %.0f ns (%.2fx), %.1f bytes\n",
+      ns[0], bytes[0], ns[1], ns[1] / ns[0], bytes[1], ns[2], ns[2] / ns[0], bytes[2]);
 }
 
 void compare_scene(int movers, int legs, double h, int repetitions) {

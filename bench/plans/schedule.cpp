@@ -64,12 +64,14 @@ void make_plans(Database& db, const Schedule& schedule, PlanForm form) {
     for (int i = 0; i < 6; ++i) insert.bind(3 + i, values[i]);
     insert.step();
   }
+  // SQLite's bare columns beside max(leg) are those of the last leg, whose end is the last knot.
   const std::string plan =
       form == PlanForm::blob
           ? "plan_uniform(t, until, x, y, vx, vy)"
-          : "'LINESTRING M(' || group_concat(printf('%!.17g %!.17g %!.17g', x, y, t), ', ') || ')'";
-  db.run("INSERT INTO temp.plans SELECT mover, " + plan +
-         " FROM (SELECT * FROM temp.plan_legs ORDER BY mover, leg) GROUP BY mover;"
+          : "'LINESTRING M(' || group_concat(printf('%!.17g %!.17g %!.17g', x, y, t), ', ') || "
+            "printf(', %!.17g %!.17g %!.17g)', x + vx * (until - t), y + vy * (until - t), until)";
+  db.run("INSERT INTO temp.plans SELECT mover, plan FROM (SELECT mover, max(leg), " + plan +
+         " AS plan FROM (SELECT * FROM temp.plan_legs ORDER BY mover, leg) GROUP BY mover);"
          "DROP TABLE temp.plan_legs; COMMIT");
 }
 
