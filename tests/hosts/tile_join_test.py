@@ -93,6 +93,14 @@ class Whole(Fleet):
         rows = [(i, x, y, vx, vy, vy / 10, vx / 10, 15, 25) for i, _, x, y, vx, vy, _, _ in ships(300)]
         self.check(Question("ships", 30.0), ships=("id, x, y, vx, vy, ax, ay, hx, hy", rows))
 
+    def test_movers_with_plans(self):
+        rows = []
+        for i, t, x, y, vx, vy, *_ in ships(300):
+            far = x + 40 * vx, y + 40 * vy
+            knots = (x, y, t), (*far, t + 40), (*far, t + 55), (x, y, t + 110)
+            rows.append((i, None, None, "LINESTRING M(" + ", ".join("%r %r %r" % knot for knot in knots) + ")", 12))
+        self.check(Question("ships", 40.0, within=8.0, now=60.0, columns=("t", "t_end", "d_cpa")), ships=("id, x, y, plan, r", rows))
+
     def test_two_tables(self):
         crates = [(i, x, y, 30, 20) for i, _, x, y, *_ in ships(300, seed=2)]
         self.check(Question("ships", 30.0, within=5.0, other="crates", now=60.0, columns=("t", "t_cpa")),
@@ -270,8 +278,7 @@ class Tiles(Fleet):
 
     def test_columns_of_motion_are_those_of_the_extension(self):
         words = re.findall(r'Word\{"(\w+)"', (ROOT / "ext/sqlite/table/column_vocabulary.cpp").read_text())
-        # A table of zones needs an origin, which no CSV file has. Plans are texts, and shards hold numbers.
-        self.assertEqual(set(MOTION), {"id", *words} - {"zone", "plan"})
+        self.assertEqual(set(MOTION), {"id", *words} - {"zone"})        # a table of zones needs an origin, which no CSV file has
 
     def test_parquet(self):
         try:

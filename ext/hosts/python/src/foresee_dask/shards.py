@@ -75,8 +75,15 @@ def tables_of(db, tables):
     for table in tables:
         if table.lower() in there:
             found[table] = dict(db.execute(f"SELECT key, value FROM shard.{quoted(table + '_meta')} WHERE key IN ('columns', 'stamp', 'objects')"))
+            found[table]["columns"] = _declared(db, table, found[table]["columns"])
             found[table]["frame"] = there[table.lower()]
     return found
+
+
+def _declared(db, table, stored):
+    """The columns of `_meta` without those that a table stores but does not declare: t of plans."""
+    declared = {name.lower() for name, in db.execute("SELECT name FROM pragma_table_xinfo(?, 'shard')", (table,))}
+    return ", ".join(column for column in map(str.strip, stored.split(",")) if column[0] == "+" or column.lower() in declared)
 
 
 def look(extension, path, tables):
