@@ -2,8 +2,8 @@
 // objects.
 //
 //   Chunk chunk;
-//   plans.read_chunk(8, chunk);                          // 8: the key of an item that a walk of plans.tree() has found
-//   add(plans.find_object(chunk.object), chunk.legs);
+//   plans.read_chunk(8, {60, 120}, chunk);               // 8: the key of an item that a walk of plans.tree() has found
+//   add(chunk.object, chunk.record, chunk.legs);
 //
 // The items of the tree have chunk_layout() (shape/chunk_item.h): moving boxes that contain the object with its whole
 // shape at every time of the chunk. Their keys are the numbers of the chunks; those of one object are consecutive, in
@@ -23,7 +23,8 @@ namespace foresee {
 /// Consecutive legs of one object's plan (motion/plan/chunks.h).
 struct Chunk {
   std::int64_t object = 0;
-  std::vector<Leg> legs;  ///< in order of time; the object's `until` has not cut them
+  std::span<const double> record;  ///< of the object; valid until another chunk is read
+  std::vector<Leg> legs;           ///< in order of time; the object's `until` has not cut them
 };
 
 class ChunkSource {
@@ -31,10 +32,8 @@ class ChunkSource {
   virtual ~ChunkSource() = default;
 
   virtual NodeSource& tree() = 0;
-  /// Replaces `chunk`. Cost: a look-up, and some 10 ns per leg.
-  virtual void read_chunk(std::int64_t number, Chunk& chunk) = 0;
-  /// The record of an object; empty if it does not exist. Valid until the next call.
-  virtual std::span<const double> find_object(std::int64_t id) = 0;
+  /// Replaces `chunk`, with its legs that exist at some of these times. Cost: two look-ups, and some 10 ns per leg.
+  virtual void read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) = 0;
 };
 
 }  // namespace foresee

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "motion/plan/chunks.h"
 #include "query/memory_table.h"
 #include "shape/chunk_item.h"
@@ -36,6 +38,14 @@ void MemoryPlans::erase(std::span<const double> record) {
   const Numbers numbers = numbers_of(record);
   for (std::int64_t number = numbers.first; number < numbers.first + numbers.count; ++number)
     tree_->erase(number), chunks_.erase(number);
+}
+
+void MemoryPlans::read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) {
+  const OfChunk& of = chunks_.at(number);
+  chunk.object = of.object, chunk.record = find_record_(of.object);
+  chunk.legs.clear();
+  std::copy_if(of.legs.begin(), of.legs.end(), std::back_inserter(chunk.legs),
+               [&](const Leg& leg) { return times.meet(leg.t, leg.until); });
 }
 
 void MemoryPlans::read_legs(std::span<const double> record, std::vector<Leg>& legs) const {

@@ -23,11 +23,8 @@ void start_as(const Layout& layout, const Leg& leg, std::vector<double>& record)
 MemoryTable::MemoryTable(std::string name, const Layout& layout, double horizon)
     : name_(std::move(name)), pages_(layout), tree_(make_tpr_tree(pages_, horizon)) {
   if (!layout.has_plan) return;
-  plans_ = std::make_unique<MemoryPlans>(layout, horizon, [this](std::int64_t id) {
-    const double* record = find(id);
-    const auto size = static_cast<std::size_t>(record_offsets(pages_.layout()).size);
-    return record ? std::span(record, size) : std::span<const double>();
-  });
+  plans_ =
+      std::make_unique<MemoryPlans>(layout, horizon, [this](std::int64_t id) { return find_record(id); });
 }
 
 void MemoryTable::changed(std::int64_t id) {
@@ -39,7 +36,7 @@ void MemoryTable::changed(std::int64_t id) {
 void MemoryTable::put(std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
   std::vector<double> head;
   if (plans_) {
-    if (const auto before = plans_->find_object(id); !before.empty()) plans_->erase(before);
+    if (const auto before = find_record(id); !before.empty()) plans_->erase(before);
     head.assign(record.begin(), record.end());
     if (!legs.empty()) start_as(layout(), legs[0], head);
     plans_->put(id, head, legs);
@@ -51,7 +48,7 @@ void MemoryTable::put(std::int64_t id, std::span<const double> record, std::span
 
 bool MemoryTable::erase(std::int64_t id) {
   if (plans_)
-    if (const auto record = plans_->find_object(id); !record.empty()) plans_->erase(record);
+    if (const auto record = find_record(id); !record.empty()) plans_->erase(record);
   if (!tree_->erase(id)) return false;
   changed(id);
   return true;
@@ -81,6 +78,12 @@ std::shared_ptr<const Scene> MemoryTable::all(bool) {
 
 std::shared_ptr<const Scene> MemoryTable::all_during(const LegTimes& times) {
   return plans_ ? read_objects(times) : all();
+}
+
+std::span<const double> MemoryTable::find_record(std::int64_t id) {
+  const double* record = find(id);
+  const auto size = static_cast<std::size_t>(record_offsets(pages_.layout()).size);
+  return record ? std::span(record, size) : std::span<const double>();
 }
 
 std::shared_ptr<const Scene> MemoryTable::read_objects(const LegTimes& times) {
@@ -120,7 +123,7 @@ std::shared_ptr<const Scene> MemoryTable::objects(std::span<const std::int64_t> 
       scene->add(id, record);
       continue;
     }
-    plans_->read_legs(plans_->find_object(id), legs);
+    plans_->read_legs(find_record(id), legs);
     scene->add(id, record, legs);
   }
   return scene;

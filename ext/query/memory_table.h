@@ -46,13 +46,16 @@ class MemoryPlans final : public ChunkSource {
   void read_legs(std::span<const double> record, std::vector<Leg>& legs) const;
 
   NodeSource& tree() override { return pages_; }
-  void read_chunk(std::int64_t number, Chunk& chunk) override { chunk = chunks_.at(number); }
-  std::span<const double> find_object(std::int64_t id) override { return find_record_(id); }
+  void read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) override;
 
  private:
   /// One past the last one is first + count.
   struct Numbers {
     std::int64_t first, count;
+  };
+  struct OfChunk {
+    std::int64_t object;
+    std::vector<Leg> legs;
   };
   Numbers numbers_of(std::span<const double> record) const;
 
@@ -61,7 +64,7 @@ class MemoryPlans final : public ChunkSource {
   MemoryPages pages_;
   std::unique_ptr<TprTree> tree_;
   FindRecord find_record_;
-  std::unordered_map<std::int64_t, Chunk> chunks_;
+  std::unordered_map<std::int64_t, OfChunk> chunks_;
   std::int64_t next_ = 1;
 };
 
@@ -98,6 +101,8 @@ class MemoryTable final : public TableSource {
   void changed(std::int64_t id);
   /// Valid until the next change; null if the object does not exist.
   const double* find(std::int64_t id);
+  /// As above; empty if the object does not exist.
+  std::span<const double> find_record(std::int64_t id);
   std::shared_ptr<const Scene> read_objects(const LegTimes& times);
 
   std::string name_;

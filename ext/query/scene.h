@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,15 +22,6 @@
 namespace foresee {
 
 struct SceneKinds;
-
-/// The closed interval of times for which a scene has the legs of plans.
-struct LegTimes {
-  double from = -std::numeric_limits<double>::infinity();
-  double until = std::numeric_limits<double>::infinity();
-
-  bool meet(double t, double leg_until) const { return t <= until && from <= leg_until; }
-  bool cover(const LegTimes& times) const { return from <= times.from && times.until <= until; }
-};
 
 /// Rows `first` to `last` - 1 of a scene.
 struct RowRange {

@@ -129,10 +129,10 @@ inline void expect_chunks(Store& store, const Robots& robots, std::size_t chunks
   Chunk chunk;
   std::map<std::int64_t, std::size_t> legs;
   for (const std::int64_t number : numbers) {
-    source->read_chunk(number, chunk);
+    source->read_chunk(number, {}, chunk);
     ASSERT_TRUE(robots.contains(chunk.object)) << when;
     legs[chunk.object] += chunk.legs.size();
-    EXPECT_FALSE(source->find_object(chunk.object).empty()) << when;
+    EXPECT_FALSE(chunk.record.empty()) << when;
   }
   for (const auto& [id, robot] : robots) EXPECT_EQ(legs[id], robot.plan ? leg_count(*robot.plan) : 0) << when;
 }

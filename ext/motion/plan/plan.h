@@ -38,6 +38,14 @@ struct Leg {
   friend bool operator==(const Leg&, const Leg&) = default;
 };
 
+/// A closed interval of times at which legs may exist.
+struct LegTimes {
+  double from = -no_end, until = no_end;
+
+  bool meet(double t, double leg_until) const { return t <= until && from <= leg_until; }
+  bool cover(const LegTimes& times) const { return from <= times.from && times.until <= until; }
+};
+
 /// What a plan is written in; the values are those of the blob (packed_legs.h).
 enum class PlanKind : std::uint8_t {
   knots,        ///< straight legs, each from one knot to the next of its part

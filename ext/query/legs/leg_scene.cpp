@@ -6,6 +6,7 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/window_walk.h"
+#include "shape/shapes.h"
 
 namespace foresee {
 namespace {
@@ -46,32 +47,19 @@ std::optional<std::size_t> row_at(const Bodies& bodies, RowRange rows, double ti
 
 namespace {
 
-/// A chunk that a walk has found: its number and its box.
-template <int D>
-struct FoundChunk {
-  std::int64_t number;
-  Motion<D> chord;
-  Vec<D> half;
-};
-
 /// The chunks that meet one of the boxes, by number: then those of an object are consecutive.
 template <int D>
-std::vector<FoundChunk<D>> chunks_near(ChunkSource& chunks, std::span<const MovingBox<D>> boxes,
-                                       const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
-                                       const std::optional<KindTest>& test) {
-  std::vector<FoundChunk<D>> found;
-  const LeafReader<D> reader(chunks.tree().layout());
+std::vector<std::int64_t> chunks_near(ChunkSource& chunks, std::span<const MovingBox<D>> boxes,
+                                      const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
+                                      const std::optional<KindTest>& test) {
+  std::vector<std::int64_t> found;
   for (const MovingBox<D>& box : boxes) {
     WindowWalk<D> walk(chunks.tree(), box, horizon, margin, interrupt, test);
     for (LeafHits hits; walk.next(hits);)
-      for (const std::uint32_t slot : hits.slots) {
-        const double* item = reader.record(*hits.leaf, slot);
-        found.push_back({hits.leaf->keys[slot], reader.motion(item), reader.extents(item).upper});
-      }
+      for (const std::uint32_t slot : hits.slots) found.push_back(hits.leaf->keys[slot]);
   }
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
-  const auto is_same = [](const auto& a, const auto& b) { return a.number == b.number; };
-  found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
@@ -83,12 +71,13 @@ Motion<D> motion_of(const Leg& leg) {
   return {leg.t, vector(leg.x), vector(leg.v), vector(leg.a), leg.until};
 }
 
-/// Selects the legs that may meet one of some boxes, without the sizes of their object.
+/// Selects the legs that may meet one of some boxes.
 template <int D>
 class LegFilter {
  public:
-  LegFilter(std::span<const MovingBox<D>> boxes, const Horizon& horizon, const Vec<D>& margin)
-      : horizon_(horizon), boxes_(boxes.begin(), boxes.end()) {
+  LegFilter(std::span<const MovingBox<D>> boxes, const Layout& layout, const Horizon& horizon,
+            const Vec<D>& margin)
+      : layout_(layout), at_(record_offsets(layout)), horizon_(horizon), boxes_(boxes.begin(), boxes.end()) {
     for (MovingBox<D>& box : boxes_) {  // as WindowWalk does
       const Vec<D> lower = box.lower - margin, upper = box.upper + margin;
       box.lower = lower_end<D>(lower, (box.lower.abs() + margin) * rounding_pad);
@@ -96,11 +85,11 @@ class LegFilter {
     }
   }
 
-  void keep_near(const FoundChunk<D>& chunk, std::vector<Leg>& legs) const {
-    const Extents<D> reach = symmetric<D>(reach_of_object(chunk, legs));
-    std::erase_if(legs, [&](const Leg& leg) {
+  void keep_near(Chunk& chunk) const {
+    const Extents<D> shape = extents_of<D>(layout_.shape, chunk.record.data(), at_);
+    std::erase_if(chunk.legs, [&](const Leg& leg) {
       if (life_of(leg.t, leg.until, horizon_).none) return true;
-      const MovingBox<D> box = moving_box<D>(motion_of<D>(leg), reach, horizon_, Vec<D>::Zero());
+      const MovingBox<D> box = moving_box<D>(motion_of<D>(leg), shape, horizon_, Vec<D>::Zero());
       return std::none_of(boxes_.begin(), boxes_.end(), [&](const MovingBox<D>& query) {
         SharedInterval span = shared_span(box, query);
         return !span.is_empty() && narrow_to_contact(box, query, span);
@@ -109,29 +98,8 @@ class LegFilter {
   }
 
  private:
-  /// An upper bound of the object's reach: what the half extents of the chunk have beyond the distance of the ends of
-  /// its legs from the chord. The pad exceeds the rounding of the sums, 12 units.
-  Vec<D> reach_of_object(const FoundChunk<D>& chunk, const std::vector<Leg>& legs) const {
-    Vec<D> far = Vec<D>::Zero();
-    const auto include = [&](const Vec<D>& x, const Vec<D>& size, double time) {
-      const double s = time - chunk.chord.t;
-      const Vec<D> moved = chunk.chord.v * s;
-      const double late = std::abs(time) + std::abs(chunk.chord.t);
-      const Vec<D> pad = (size + chunk.chord.x.abs() + chunk.chord.v.abs() * late) * rounding_pad;
-      const Vec<D> off = (x - (chunk.chord.x + moved)).abs() - (pad + smallest_pad);
-      far = (off < chunk.half).select(far.max(off), far);  // not where numbers overflow
-    };
-    for (const Leg& leg : legs) {
-      const Motion<D> motion = motion_of<D>(leg);
-      include(motion.x, motion.x.abs(), leg.t);
-      if (leg.until == no_end) continue;
-      const double s = leg.until - leg.t, late = std::abs(leg.until) + std::abs(leg.t);
-      const Vec<D> size = motion.x.abs() + late * (motion.v.abs() + 0.5 * late * motion.a.abs());
-      include(motion.x + s * (motion.v + 0.5 * s * motion.a), size, leg.until);
-    }
-    return chunk.half - far + chunk.half * rounding_pad;
-  }
-
+  Layout layout_;
+  Offsets at_;
   Horizon horizon_;
   std::vector<MovingBox<D>> boxes_;
 };
@@ -139,27 +107,26 @@ class LegFilter {
 /// Calls use(id, record, legs) for each object of these chunks, with its legs that exist during `times` and that
 /// `filter` keeps; null: all. Objects without such a leg are left out.
 template <int D, class Use>
-void for_each_object(ChunkSource& chunks, const std::vector<FoundChunk<D>>& found, const LegTimes& times,
+void for_each_object(ChunkSource& chunks, std::span<const std::int64_t> numbers, const LegTimes& times,
                      const LegFilter<D>* filter, Interrupt& interrupt, Use use) {
   Chunk chunk;
+  std::int64_t object = 0;
+  std::vector<double> record;
   std::vector<Leg> legs;
-  const auto use_legs = [&](std::int64_t id) {
-    const std::span<const double> record = chunks.find_object(id);
-    if (record.empty()) throw BrokenTree("a chunk of a plan belongs to no object");
-    use(id, record, legs);
+  const auto use_legs = [&] {
+    if (!legs.empty()) use(object, record, legs);
     legs.clear();
   };
-  std::int64_t last = 0;
-  for (const FoundChunk<D>& one : found) {
+  for (const std::int64_t number : numbers) {
     interrupt.check();
-    chunks.read_chunk(one.number, chunk);
-    if (!legs.empty() && chunk.object != last) use_legs(last);
-    last = chunk.object;
-    if (filter) filter->keep_near(one, chunk.legs);
-    std::copy_if(chunk.legs.begin(), chunk.legs.end(), std::back_inserter(legs),
-                 [&](const Leg& leg) { return times.meet(leg.t, leg.until); });
+    chunks.read_chunk(number, times, chunk);
+    if (filter) filter->keep_near(chunk);
+    if (chunk.legs.empty()) continue;
+    if (chunk.object != object) use_legs();
+    if (legs.empty()) object = chunk.object, record.assign(chunk.record.begin(), chunk.record.end());
+    legs.insert(legs.end(), chunk.legs.begin(), chunk.legs.end());
   }
-  if (!legs.empty()) use_legs(last);
+  use_legs();
 }
 
 }  // namespace
@@ -188,7 +155,7 @@ void add_legs_near(const SearchTarget& objects, std::span<const MovingBox<D>> bo
                    const std::function<bool(std::int64_t id)>& keep, Scene& scene) {
   const FloatEnvironment environment;
   const auto found = chunks_near<D>(*objects.chunks, boxes, horizon, margin, interrupt, test);
-  const LegFilter<D> filter(boxes, horizon, margin);
+  const LegFilter<D> filter(boxes, scene.layout, horizon, margin);
   for_each_object<D>(*objects.chunks, found, scene.legs_during, &filter, interrupt,
                      [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
                        if (keep(id)) scene.add(id, record.data(), legs);

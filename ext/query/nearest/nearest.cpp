@@ -91,13 +91,11 @@ class Search {
   bool offer_chunks(ChunkSource& chunks, NearestWalk<D>& walk) {
     if (!walk.next(movers_.reach(), hits_)) return false;
     for (std::size_t i = 0; i < hits_.slots.size() && hits_.distances[i] <= movers_.reach(); ++i) {
-      chunks.read_chunk(hits_.leaf->keys[hits_.slots[i]], chunk_);
+      chunks.read_chunk(hits_.leaf->keys[hits_.slots[i]], legs_.legs_during, chunk_);
       std::erase_if(chunk_.legs, [&](const Leg& leg) { return !is_near(leg); });
       if (chunk_.legs.empty()) continue;
-      const std::span<const double> record = chunks.find_object(chunk_.object);
-      if (record.empty()) throw BrokenTree("a chunk of a plan belongs to no object");
       legs_.ids.clear(), legs_.rows.clear(), legs_.first_rows.clear();
-      legs_.add(chunk_.object, record.data(), chunk_.legs);
+      legs_.add(chunk_.object, chunk_.record.data(), chunk_.legs);
       offer_legs(legs_, legs_.bodies(), {0, legs_.size()});
     }
     return true;

@@ -256,9 +256,13 @@ const char* open_chunk(const Layout& layout, std::span<const std::byte> blob, st
                                                                  : nullptr;
 }
 
-const char* append_legs(const StoredChunk& chunk, std::vector<Leg>& legs) {
-  if (chunk.kind != PlanKind::knots) return read_legs(chunk, [&](const Leg& leg) { legs.push_back(leg); });
+const char* append_legs(const StoredChunk& chunk, std::vector<Leg>& legs, const LegTimes& times) {
+  if (chunk.kind != PlanKind::knots)
+    return read_legs(chunk, [&](const Leg& leg) {
+      if (times.meet(leg.t, leg.until)) legs.push_back(leg);
+    });
   return read_knots(chunk, [&](const Knot& start, const Knot& end, bool) -> const char* {
+    if (!times.meet(start.t, end.t)) return nullptr;
     Leg& leg = legs.emplace_back(Leg{start.t, end.t, start.x, {}, {}});
     for (std::size_t axis = 0; axis < chunk.axes; ++axis) {
       leg.v[axis] = velocity_between(start.x[axis], end.x[axis], start.t, end.t);

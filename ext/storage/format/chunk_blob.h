@@ -81,8 +81,9 @@ class ChunkWriter {
 const char* open_chunk(const Layout& layout, std::span<const std::byte> blob, std::int64_t number,
                        StoredChunk& chunk);
 
-/// Appends the legs. Returns what is wrong with their numbers; null: nothing. Requires: FloatEnvironment.
-const char* append_legs(const StoredChunk& chunk, std::vector<Leg>& legs);
+/// Appends the legs that exist at some of these times. Returns what is wrong with the numbers of all legs, but of the
+/// velocities between knots those of these legs; null: nothing. Requires: FloatEnvironment.
+const char* append_legs(const StoredChunk& chunk, std::vector<Leg>& legs, const LegTimes& times = {});
 
 /// Appends the legs to those before them, as the plan was written: the first chunk to an empty plan. Returns what is
 /// wrong with the numbers, or with their order; null: nothing. Requires: FloatEnvironment.

@@ -14,24 +14,29 @@ class StoredChunks final : public ChunkSource {
 
   NodeSource& tree() override { return plans_.tree().nodes(); }
 
-  void read_chunk(std::int64_t number, Chunk& chunk) override {
-    if (!plans_.read_chunk(number, chunk)) plans_.damaged("chunk " + std::to_string(number) + " is missing");
-    if (head_ && head_->object == chunk.object && head_->has(number)) return;
-    const std::span<const double> record = find_object(chunk.object);
-    const bool is_known = !record.empty() && has_plan(store_->format().at, record.data());
-    if (is_known) head_ = plans_.head_of(chunk.object, record.data());
-    if (!is_known || !head_->has(number))
-      plans_.damaged("chunk " + std::to_string(number) + " is not of the plan of object " +
-                     std::to_string(chunk.object));
+  void read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) override {
+    if (!plans_.read_chunk(number, times, chunk))
+      plans_.damaged("chunk " + std::to_string(number) + " is missing");
+    if (!head_ || head_->object != chunk.object || !head_->has(number)) find_head(number, chunk.object);
+    chunk.record = record_;
   }
 
-  std::span<const double> find_object(std::int64_t id) override { return store_->find(id, statement_state_); }
-
  private:
+  void find_head(std::int64_t number, std::int64_t object) {
+    const std::span<const double> record = store_->find(object, statement_state_);
+    record_.assign(record.begin(), record.end());
+    const bool is_known = !record_.empty() && has_plan(store_->format().at, record_.data());
+    if (is_known) head_ = plans_.head_of(object, record_.data());
+    if (!is_known || !head_->has(number))
+      plans_.damaged("chunk " + std::to_string(number) + " is not of the plan of object " +
+                     std::to_string(object));
+  }
+
   std::shared_ptr<Store> store_;
   StoredPlans& plans_;
   StatementReadState statement_state_;
   std::optional<StoredPlans::Head> head_;
+  std::vector<double> record_;
 };
 
 }  // namespace

@@ -117,13 +117,13 @@ void StoredPlans::read_legs(const Head& head, double from, double until, std::ve
   if (first != last + 1) damaged("a chunk of object " + std::to_string(head.object) + " is missing");
 }
 
-bool StoredPlans::read_chunk(std::int64_t number, Chunk& chunk) {
+bool StoredPlans::read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) {
   const FloatEnvironment environment;
   chunk.legs.clear();
   return rows_->read_one(number, [&](std::span<const std::byte> blob) {
     const StoredChunk stored = opened(number, blob, nullptr);
     chunk.object = stored.object;
-    require(append_legs(stored, chunk.legs), number);
+    require(append_legs(stored, chunk.legs, times), number);
   });
 }
 

@@ -60,8 +60,8 @@ class StoredPlans final : public Journal::Participant {
   Plan read(const Head& head);
   /// The legs of chunks that last at some time from `from` to `until`, in order. Cost: two look-ups, a row per chunk.
   void read_legs(const Head& head, double from, double until, std::vector<Leg>& legs);
-  /// Fills the chunk; returns false if the number does not exist.
-  bool read_chunk(std::int64_t number, Chunk& chunk);
+  /// Fills the chunk but its record, with the legs of these times; returns false if the number does not exist.
+  bool read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk);
 
   using EachPlan = std::function<void(const Head&, std::span<const Leg>)>;
   /// Calls each(head, legs) for the objects with legs from `from` to `until`. Sorts the heads by number.

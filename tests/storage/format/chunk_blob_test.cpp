@@ -52,6 +52,25 @@ std::vector<std::byte> replaced_at(std::vector<std::byte> blob, std::size_t at, 
   return resealed(std::move(blob));
 }
 
+/// Expects the legs of some times to be those of all legs that exist then.
+void expect_legs_of_times(const Plan& plan, const std::vector<Leg>& all) {
+  const std::vector<double> joints = {all.front().t, all[all.size() / 2].t, all.back().t, all.back().until};
+  for (const double from : joints)
+    for (const double until : joints) {
+      if (until < from) continue;
+      std::vector<Leg> expected, legs;
+      std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
+                   [&](const Leg& leg) { return leg.t <= until && from <= leg.until; });
+      std::int64_t number = 5;
+      for (const auto& blob : blobs_of(plan)) {
+        StoredChunk chunk;
+        ASSERT_EQ(open_chunk(layout_of(plan), blob, number++, chunk), nullptr);
+        ASSERT_EQ(append_legs(chunk, legs, {from, until}), nullptr);
+      }
+      ASSERT_EQ(legs, expected);
+    }
+}
+
 TEST(ChunkBlob, PlansAndLegsReadBackBitForBit) {
   const FloatEnvironment environment;
   testing::Random random(1);
@@ -78,6 +97,7 @@ TEST(ChunkBlob, PlansAndLegsReadBackBitForBit) {
     }
     ASSERT_TRUE(same_plan(read, plan)) << i;
     ASSERT_EQ(legs, legs_of(plan)) << i;
+    expect_legs_of_times(plan, legs);
   }
   EXPECT_GT(chunks, 9000u);
 }

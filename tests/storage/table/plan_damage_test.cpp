@@ -21,7 +21,7 @@ class PlanDamage : public ThreePlans {
                        [&] { store->read_plan(1, head); });
     expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { read_everything(); });
     Chunk chunk;
-    expect_store_error(SQLITE_CORRUPT_VTAB, "chunk", [&] { store->chunks()->read_chunk(second, chunk); });
+    expect_store_error(SQLITE_CORRUPT_VTAB, "chunk", [&] { store->chunks()->read_chunk(second, {}, chunk); });
     expect_fault(words);
   }
   void expect_fault(const std::string& words) {

@@ -82,7 +82,7 @@ TEST_F(ThreePlans, ItemsContainTheLegsWithTheShapeUntilTheEnd) {
   Chunk chunk;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const double* const item = items.data() + i * static_cast<std::size_t>(of_item.size);
-    source->read_chunk(numbers[i], chunk);
+    source->read_chunk(numbers[i], {}, chunk);
     const double r = record(chunk.object)[static_cast<std::size_t>(fleet_at.r)],
                  end = record(chunk.object)[static_cast<std::size_t>(fleet_at.until)];
     EXPECT_EQ(item[of_item.category], chunk.object == 2 ? 6 : 1);
