@@ -5,6 +5,7 @@
 // object are rows with its id, adjacent and in order of time.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -53,6 +54,12 @@ struct Scene {
   RowRange rows_of(std::size_t object) const {
     if (!layout.has_plan) return {object, object + 1};
     return {first_rows[object], first_rows[object + 1]};
+  }
+  /// The legs of the object that has this row.
+  RowRange legs_beside(std::size_t row) const {
+    if (!layout.has_plan) return {row, row + 1};
+    const auto next = std::upper_bound(first_rows.begin(), first_rows.end(), row);
+    return {next[-1], *next};
   }
   Bodies bodies() const {
     Bodies bodies{layout, rows.data(), ids.size()};

@@ -5,6 +5,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
+#include "query/legs/leg_scene.h"
 
 namespace foresee {
 namespace {
@@ -137,7 +138,7 @@ SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reac
 /// Legs of one scene that exist in the queried span, from a stratified sample of its rows.
 class LegSample {
  public:
-  LegSample(const Scene& scene, const Horizon& span) : bodies_(scene.bodies()), span_(span) {
+  LegSample(const Scene& scene, const Horizon& span) : scene_(scene), bodies_(scene.bodies()), span_(span) {
     const std::size_t count = scene.size(), wanted = std::min<std::size_t>(count, 4096);
     const double end = span.now + span.h;
     for (std::size_t part = 0; part < wanted; ++part) {
@@ -161,23 +162,36 @@ class LegSample {
     }
     return each_ * sum;
   }
-  /// Swept boxes of some legs that exist in `part`.
+  /// Swept boxes of some legs that exist in `part`: of the objects of sampled legs, because of many short legs a sample
+  /// has too few that exist in a short part.
   template <int D>
   std::vector<Box<D>> boxes(const Horizon& part, const Vec<D>& margin) const {
+    std::vector<std::size_t> alive;
+    const std::size_t wanted = std::min(rows_.size(), usual_sample.max);
+    for (std::size_t i = 0; i < wanted; ++i) {
+      const RowRange legs = legs_of_object(rows_[i * rows_.size() / wanted], part);
+      if (legs.size() > 0) alive.push_back(legs.first + (i * 0x9e3779b97f4a7c15u >> 33) % legs.size());
+    }
+    std::sort(alive.begin(), alive.end());
+    alive.erase(std::unique(alive.begin(), alive.end()), alive.end());
     std::vector<Box<D>> boxes;
-    const std::size_t step = std::max<std::size_t>(1, rows_.size() / 1024);
-    for (std::size_t i = 0; i < rows_.size() && boxes.size() < usual_sample.max; i += step)
-      if (t(rows_[i]) <= part.now + part.h && part.now <= until(rows_[i]))
-        boxes.push_back(swept_box<D>(bodies_, rows_[i], part, margin));
+    for (const std::size_t row : alive) boxes.push_back(swept_box<D>(bodies_, row, part, margin));
     return boxes;
   }
 
  private:
+  /// Those of the object of this row that exist in `part`.
+  RowRange legs_of_object(std::size_t row, const Horizon& part) const {
+    if (scene_.layout.has_plan) return rows_during(bodies_, scene_.legs_beside(row), part);
+    const bool exists = t(row) <= part.now + part.h && part.now <= until(row);
+    return {row, row + exists};
+  }
   double t(std::size_t row) const { return value_or(bodies_.row(row), bodies_.at.t, span_.now); }
   double until(std::size_t row) const {
     return value_or(bodies_.row(row), bodies_.at.until, std::numeric_limits<double>::infinity());
   }
 
+  const Scene& scene_;
   Bodies bodies_;
   Horizon span_;
   std::vector<std::size_t> rows_;

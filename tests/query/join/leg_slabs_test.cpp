@@ -52,6 +52,37 @@ TEST(LegSlabs, OfManyLegsGiveTheRowsOfAScan) {
     }
 }
 
+/// Movers that go to and fro by a metre, a leg per second, in a square of this side.
+std::shared_ptr<const Scene> shuttles(int movers, int legs, double side) {
+  judge::Inputs inputs(76);
+  auto scene = std::make_shared<Scene>();
+  scene->layout = LegWorld().layout;
+  const Offsets at = record_offsets(scene->layout);
+  for (int mover = 0; mover < movers; ++mover) {
+    std::vector<double> record(static_cast<std::size_t>(at.size));
+    record[static_cast<std::size_t>(at.until)] = no_end, record[static_cast<std::size_t>(at.r)] = 0.25;
+    std::vector<Leg> plan;
+    const double x = inputs.between(0, 1000) * side / 1000, y = inputs.between(0, 1000) * side / 1000;
+    for (int i = 0; i < legs; ++i)
+      plan.push_back({.t = 1.0 * i,
+                      .until = i + 1.0,
+                      .x = {x + i % 2, y, 0},
+                      .v = {i % 2 == 0 ? 1.0 : -1.0, 0, 0},
+                      .a = {}});
+    scene->add(mover, record.data(), plan);
+  }
+  return scene;
+}
+
+// Of many legs few exist in a slab: a sample of all legs would not say how many pairs of them meet.
+TEST(LegSlabs, AreAsLongForALongHorizonAsForAShortOne) {
+  JoinQuestion question{.a = shuttles(100, 4000, 80), .h = 300};
+  const std::size_t few = slabs_of_grid(question);
+  question.h = 4000;
+  EXPECT_GT(few, 8u);
+  EXPECT_GE(slabs_of_grid(question), 8 * few);
+}
+
 TEST(LegSlabs, WithHelpersGiveTheSameRowsInTheSameOrder) {
   JoinQuestion question = crowd(9000, 12, 500, 72);
   question.method = JoinMethod::grid, question.h = 4;
