@@ -18,9 +18,8 @@ constexpr std::size_t kind_at = 1, flags_at = 2, axes_at = 3, legs_at = 4, ends_
 constexpr std::size_t number_bytes = sizeof(double);
 static_assert(legs_per_chunk <= 16, "`ends` has a bit per leg");
 
-constexpr const char* not_finite = "a number is not finite";
-constexpr const char* out_of_order = "its times do not rise";
-constexpr const char* no_velocity = "no double holds the velocity of a leg";
+constexpr const char *not_finite = "a number is not finite", *out_of_order = "its times do not rise",
+                     *no_velocity = "no double holds the velocity of a leg";
 
 /// The numbers of all legs, with what follows them.
 std::size_t chunk_numbers(const StoredChunk& chunk) {
@@ -275,10 +274,8 @@ const char* append_legs(const StoredChunk& chunk, std::vector<Leg>& legs, const 
 const char* append_to_plan(const StoredChunk& chunk, Plan& plan) {
   const bool is_empty = plan.knots.empty() && plan.legs.empty();
   if (chunk.is_first != is_empty) return "it is not where the plan has it";
-  if (is_empty)
-    plan.kind = chunk.kind, plan.axes = static_cast<int>(chunk.axes);
-  else if (plan.kind != chunk.kind)
-    return "it has another kind than the plan";
+  if (is_empty) plan.kind = chunk.kind, plan.axes = static_cast<int>(chunk.axes);
+  if (plan.kind != chunk.kind) return "it has another kind than the plan";
   if (chunk.kind != PlanKind::knots) {
     if (!is_empty && !(plan.legs.back().until <= chunk.t())) return out_of_order;
     return read_legs(chunk, [&](const Leg& leg) { plan.legs.push_back(leg); });
