@@ -162,8 +162,8 @@ class LegSample {
     }
     return each_ * sum;
   }
-  /// Swept boxes of some legs that exist in `part`: of the objects of sampled legs, because of many short legs a sample
-  /// has too few that exist in a short part.
+  /// Swept boxes of some legs that exist in `part`. Each is a leg of the object of a sampled leg: of the sample itself
+  /// too few may exist in a short part.
   template <int D>
   std::vector<Box<D>> boxes(const Horizon& part, const Vec<D>& margin) const {
     std::vector<std::size_t> alive;

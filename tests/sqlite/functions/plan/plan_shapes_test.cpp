@@ -170,7 +170,7 @@ TEST_P(PlanShapes, AWatchIsTheJoin) {
   expect_current();
 }
 
-TEST_P(PlanShapes, AWaitThatIsClearMeetsNobody) {
+TEST_P(PlanShapes, AWaitThatIsClearMeetsNoOther) {
   make_plans(16, 3, 37, 40);
   if (std::string(GetParam().name) == "meshes") {
     EXPECT_TRUE(
