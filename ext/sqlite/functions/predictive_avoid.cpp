@@ -16,48 +16,32 @@
 namespace foresee {
 namespace {
 
-enum AvoidOutput {
-  out_manoeuvre,
-  out_clear,
-  out_k_from,
-  out_k_to,
-  out_k,
-  out_t,
-  out_until,
-  out_x,
-  out_v = out_x + 3,
-  out_a = out_v + 3,
-  out_f = out_a + 3,
-  out_heading = out_f + 3,
-  out_below,
-  out_below_tbl,
-  out_t_below,
-  out_above,
-  out_above_tbl,
-  out_t_above,
-  out_lat,
-  out_lon,
-  out_speed,
-  out_course,
-  out_height,
-  out_climb,
-  out_plan
-};
-enum AvoidInput {
-  in_h,
-  in_tbl,
-  in_id,
-  in_within,
-  in_how,
-  in_lo,
-  in_hi,
-  in_now,
-  in_also,
-  in_within_z,
-  in_touching,
-  in_schema,
-  in_resume
-};
+constexpr ColumnList avoid_outputs{
+    "manoeuvre TEXT", "clear INTEGER", "k_from REAL",   "k_to REAL",      "k REAL",       "t REAL",
+    "until REAL",     "x REAL",        "y REAL",        "z REAL",         "vx REAL",      "vy REAL",
+    "vz REAL",        "ax REAL",       "ay REAL",       "az REAL",        "fx REAL",      "fy REAL",
+    "fz REAL",        "heading REAL",  "below INTEGER", "below_tbl TEXT", "t_below REAL", "above INTEGER",
+    "above_tbl TEXT", "t_above REAL",  "lat REAL",      "lon REAL",       "speed REAL",   "course REAL",
+    "height REAL",    "climb REAL",    "plan"};
+constexpr int out_manoeuvre = avoid_outputs["manoeuvre"], out_clear = avoid_outputs["clear"],
+              out_k_from = avoid_outputs["k_from"], out_k_to = avoid_outputs["k_to"],
+              out_k = avoid_outputs["k"], out_t = avoid_outputs["t"], out_until = avoid_outputs["until"],
+              out_x = avoid_outputs["x"], out_v = avoid_outputs["vx"], out_a = avoid_outputs["ax"],
+              out_f = avoid_outputs["fx"], out_heading = avoid_outputs["heading"],
+              out_below = avoid_outputs["below"], out_below_tbl = avoid_outputs["below_tbl"],
+              out_t_below = avoid_outputs["t_below"], out_above = avoid_outputs["above"],
+              out_above_tbl = avoid_outputs["above_tbl"], out_t_above = avoid_outputs["t_above"],
+              out_lat = avoid_outputs["lat"], out_lon = avoid_outputs["lon"],
+              out_speed = avoid_outputs["speed"], out_course = avoid_outputs["course"],
+              out_height = avoid_outputs["height"], out_climb = avoid_outputs["climb"],
+              out_plan = avoid_outputs["plan"];
+constexpr ColumnList avoid_inputs{"h",   "tbl",  "id",       "within",   "how",    "lo",    "hi",
+                                  "now", "also", "within_z", "touching", "schema", "resume"};
+constexpr int in_h = avoid_inputs["h"], in_tbl = avoid_inputs["tbl"], in_id = avoid_inputs["id"],
+              in_within = avoid_inputs["within"], in_how = avoid_inputs["how"], in_lo = avoid_inputs["lo"],
+              in_hi = avoid_inputs["hi"], in_now = avoid_inputs["now"], in_also = avoid_inputs["also"],
+              in_within_z = avoid_inputs["within_z"], in_touching = avoid_inputs["touching"],
+              in_schema = avoid_inputs["schema"], in_resume = avoid_inputs["resume"];
 
 class AvoidRows final : public FunctionRows {
  public:
@@ -268,21 +252,13 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_avoid() {
-  static const TableFunction function = {
-      .name = "predictive_avoid",
-      .outputs = {"manoeuvre TEXT", "clear INTEGER",  "k_from REAL",  "k_to REAL",     "k REAL",
-                  "t REAL",         "until REAL",     "x REAL",       "y REAL",        "z REAL",
-                  "vx REAL",        "vy REAL",        "vz REAL",      "ax REAL",       "ay REAL",
-                  "az REAL",        "fx REAL",        "fy REAL",      "fz REAL",       "heading REAL",
-                  "below INTEGER",  "below_tbl TEXT", "t_below REAL", "above INTEGER", "above_tbl TEXT",
-                  "t_above REAL",   "lat REAL",       "lon REAL",     "speed REAL",    "course REAL",
-                  "height REAL",    "climb REAL",     "plan"},
-      .inputs = {"h", "tbl", "id", "within", "how", "lo", "hi", "now", "also", "within_z", "touching",
-                 "schema", "resume"},
-      .key = "manoeuvre, k_from, clear",
-      .hinted = 1u << out_clear,
-      .estimate = estimate_avoid,
-      .start = start};
+  static const TableFunction function = {.name = "predictive_avoid",
+                                         .outputs = avoid_outputs,
+                                         .inputs = avoid_inputs,
+                                         .key = "manoeuvre, k_from, clear",
+                                         .hinted = 1u << out_clear,
+                                         .estimate = estimate_avoid,
+                                         .start = start};
   return function;
 }
 
