@@ -66,10 +66,10 @@ void require_near_origin(const Metres& point, std::size_t knot, const LatLon& or
 
 }  // namespace
 
-std::optional<Plan> plan_of(sqlite3_value* value, WktUnit unit) {
+std::optional<Plan> plan_of(sqlite3_value* value, Interrupt& interrupt, WktUnit unit) {
   if (is_null_or_empty(value)) return std::nullopt;
   const int type = sqlite3_value_type(value);
-  if (type == SQLITE_TEXT) return read_plan(text_of(value), unit);
+  if (type == SQLITE_TEXT) return read_plan(text_of(value), interrupt, unit);
   if (type != SQLITE_BLOB)
     throw Error(shown(value) + " is no plan: write text as in 'LINESTRING M(0 0 0, 4 0 9)', or a blob");
   const auto size = static_cast<std::size_t>(sqlite3_value_bytes(value));
@@ -78,9 +78,9 @@ std::optional<Plan> plan_of(sqlite3_value* value, WktUnit unit) {
   return decode_plan({bytes, size});
 }
 
-void result_plan(sqlite3_context* context, const Plan& plan, bool as_text) {
+void result_plan(sqlite3_context* context, const Plan& plan, bool as_text, Interrupt& interrupt) {
   if (as_text) {
-    const std::string text = write_plan(plan);
+    const std::string text = write_plan(plan, interrupt);
     sqlite3_result_text64(context, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
   } else {
     const std::vector<std::byte> blob = encode_plan(plan);
@@ -88,8 +88,8 @@ void result_plan(sqlite3_context* context, const Plan& plan, bool as_text) {
   }
 }
 
-void result_plan(sqlite3_context* context, const Plan& plan) {
-  result_plan(context, plan, plan.kind == PlanKind::knots && plan.axes > 1);
+void result_plan(sqlite3_context* context, const Plan& plan, Interrupt& interrupt) {
+  result_plan(context, plan, plan.kind == PlanKind::knots && plan.axes > 1, interrupt);
 }
 
 std::size_t leg_doubles(const Layout& layout) {
@@ -106,7 +106,7 @@ void write_leg(const Layout& layout, const Leg& leg, double* record) {
 }
 
 std::optional<Plan> PlanValues::written(sqlite3_value* value) const {
-  std::optional<Plan> plan = plan_of(value, in_degrees_ ? WktUnit::degrees : WktUnit::metres);
+  std::optional<Plan> plan = plan_of(value, interrupt_, in_degrees_ ? WktUnit::degrees : WktUnit::metres);
   if (!plan) return plan;
   require_axes(*plan, layout_.axes);
   check_size(*plan);

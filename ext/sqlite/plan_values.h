@@ -2,7 +2,7 @@
 //
 //   const PlanValues plans(declaration, interrupt);
 //   const Plan plan = plans.stored(*plans.written(value), origin);      // metres, legs checked
-//   result_plan(context, plans.shown(plan, frame));
+//   result_plan(context, plans.shown(plan, frame), interrupt);
 //
 // A table of metres stores a plan as it is written. A table in degrees takes knots as longitude and latitude; each one
 // is projected, to the bits of its columns lat, lon, and legs are straight on the plane. Such knots read back within
@@ -23,12 +23,12 @@
 namespace foresee {
 
 /// Text or blob; nothing for NULL and ''. Throws Error for a value that is no plan.
-std::optional<Plan> plan_of(sqlite3_value* value, WktUnit unit = WktUnit::metres);
+std::optional<Plan> plan_of(sqlite3_value* value, Interrupt& interrupt, WktUnit unit = WktUnit::metres);
 
 /// Text of well-known words, or a blob. Requires for a text: PlanKind::knots on two or three axes.
-void result_plan(sqlite3_context* context, const Plan& plan, bool as_text);
+void result_plan(sqlite3_context* context, const Plan& plan, bool as_text, Interrupt& interrupt);
 /// Text wherever a text holds the plan, else a blob.
-void result_plan(sqlite3_context* context, const Plan& plan);
+void result_plan(sqlite3_context* context, const Plan& plan, Interrupt& interrupt);
 
 /// How many of the first doubles of a record are those of its first leg: t, x…, v…, a…. Requires: a layout with plans.
 std::size_t leg_doubles(const Layout& layout);

@@ -56,8 +56,9 @@ void run_text(FuzzBytes& bytes) {
   std::string text = fuzz_text(bytes);
   if (bytes.in_range(0, 3) == 0) spoil(text, bytes);
   try {
-    const Plan plan = read_plan(text);
-    require(read_plan(write_plan(plan)) == plan, "does not read back the same", text);
+    NeverInterrupt never;
+    const Plan plan = read_plan(text, never);
+    require(read_plan(write_plan(plan, never), never) == plan, "does not read back the same", text);
     require_sound(plan, text);
   } catch (const Error& error) {
     require(std::strlen(error.what()) < 400, "a long message", text);

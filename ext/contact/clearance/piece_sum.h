@@ -50,6 +50,8 @@ class PieceSum {
       if (!((x - edge.x) * edge.normal_x + (y - edge.y) * edge.normal_y < -near))
         use(edge.normal_x, edge.normal_y, size_ * 0x1p-45 / edge.run);
   }
+  /// About the cost of an evaluation.
+  std::size_t corners() const { return own_.size() + other_.corners.size(); }
   /// Upper bound of the distance from the origin on each axis.
   double size() const { return size_; }
   /// Upper bound of the distance of the own corners from their position.

@@ -1,15 +1,19 @@
 #include "motion/plan/plan_text.h"
 
 #include "base/float_environment.h"
+#include "base/interrupt_steps.h"
 #include "base/number_text.h"
 #include "motion/plan/plan_legs.h"
 
 namespace foresee {
 namespace {
 
+constexpr unsigned steps_per_knot = 200;
+
 class PlanReader : WktLexer {
  public:
-  PlanReader(std::string_view text, WktUnit unit) : WktLexer(text), unit_(unit) {}
+  PlanReader(std::string_view text, Interrupt& interrupt, WktUnit unit)
+      : WktLexer(text), unit_(unit), steps_(interrupt) {}
 
   Plan plan() {
     skip_srid(unit_);
@@ -67,6 +71,7 @@ class PlanReader : WktLexer {
 
   /// "10 0 5": as many numbers as axes, and the time.
   void knot() {
+    steps_.costly(steps_per_knot);
     rest();
     const WktLexer start = *this;
     const int wanted = plan_.axes + 1;
@@ -97,12 +102,14 @@ class PlanReader : WktLexer {
   }
 
   WktUnit unit_;
+  Steps steps_;
   Plan plan_;
 };
 
 /// "(0 0 0, 10 0 5)"
-void write_part(const Plan& plan, std::size_t part, std::string& text) {
+void write_part(const Plan& plan, std::size_t part, std::string& text, Steps& steps) {
   for (std::size_t i = plan.part_starts[part]; i < plan.part_end(part); ++i) {
+    steps.costly(steps_per_knot);
     text += i == plan.part_starts[part] ? "(" : ", ";
     for (int j = 0; j < plan.axes; ++j) text += shown(plan.knots[i].x[static_cast<std::size_t>(j)]) + ' ';
     text += shown(plan.knots[i].t);
@@ -112,18 +119,19 @@ void write_part(const Plan& plan, std::size_t part, std::string& text) {
 
 }  // namespace
 
-Plan read_plan(std::string_view text, WktUnit unit) {
+Plan read_plan(std::string_view text, Interrupt& interrupt, WktUnit unit) {
   const FloatEnvironment environment;
-  return PlanReader(text, unit).plan();
+  return PlanReader(text, interrupt, unit).plan();
 }
 
-std::string write_plan(const Plan& plan) {
+std::string write_plan(const Plan& plan, Interrupt& interrupt) {
   const FloatEnvironment environment;
+  Steps steps(interrupt);
   std::string text = plan.parts() == 1 ? "LINESTRING " : "MULTILINESTRING ";
   text += plan.axes == 3 ? "ZM" : "M";
   for (std::size_t part = 0; part < plan.parts(); ++part) {
     if (plan.parts() > 1) text += part == 0 ? "(" : ", ";
-    write_part(plan, part, text);
+    write_part(plan, part, text, steps);
   }
   return plan.parts() == 1 ? text : text + ')';
 }

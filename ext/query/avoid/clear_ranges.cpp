@@ -65,6 +65,7 @@ std::pair<std::uint32_t, std::uint32_t> ClearRanges<D>::parts_of(std::uint32_t i
   const auto found = parts_.find(intruder);
   if (found != parts_.end()) return found->second;
   std::vector<IntruderCertificate<D>> parts = intruders_[intruder].parts();
+  for (const IntruderCertificate<D>& part : parts) step_.costly(static_cast<unsigned>(part.corners()));
   const auto begin = static_cast<std::uint32_t>(intruders_.size());
   for (IntruderCertificate<D>& part : parts) intruders_.push_back(std::move(part));
   whole_.resize(intruders_.size(), whole_[intruder]);
@@ -77,7 +78,7 @@ ClearanceVerdict ClearRanges<D>::certify(const IntruderCertificate<D>& intruder,
   std::uint64_t evaluations = 0;
   const ClearanceVerdict verdict =
       intruder.certify(range.family(intruder), range.from, range.to, evaluations);
-  step_.costly(static_cast<std::uint32_t>(16 * (1 + evaluations)));
+  step_.costly(static_cast<unsigned>((16 + intruder.corners()) * (1 + evaluations)));
   if (!range.is_first) evaluations_[whole] += evaluations, all_evaluations_ += evaluations;
   return verdict;
 }

@@ -88,11 +88,12 @@ void ExactAvoidance::take_row(std::size_t leg, const std::vector<double>& record
 void ExactAvoidance::take_forms() {
   const Offsets at = row_offsets(own_.layout);
   std::vector<double> headings;
+  Extents<3> around;
   for (std::size_t leg = 0; leg < own_.size(); ++leg) {
     double* const row = own_.rows.data() + leg * static_cast<std::size_t>(at.size);
     headings.push_back(value_or(row, at.heading, 0));
     if (!question_.form) continue;
-    const Extents<3> around = question_.form->extents(headings.back());
+    if (leg == 0 || headings[leg] != headings[leg - 1]) around = question_.form->extents(headings[leg]);
     for (int axis = 0; axis < 2; ++axis) {
       row[at.bounds + axis] = around.lower[axis];
       row[at.bounds + 2 + axis] = around.upper[axis];

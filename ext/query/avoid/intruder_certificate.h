@@ -39,6 +39,8 @@ class IntruderCertificate {
   /// The encounter of one change, for guesses.
   Encounter<D> encounter_at(double k) const { return encounter_between(k, k); }
 
+  /// Of the sum that an evaluation reads; 0 without outlines.
+  std::size_t corners() const { return sum_ ? sum_->corners() : 0; }
   /// Whether it bounds several convex sets.
   bool has_parts() const { return stage_ == Stage::whole || stage_ == Stage::boxes; }
   /// Whether a test of the parts can succeed. It cannot if the whole is smaller than the distance between the

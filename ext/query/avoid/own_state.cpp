@@ -1,6 +1,7 @@
 #include "query/avoid/own_state.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "motion/plan/plan_legs.h"
 #include "query/join/question.h"
@@ -39,6 +40,13 @@ void take_life(Layout& layout, std::vector<double>& record) {
   record.insert(record.begin() + place(record_offsets(layout).until), no_end);
 }
 
+/// A time after which no leg that starts, earlier by a delay, is in contact within the horizon; rounded up.
+double last_start(const AvoidQuestion& question) {
+  const double earlier = std::max(0.0, -question.lo.value_or(0));
+  const double size = std::abs(question.now) + question.h + earlier;
+  return question.now + question.h + earlier + 0x1p-50 * size;
+}
+
 }  // namespace
 
 OwnMotion motion_in(const Layout& layout, const std::vector<double>& record) {
@@ -58,9 +66,9 @@ OwnState::OwnState(const AvoidQuestion& question) : layout(question.own->layout)
   if (has_legs(question)) take_life(layout, record);
   stored = motion_in(layout, record);
   if (question.plan) {
-    const double end = stored.until;
+    const double end = stored.until, last = last_start(question);
     for (const Leg& one : legs_of(*question.plan)) {
-      if (one.t > end) break;
+      if (one.t > end || (one.t > last && !legs.empty())) break;
       OwnMotion motion = stored;
       motion.t = one.t, motion.until = std::min(one.until, end);
       motion.x = one.x, motion.v = one.v, motion.a = one.a;

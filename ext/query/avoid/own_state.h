@@ -30,11 +30,12 @@ struct OwnState {
   /// Of `record`. Where the object has, or gets, several legs it has t and until, which the table need not have.
   Layout layout;
   std::vector<double> record;
-  OwnMotion stored;                  ///< the motion of the record; with a plan its first leg
-  OwnMotion base;                    ///< the motion from the change on, at max(now, t)
-  std::vector<OwnMotion> legs = {};  ///< of its plan: those that do not end before now, `until` cuts them
-  std::size_t leg = 0;               ///< the one of `base`
-  std::size_t legs_before = 0;       ///< how many legs of the plan are not in `legs`
+  OwnMotion stored;  ///< the motion of the record; with a plan its first leg
+  OwnMotion base;    ///< the motion from the change on, at max(now, t)
+  /// Of its plan: those that do not end before now, nor start after the horizon; `until` cuts them.
+  std::vector<OwnMotion> legs = {};
+  std::size_t leg = 0;          ///< the one of `base`
+  std::size_t legs_before = 0;  ///< how many legs of the plan are not in `legs`
 };
 
 /// The numbers of a record that are the motion of the object.

@@ -5,6 +5,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
+#include "base/interrupt_steps.h"
 #include "index/tpr_tree/search/window_walk.h"
 #include "motion/plan/chunks.h"
 #include "query/join/question.h"
@@ -42,15 +43,18 @@ Leg leg_of(const Bodies& bodies, std::size_t i) {
 
 /// The moving boxes of an object during the horizon: of one row, or of chunks of its legs.
 template <int D>
-std::vector<MovingBox<D>> boxes_of(const Scene& one, const Horizon& horizon, const Vec<D>& margin) {
+std::vector<MovingBox<D>> boxes_of(const Scene& one, const Horizon& horizon, const Vec<D>& margin,
+                                   Interrupt& interrupt) {
   const Bodies bodies = one.bodies();
   if (bodies.count == 1) return {moving_box<D>(bodies, 0, horizon, margin)};
   std::vector<Leg> legs;
   const RowRange rows = rows_during(bodies, one.rows_of(0), horizon);
-  for (std::size_t row = rows.first; row < rows.last; ++row) legs.push_back(leg_of(bodies, row));
+  Steps steps(interrupt);
+  for (std::size_t row = rows.first; row < rows.last; ++row) steps(), legs.push_back(leg_of(bodies, row));
   const Vec<D> reach = reach_of(extents_of<D>(bodies, 0));
   std::vector<MovingBox<D>> boxes;
   for (const ChunkRange& range : cut_into_chunks(legs)) {
+    steps.costly(1000);
     const ChunkBox box = chunk_box(std::span(legs).subspan(range.first, range.count), D);
     Motion<D> chord{box.t, Vec<D>::Zero(), Vec<D>::Zero(), Vec<D>::Zero(), box.until};
     Vec<D> half;
@@ -71,7 +75,7 @@ void walk(const Scene& one, const SearchTarget& others, const Horizon& horizon, 
   const Vec<D> margin = margin_of<D>(reach);
   const auto partners = partners_of(one, near.layout);
   const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
-  const std::vector<MovingBox<D>> boxes = boxes_of<D>(one, horizon, margin);
+  const std::vector<MovingBox<D>> boxes = boxes_of<D>(one, horizon, margin, interrupt);
   std::unordered_set<std::int64_t> found;  // by several boxes
   for (const MovingBox<D>& box : boxes) {
     WindowWalk<D> walk(*others.tree, box, horizon, margin, interrupt, partners);

@@ -83,6 +83,10 @@ class LegFilter {
       box.lower = lower_end<D>(lower, (box.lower.abs() + margin) * rounding_pad);
       box.upper = upper_end<D>(upper, (box.upper.abs() + margin) * rounding_pad);
     }
+    std::sort(boxes_.begin(), boxes_.end(),
+              [](const auto& a, const auto& b) { return a.span.begin < b.span.begin; });
+    for (const MovingBox<D>& box : boxes_)
+      last_ends_.push_back(last_ends_.empty() ? box.span.end : std::max(last_ends_.back(), box.span.end));
   }
 
   void keep_near(Chunk& chunk) const {
@@ -90,18 +94,27 @@ class LegFilter {
     std::erase_if(chunk.legs, [&](const Leg& leg) {
       if (life_of(leg.t, leg.until, horizon_).none) return true;
       const MovingBox<D> box = moving_box<D>(motion_of<D>(leg), shape, horizon_, Vec<D>::Zero());
-      return std::none_of(boxes_.begin(), boxes_.end(), [&](const MovingBox<D>& query) {
-        SharedInterval span = shared_span(box, query);
-        return !span.is_empty() && narrow_to_contact(box, query, span);
-      });
+      return !may_meet_one(box);
     });
   }
 
  private:
+  /// A mover of many legs has many boxes, of which few exist while this one does.
+  bool may_meet_one(const MovingBox<D>& box) const {
+    auto i = static_cast<std::size_t>(std::lower_bound(last_ends_.begin(), last_ends_.end(), box.span.begin) -
+                                      last_ends_.begin());
+    for (; i < boxes_.size() && boxes_[i].span.begin <= box.span.end; ++i) {
+      SharedInterval span = shared_span(box, boxes_[i]);
+      if (!span.is_empty() && narrow_to_contact(box, boxes_[i], span)) return true;
+    }
+    return false;
+  }
+
   Layout layout_;
   Offsets at_;
   Horizon horizon_;
-  std::vector<MovingBox<D>> boxes_;
+  std::vector<MovingBox<D>> boxes_;  ///< in the order in which they start to exist
+  std::vector<double> last_ends_;    ///< of each box and those before it
 };
 
 /// Calls use(id, record, legs) for each object of these chunks, with its legs that exist during `times` and that

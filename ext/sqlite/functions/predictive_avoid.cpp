@@ -46,13 +46,14 @@ constexpr int in_h = avoid_inputs["h"], in_tbl = avoid_inputs["tbl"], in_id = av
 class AvoidRows final : public FunctionRows {
  public:
   AvoidRows(std::vector<AvoidRow> rows, const Layout& layout, std::array<std::string, 2> tables, Frame frame,
-            std::vector<double> stored)
+            std::vector<double> stored, Interrupt& interrupt)
       : rows_(std::move(rows)),
         layout_(layout),
         at_(record_offsets(layout)),
         tables_(std::move(tables)),
         frame_(std::move(frame)),
-        stored_(std::move(stored)) {}
+        stored_(std::move(stored)),
+        interrupt_(interrupt) {}
 
   bool next() override {
     is_report_known_ = false;
@@ -88,7 +89,7 @@ class AvoidRows final : public FunctionRows {
       case out_climb:
         return result_report(context, row, output);
       case out_plan:
-        if (row.plan) result_plan(context, *row.plan);
+        if (row.plan) result_plan(context, *row.plan, interrupt_);
         return;
       default:
         return result_stored(context, row, output);
@@ -175,6 +176,7 @@ class AvoidRows final : public FunctionRows {
   std::array<std::string, 2> tables_;
   Frame frame_;
   std::vector<double> stored_;  ///< the record of the object before any change
+  Interrupt& interrupt_;
   std::size_t next_ = 0;
   mutable std::optional<Flight> report_;  ///< of the current row, if it is known
   mutable bool is_report_known_ = false;
@@ -246,7 +248,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
       if (row.plan)
         row.plan = PlanValues(declaration, connection.interrupt()).shown(*row.plan, table.store->frame());
   return std::make_unique<AvoidRows>(std::move(rows), question.own->layout, std::move(tables),
-                                     table.store->frame(), std::move(question.record));
+                                     table.store->frame(), std::move(question.record),
+                                     connection.interrupt());
 }
 
 }  // namespace

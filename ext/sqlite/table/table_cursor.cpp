@@ -136,11 +136,14 @@ void TableCursor::result_plan_of_row(sqlite3_context* context) const {
   Store& store = table_.store();
   const std::span<const double> record = store.find(rowid(), statement_state_);
   if (record.empty() || !has_plan(store.format().at, record.data())) return;
-  const PlanValues plans(table_.declaration(), table_.connection->interrupt());
+  Interrupt& interrupt = table_.connection->interrupt();
+  const PlanValues plans(table_.declaration(), interrupt);
   const Plan plan = store.read_plan(rowid(), record);
-  result_plan(context, table_.declaration().frame.in_degrees()
-                           ? plans.shown(plan, store.frame_of_objects(&statement_state_))
-                           : plan);
+  result_plan(context,
+              table_.declaration().frame.in_degrees()
+                  ? plans.shown(plan, store.frame_of_objects(&statement_state_))
+                  : plan,
+              interrupt);
 }
 
 void TableCursor::result_motion(sqlite3_context* context, const MotionColumn& motion) const {

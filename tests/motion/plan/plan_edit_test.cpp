@@ -11,6 +11,9 @@
 namespace foresee {
 namespace {
 
+using testing::read_plan;
+using testing::write_plan;
+
 std::string cut(const char* text, double from, double to) {
   const auto part = cut_plan(read_plan(text), from, to);
   return part ? write_plan(*part) : "nothing";

@@ -7,10 +7,14 @@
 #include <string>
 
 #include "base/error.h"
+#include "motion/plan/random_legs.h"
 #include "numbers/rationals.h"
 
 namespace foresee {
 namespace {
+
+using testing::read_plan;
+using testing::write_plan;
 
 std::string refusal_of_text(std::string_view text) {
   try {

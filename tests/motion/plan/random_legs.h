@@ -1,10 +1,11 @@
-// Legs of random plans, with stops, jumps, gaps and numbers of every size.
+// Legs of random plans, with stops, jumps, gaps and numbers of every size; texts of plans without an interrupt.
 #pragma once
 
 #include <cmath>
 #include <vector>
 
-#include "motion/plan/plan.h"
+#include "base/error.h"
+#include "motion/plan/plan_text.h"
 #include "numbers/rationals.h"
 
 namespace foresee::testing {
@@ -30,6 +31,16 @@ inline std::vector<Leg> random_legs(judge::Inputs& inputs, int count, bool bent,
     if (inputs.one_in(8)) t += std::abs(inputs.number(-2, 5));
   }
   return legs;
+}
+
+inline Plan read_plan(std::string_view text, WktUnit unit = WktUnit::metres) {
+  NeverInterrupt never;
+  return foresee::read_plan(text, never, unit);
+}
+
+inline std::string write_plan(const Plan& plan) {
+  NeverInterrupt never;
+  return foresee::write_plan(plan, never);
 }
 
 }  // namespace foresee::testing

@@ -173,7 +173,7 @@ void finish(const AggregateRules& rules, sqlite3_context* context) {
         rules.kind == PlanKind::knots ? plan_of_points(*collected) : plan_of_legs(*collected, rules.kind);
     if (leg_count(plan) == 0) return;
     check_plan(plan);
-    result_plan(context, plan, false);
+    result_plan(context, plan, false, interrupt);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "motion/plan/arc.h"
 #include "motion/plan/plan_legs.h"
 #include "sqlite/callback.h"
+#include "storage/rows/statement.h"
 #include "storage/rows/value_text.h"
 
 namespace foresee {
@@ -34,25 +35,28 @@ double required(sqlite3_value* value, const char* name) {
 
 void plan_shift(sqlite3_context* context, int, sqlite3_value** values) {
   report_by_name(context, "plan_shift", [&] {
-    const std::optional<Plan> plan = plan_of(values[0]);
+    StatementInterrupt interrupt(sqlite3_context_db_handle(context));
+    const std::optional<Plan> plan = plan_of(values[0], interrupt);
     const std::optional<double> seconds = plan_number(values[1], "seconds");
     if (!plan || !seconds) return;
     check_size(*plan);
     if (!std::isfinite(*seconds)) throw Error("seconds is infinite: write a finite number");
-    result_plan(context, shifted_plan(*plan, *seconds), sqlite3_value_type(values[0]) == SQLITE_TEXT);
+    result_plan(context, shifted_plan(*plan, *seconds), sqlite3_value_type(values[0]) == SQLITE_TEXT,
+                interrupt);
   });
 }
 
 void plan_cut(sqlite3_context* context, int, sqlite3_value** values) {
   report_by_name(context, "plan_cut", [&] {
-    const std::optional<Plan> plan = plan_of(values[0]);
+    StatementInterrupt interrupt(sqlite3_context_db_handle(context));
+    const std::optional<Plan> plan = plan_of(values[0], interrupt);
     const double from = plan_number(values[1], "from").value_or(-no_end);
     const double to = plan_number(values[2], "to").value_or(no_end);
     if (!plan) return;
     if (from > to)
       throw Error("from is " + shown(from) + ", after to, which is " + shown(to) + ": exchange them");
     if (const std::optional<Plan> part = cut_plan(*plan, from, to))
-      result_plan(context, *part, sqlite3_value_type(values[0]) == SQLITE_TEXT);
+      result_plan(context, *part, sqlite3_value_type(values[0]) == SQLITE_TEXT, interrupt);
   });
 }
 
@@ -66,7 +70,8 @@ void plan_turn(sqlite3_context* context, int, sqlite3_value** values) {
     turn.until = plan_number(values[7], "until").value_or(no_end);
     const double error = required(values[8], "error");
     if (!(error > 0)) throw Error("error is " + shown(error) + ": write a distance greater than 0");
-    result_plan(context, turn_plan(turn, error), false);
+    StatementInterrupt interrupt(sqlite3_context_db_handle(context));
+    result_plan(context, turn_plan(turn, error), false, interrupt);
   });
 }
 

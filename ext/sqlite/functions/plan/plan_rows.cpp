@@ -42,7 +42,7 @@ class LegRows final : public FunctionRows {
 
 std::unique_ptr<FunctionRows> start_plan_rows(const FunctionCall& call) {
   sqlite3_value* value = call.value(leg_inputs["in_plan"]);
-  const std::optional<Plan> plan = value ? plan_of(value) : std::nullopt;
+  const std::optional<Plan> plan = value ? plan_of(value, call.connection().interrupt()) : std::nullopt;
   if (!plan) return std::make_unique<LegRows>(std::vector<Leg>(), 0);
   check_size(*plan);
   return std::make_unique<LegRows>(legs_of(*plan), plan->axes);
