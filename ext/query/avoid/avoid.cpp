@@ -48,8 +48,8 @@ class ManoeuvreRows {
   /// Also finds the near objects.
   ExactAvoidance::Scenes scenes() {
     const auto search = [&](const SearchTarget& others, std::optional<std::int64_t> itself) {
-      manoeuvre_.near.push_back(intruders(question_, manoeuvre_.changed.legs, queried_, others, itself,
-                                          reach_to(others), interrupt_));
+      manoeuvre_.near.push_back(
+          intruders(question_, manoeuvre_.changed, queried_, others, itself, reach_to(others), interrupt_));
     };
     search(question_.others, question_.own->ids[0]);
     if (question_.also) search(*question_.also, std::nullopt);

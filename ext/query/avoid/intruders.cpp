@@ -117,9 +117,10 @@ void walk_scene(const Scene& all, const RowsNear<D>& rows, std::optional<std::in
 
 }  // namespace
 
-NearObjects intruders(const AvoidQuestion& question, const std::vector<std::unique_ptr<Changes>>& legs,
+NearObjects intruders(const AvoidQuestion& question, const ChangedLegs& changed,
                       const QueriedChanges& queried, const SearchTarget& others,
                       std::optional<std::int64_t> itself, const Contact::Reach& reach, Interrupt& interrupt) {
+  const auto& legs = changed.legs;
   auto near = std::make_shared<Scene>();
   NearObjects found;
   near->name = others.name, near->layout = others.layout();
@@ -134,8 +135,10 @@ NearObjects intruders(const AvoidQuestion& question, const std::vector<std::uniq
       boxes.push_back(box_around<D>(question, *leg, leg->between<D>(queried.lo, queried.hi), margin));
     // A delay spares the objects that it touches at its stored start, with all legs: one may be near there alone.
     if (near->layout.has_plan && legs[0]->starts_vary()) {
-      const auto stored = no_changes_of(legs[0]->unchanged());
-      boxes.push_back(box_around<D>(question, *stored, stored->between<D>(0, 0), margin));
+      for (const OwnMotion& motion : changed.at_stored_start()) {
+        const auto stored = no_changes_of(motion);
+        boxes.push_back(box_around<D>(question, *stored, stored->between<D>(0, 0), margin));
+      }
     }
     if (others.scene) {
       walk_scene<D>(*others.scene, {*others.scene, horizon, boxes}, itself, partners, interrupt, *near);

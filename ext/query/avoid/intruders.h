@@ -12,8 +12,7 @@
 
 #include "base/error.h"
 #include "contact/contact.h"
-#include "motion/changes.h"
-#include "query/avoid/question.h"
+#include "query/avoid/own_state.h"
 
 namespace foresee {
 
@@ -24,8 +23,8 @@ struct NearObjects {
   std::vector<std::vector<std::uint32_t>> of_leg = {};
 };
 
-/// `itself`: the object of this id is left out. `reach`: that of the contact. `legs`: ChangedLegs::legs.
-NearObjects intruders(const AvoidQuestion& question, const std::vector<std::unique_ptr<Changes>>& legs,
+/// `itself`: the object of this id is left out. `reach`: that of the contact.
+NearObjects intruders(const AvoidQuestion& question, const ChangedLegs& changed,
                       const QueriedChanges& queried, const SearchTarget& others,
                       std::optional<std::int64_t> itself, const Contact::Reach& reach, Interrupt& interrupt);
 

@@ -100,6 +100,17 @@ OwnState::Records OwnState::records_of(const std::vector<OwnMotion>& motions) co
   return records;
 }
 
+std::vector<OwnMotion> ChangedLegs::at_stored_start() const {
+  std::vector<OwnMotion> motions{legs[0]->unchanged()};
+  if (!legs[0]->starts_vary()) return motions;
+  for (std::size_t i = 1; i < legs.size(); ++i) {
+    const OwnMotion next = legs[i]->unchanged();
+    if (next.t > motions[0].t) break;
+    motions.push_back(next);
+  }
+  return motions;
+}
+
 ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, const QueriedChanges& queried) {
   ChangedLegs changed;
   const auto add = [&](std::unique_ptr<Changes> leg) { changed.legs.push_back(std::move(leg)); };

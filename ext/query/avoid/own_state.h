@@ -49,6 +49,9 @@ struct ChangedLegs {
   std::size_t ends = 0;  ///< how many of the last ones end at the change
   /// All that follows is later by k: an object in contact at the start is not exempt.
   bool are_later = false;
+
+  /// The unchanged first leg; of a delay also legs that start at the same time, behind one of no duration.
+  std::vector<OwnMotion> at_stored_start() const;
 };
 
 /// Requires: `queried` is of `question`.

@@ -27,7 +27,8 @@ struct ManoeuvreCase {
   const Changes& first_leg() const { return *changed.legs[0]; }
   /// What this touches at first touches already: the object at the change; for a delay, at its stored start.
   OwnState::Records records_at_first() const {
-    OwnState::Records records{own.record_of(first_leg().unchanged())};
+    OwnState::Records records;
+    for (const OwnMotion& motion : changed.at_stored_start()) records.push_back(own.record_of(motion));
     for (std::size_t i = changed.legs.size() - changed.ends; i < changed.legs.size(); ++i)
       records.push_back(own.record_of(changed.legs[i]->unchanged()));
     return records;

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "query/avoid/plan_scenes.h"
+#include "query/memory_table.h"
 
 namespace foresee {
 namespace {
@@ -154,6 +155,25 @@ TEST(AvoidPlans, IsSoundAndTightAgainstThePlainJoinOverLegs) {
     }
   }
   EXPECT_GT(clear, 200 * plan_rounds);
+  EXPECT_GT(blocked, 100 * plan_rounds);
+}
+
+TEST(AvoidPlans, GivesTheSameRowsFromTreesAndFromAScene) {
+  Random random(44);
+  int blocked = 0;
+  for (int round = 0; round < 300 * plan_rounds; ++round) {
+    const PlanScene scene = plan_scene(random, 2 + random.below(30));
+    AvoidQuestion question = scene.question(0);
+    choose_manoeuvre(question, random);
+    const std::string plain = text_of(rows_of(question));
+    MemoryTable robots("robots", scene.scene->layout);
+    for (std::size_t i = 0; i < scene.records.size(); ++i)
+      robots.put(static_cast<std::int64_t>(i) + 1, scene.records[i],
+                 scene.plans[i] ? legs_of(*scene.plans[i]) : std::vector<Leg>());
+    question.others = trees_of(robots);
+    EXPECT_EQ(text_of(rows_of(question)), plain) << round;
+    blocked += plain.find("blocked") != std::string::npos;
+  }
   EXPECT_GT(blocked, 100 * plan_rounds);
 }
 
