@@ -95,6 +95,21 @@ class Tree final : public TprTree {
     }
   }
 
+  bool takes_run(std::size_t objects) override {
+    return state_.pages.find_root() == 0 || !run_levels(state_, objects, root_level()).empty();
+  }
+
+  void add_run(std::span<const std::int64_t> ids, std::span<const double> records,
+               Interrupt& interrupt) override {
+    const NodeNumber root = state_.pages.find_root();
+    if (root == 0) return bulk_load_tree(state_, ids, records, interrupt);
+    observe_newest(records);
+    const int level = root_level();
+    const auto run = pack_run(state_, ids, records, run_levels(state_, ids.size(), level), interrupt);
+    if (run.front().level > level) put_root_above(state_, root);
+    for (const Branch<D>& branch : run) insert_branch(state_, branch);
+  }
+
   void reload(std::span<const std::int64_t> ids, std::span<const double> records,
               Interrupt& interrupt) override {
     observe_newest(records);
@@ -135,6 +150,8 @@ class Tree final : public TprTree {
       state_.pages.make_room();
     }
   }
+
+  int root_level() { return read(state_.pages, unread_root(state_.pages))->level; }
 
   /// Requires: the tree has the object.
   NodeNumber leaf_of(std::int64_t id) {

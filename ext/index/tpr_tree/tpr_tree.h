@@ -74,6 +74,13 @@ class TprTree {
   /// object than insert() and update() (merge.h). Ids are unique.
   virtual void merge(std::span<const std::int64_t> ids, std::span<const double> records,
                      Interrupt& interrupt) = 0;
+  /// Adds objects that the tree does not have, packed separately: a run, subtrees beside those that are there.
+  /// It costs as much as a bulk load of these objects, whatever the tree holds; but queries visit its leaves
+  /// besides the others. Ids are unique. Requires: takes_run().
+  virtual void add_run(std::span<const std::int64_t> ids, std::span<const double> records,
+                       Interrupt& interrupt) = 0;
+  /// False if a run of so many objects would be far lower or higher than the tree.
+  virtual bool takes_run(std::size_t objects) = 0;
   /// bulk_load() of a superset of the tree's objects. The last objects are those that were written last.
   virtual void reload(std::span<const std::int64_t> ids, std::span<const double> records,
                       Interrupt& interrupt) = 0;

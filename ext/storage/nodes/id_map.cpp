@@ -9,6 +9,9 @@ namespace {
 // Log entries for the old value of stored_is_void_; they belong to no id.
 constexpr std::int64_t was_void = -2, was_not_void = -3;
 
+/// A leaf of a load has more objects than these.
+constexpr std::size_t few = 8;
+
 }  // namespace
 
 const IdBlock& IdMap::block(std::int64_t id) {
@@ -31,6 +34,7 @@ void IdMap::set(std::int64_t id, std::int64_t leaf) {
 void IdMap::place(std::span<const std::int64_t> ids, std::int64_t leaf) {
   if (packed_map_ && !packed_map_->place(ids, leaf)) other_objects();
   if (packed_map_) return;
+  if (!filter_ && ids.size() >= few && has_no_ids()) filter_.emplace();
   for (const std::int64_t id : ids) set(id, leaf);
   if (filter_)
     for (const std::int64_t id : ids) filter_->add(id);
@@ -88,18 +92,19 @@ void IdMap::place_into(PackedMap& map) {
   packed_map_ = &map;
 }
 
-void IdMap::write_packed(Interrupt& interrupt) {
+void IdMap::write_packed(bool replaces, Interrupt& interrupt) {
   if (!packed_map_->is_complete()) other_objects();
-  void_stored();
-  rows_->map().erase_all();
+  if (replaces) void_stored();
+  if (!filter_ && has_no_ids()) filter_.emplace(packed_map_->ids().size());
+  write(interrupt);
   packed_map_->for_each_chunk([&](std::span<const IdHashMap::Entry> chunk) {
     interrupt.check();
     rows_->write_map(chunk);
   });
-  filter_.emplace(packed_map_->ids().size());
-  for (const std::int64_t id : packed_map_->ids()) filter_->add(id);
+  if (filter_)
+    for (const std::int64_t id : packed_map_->ids()) filter_->add(id);
   packed_map_ = nullptr;
-  note_written();
+  last_block_.reset();
 }
 
 // --- rollbacks

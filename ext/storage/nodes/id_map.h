@@ -6,7 +6,8 @@
 //
 // Changes wait in memory until they are written. After a mark each is logged, so that a rollback restores it; a
 // write of the map is logged too: when SQLite restores the rows, the changes are unwritten again. Of the rows
-// the map keeps the block read last, and after a large load a filter of all ids, which rejects new ones.
+// the map keeps the block read last, and a filter of all ids, which rejects new ones, if it has seen the table empty
+// or packed.
 #pragma once
 
 #include <algorithm>
@@ -49,10 +50,10 @@ class IdMap final : public Journal::Participant {
   bool has_unwritten() const { return !leaves_.none_known() || stored_is_void_; }
   void write(Interrupt& interrupt);
 
-  /// Until write_packed() or a rewind, place() records leaves in this map of all future objects.
+  /// Until write_packed() or a rewind, place() records leaves in this map: of all future objects, or of new ones.
   void place_into(PackedMap& map);
-  /// Replaces the stored map by it.
-  void write_packed(Interrupt& interrupt);
+  /// Replaces the stored map by it, or adds it to the stored map.
+  void write_packed(bool replaces, Interrupt& interrupt);
 
   /// Bytes in use beyond those left by the last write: what another write would release.
   std::size_t memory() const { return held() - held_after_writing_; }
@@ -67,6 +68,7 @@ class IdMap final : public Journal::Participant {
   void forget() noexcept override;
   void end(Journal::Ended how) noexcept override;
 
+  bool has_no_ids() const { return leaves_.none_known() && (stored_is_void_ || rows_->map().is_empty()); }
   void set(std::int64_t id, std::int64_t leaf);
   void log_all(bool voids);
   void note_written();
@@ -82,7 +84,7 @@ class IdMap final : public Journal::Participant {
   std::size_t held_after_writing_ = 0;
   std::optional<IdBlock> last_block_;
   std::optional<IdFilter> filter_;
-  PackedMap* packed_map_ = nullptr;  ///< in place of leaves_ while the whole table is reloaded
+  PackedMap* packed_map_ = nullptr;  ///< in place of leaves_ during a large load
 };
 
 }  // namespace foresee

@@ -92,7 +92,7 @@ class NodeCache final : public Pages, public Journal::Participant {
   void erase_everything();
   /// As in IdMap, for a load that writes nodes early.
   void place_into(PackedMap& map) { ids_.place_into(map); }
-  void write_packed_map(Interrupt& interrupt);
+  void write_packed_map(bool replaces, Interrupt& interrupt);
   /// Returns what is wrong with a node's bytes; null: nothing.
   const char* fault(NodeNumber number, std::span<const std::byte> blob) const;
 

@@ -85,9 +85,9 @@ void NodeCache::write_nodes(Deletions deletions) {
   }
 }
 
-void NodeCache::write_packed_map(Interrupt& interrupt) {
+void NodeCache::write_packed_map(bool replaces, Interrupt& interrupt) {
   prepare_early_write();
-  ids_.write_packed(interrupt);
+  ids_.write_packed(replaces, interrupt);
 }
 
 void NodeCache::prepare_early_write() {

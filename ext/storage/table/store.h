@@ -230,8 +230,9 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   void write_count(std::int64_t objects);
 
   /// Moves all pending objects into the tree: in memory, as far as the budget allows.
-  void merge_pending();
-  void flush();
+  void merge_pending(TreeStore::Reason reason = TreeStore::Reason::query);
+  bool must_merge(TreeStore::Reason reason) const;
+  void flush(TreeStore::Reason reason = TreeStore::Reason::memory);
 
   // commands (store_commands.cpp)
   void pack(Interrupt& interrupt);

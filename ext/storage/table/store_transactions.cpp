@@ -115,7 +115,7 @@ void Store::begin() {
 void Store::sync() {
   if (gone_) return;
   shadow_rows();
-  flush();
+  flush(TreeStore::Reason::commit);
 }
 
 void Store::end_transaction(Journal::Ended how) {

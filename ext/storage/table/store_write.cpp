@@ -180,23 +180,26 @@ bool Store::has_unwritten() const {
          origin_->unwritten;
 }
 
-void Store::merge_pending() {
-  const bool plans_wait = plans_ && plans_->tree().pending().count() > 0;
-  if (tree_.pending().count() == 0 && !plans_wait) return;
+bool Store::must_merge(TreeStore::Reason reason) const {
+  return tree_.must_merge(reason) || (plans_ && plans_->tree().must_merge(reason));
+}
+
+void Store::merge_pending(TreeStore::Reason reason) {
+  if (!must_merge(reason)) return;
   shadow_rows();
   StatementInterrupt interrupt(db_);
   AtomicChange atomic_change(*this);
-  if (tree_.pending().count() > 0) tree_.merge_pending(interrupt);
-  if (plans_wait) plans_->tree().merge_pending(interrupt);
+  if (tree_.must_merge(reason)) tree_.merge_pending(reason, interrupt);
+  if (plans_ && plans_->tree().must_merge(reason)) plans_->tree().merge_pending(reason, interrupt);
   atomic_change.done_with_same_contents();
 }
 
 // The new stamp comes last: a connection that reads uncommitted rows (shared cache) has seen the first stamp with
 // other rows.
-void Store::flush() {
-  if (!has_unwritten()) return;
+void Store::flush(TreeStore::Reason reason) {
+  if (!has_unwritten() && !must_merge(reason)) return;
   if (was_rolled_back()) return restart_transaction();
-  merge_pending();
+  merge_pending(reason);
   shadow_rows();
   const OwnStatements own(*this);
   StatementInterrupt interrupt(db_);

@@ -68,7 +68,7 @@ class TreeStore::PartitionedLoad {
     PackedMap map(std::move(ids_));
     tree_.cache_.place_into(map);
     tree_.tree_->bulk_load_partitions(*spill_, interrupt_);
-    tree_.cache_.write_packed_map(interrupt_);
+    tree_.cache_.write_packed_map(true, interrupt_);
   }
 
  private:
@@ -150,6 +150,7 @@ void TreeStore::Rebuild::read_partitioned() {
 void TreeStore::Rebuild::write() {
   if (!load_) return tree_.replace_all(ids_, records_, interrupt_);
   tree_.with_sound_tree([&] { load_->write(); });
+  tree_.note_packed();
 }
 
 // --- with pending objects

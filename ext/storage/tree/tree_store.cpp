@@ -27,7 +27,9 @@ TreeStore::TreeStore(sqlite3* db, const NodeFormat& format, const QualifiedName&
       share_(memory, *this),
       cache_(format, name, share_, journal),
       tree_(make_tpr_tree(cache_, horizon)),
-      pending_(journal, static_cast<std::size_t>(format.at.size)) {}
+      pending_(journal, static_cast<std::size_t>(format.at.size)),
+      has_runs_(journal),
+      pending_updates_(journal) {}
 
 void TreeStore::damaged(const std::string& what) const {
   throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
@@ -41,12 +43,13 @@ void TreeStore::note_memory() noexcept {
 // --- changes
 
 bool TreeStore::update(std::int64_t id, std::span<const double> record) {
-  if (pending_.find(id))
+  if (pending_.find(id)) {
     pending_.replace(id, record);
-  else if (cache_.find_record(id))
-    pending_.add(id, record);
-  else
-    return false;
+    return true;
+  }
+  if (!cache_.find_record(id)) return false;
+  if (!pending_updates_.get()) pending_updates_.change() = true;
+  pending_.add(id, record);
   return true;
 }
 
@@ -56,26 +59,50 @@ bool TreeStore::erase(std::int64_t id) {
   return tree_->erase(id) || is_pending;
 }
 
-void TreeStore::merge_pending(Interrupt& interrupt) {
+void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
   with_sound_tree([&] {
     const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_);
     const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
-    if (stored > 0 && pending <= stored * min_reload_ratio)
-      merge_into_tree(interrupt);
-    else if (stored > 0 && bytes > static_cast<double>(memory_.max_ordered()))
-      load_partitioned(interrupt);
-    else
-      reload(interrupt);
+    const bool packs_runs = reason == Reason::commit && has_runs_.get();
+    const bool many = pending > stored * min_reload_ratio;
+    const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
+    if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count()))
+      return add_run(interrupt);
+    if (stored > 0 && !many && !packs_runs) return merge_into_tree(interrupt);
+    stored > 0 && bytes > static_cast<double>(memory_.max_ordered()) ? load_partitioned(interrupt)
+                                                                     : reload(interrupt);
+    note_packed();
   });
   pending_.take_all();
+  if (pending_updates_.get()) pending_updates_.change() = false;
 }
 
-void TreeStore::merge_into_tree(Interrupt& interrupt) {
-  if (!pending_.has_holes()) return tree_->merge(pending_.all_ids(), pending_.all_records(), interrupt);
+template <class Use>
+auto TreeStore::with_pending(Use use) const {
+  if (!pending_.has_holes()) return use(pending_.all_ids(), pending_.all_records());
   std::vector<std::int64_t> ids;
   std::vector<double> records;
   append_pending(ids, records);
-  tree_->merge(ids, records, interrupt);
+  return use(std::span<const std::int64_t>(ids), std::span<const double>(records));
+}
+
+void TreeStore::merge_into_tree(Interrupt& interrupt) {
+  with_pending([&](auto ids, auto records) { tree_->merge(ids, records, interrupt); });
+}
+
+// Their places are written at once: in memory each would take five times as much until the transaction ends.
+void TreeStore::add_run(Interrupt& interrupt) {
+  const bool is_first = cache_.find_root() == 0;
+  cache_.drop_nodes(true);
+  with_pending([&](std::span<const std::int64_t> ids, std::span<const double> records) {
+    std::vector<std::int64_t> sorted(ids.begin(), ids.end());
+    require_unique(sorted, interrupt);
+    PackedMap map(std::move(sorted));
+    cache_.place_into(map);
+    tree_->add_run(ids, records, interrupt);
+    cache_.write_packed_map(false, interrupt);
+  });
+  if (!is_first) has_runs_.change() = true;
 }
 
 void TreeStore::reload(Interrupt& interrupt) {
@@ -118,6 +145,7 @@ void TreeStore::replace_all(std::span<const std::int64_t> ids, std::span<const d
     cache_.erase_everything();
     tree_->bulk_load(ids, records, interrupt);
   });
+  note_packed();
 }
 
 void TreeStore::write(Interrupt& interrupt) {

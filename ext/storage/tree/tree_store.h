@@ -3,7 +3,7 @@
 //   TreeStore tree(db, format, name, 60, journal, memory, [] {});
 //   tree.connect(rows);
 //   tree.insert(42, record);                    // within a change: a mark of the journal
-//   tree.merge_pending(interrupt);              // the same
+//   tree.merge_pending(TreeStore::Reason::commit, interrupt);    // the same
 //   tree.write(interrupt);
 //
 // A table may have several, each over its own TreeRows, all under the journal of the table. So a rollback restores
@@ -50,8 +50,16 @@ class TreeStore final : private MemoryHolder {
   bool update(std::int64_t id, std::span<const double> record);
   /// False if there is no such object.
   bool erase(std::int64_t id);
-  /// Moves all pending objects into the tree: in memory, as far as the budget allows.
-  void merge_pending(Interrupt& interrupt);
+  /// Why pending objects go into the tree: a query follows, memory is full, or the transaction ends.
+  enum class Reason : std::uint8_t { query, memory, commit };
+  /// Moves all pending objects into the tree: in memory, as far as the budget allows. If memory is full in the
+  /// middle of a large load, they become a run beside the other objects (TprTree::add_run()); the commit packs
+  /// everything once.
+  void merge_pending(Reason reason, Interrupt& interrupt);
+  /// True if merge_pending() has something to do.
+  bool must_merge(Reason reason) const {
+    return pending_.count() > 0 || (reason == Reason::commit && has_runs_.get());
+  }
   /// Replaces all objects, whatever is stored. Ids are unique.
   void replace_all(std::span<const std::int64_t> ids, std::span<const double> records, Interrupt& interrupt);
   /// Writes all nodes, the map and the root. Requires: nothing is pending. If it fails half-way the rest stays
@@ -95,10 +103,17 @@ class TreeStore final : private MemoryHolder {
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
   [[noreturn]] void damaged(const std::string& what) const;
   void merge_into_tree(Interrupt& interrupt);
+  void add_run(Interrupt& interrupt);
+  void note_packed() {
+    if (has_runs_.get()) has_runs_.change() = false;
+  }
   void reload(Interrupt& interrupt);
   /// As reload(), for more objects than may be sorted together.
   void load_partitioned(Interrupt& interrupt);
   void append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const;
+  /// The pending objects as arrays, without a copy if they have no holes.
+  template <class Use>
+  auto with_pending(Use use) const;
   /// Calls `use` with a sound leaf; false for a sound inner node.
   bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
                         const std::function<void(const LeafView&)>& use) const;
@@ -115,6 +130,8 @@ class TreeStore final : private MemoryHolder {
   NodeCache cache_;
   std::unique_ptr<TprTree> tree_;
   PendingObjects pending_;
+  Journaled<bool> has_runs_;         ///< added by this transaction
+  Journaled<bool> pending_updates_;  ///< some of the pending objects may be in the tree already
 };
 
 /// Reads and checks every leaf when it is made, whether or not the tree refers to it; the contents of inner nodes

@@ -103,6 +103,36 @@ TEST(TprTreeUpdates, ALeafWhoseSiblingsAreFullChangesAloneWhenItIsHalfEmpty) {
   }
 }
 
+TEST(TprTreeUpdates, ARunIsASubtreeBesideTheOthersWhateverItsSize) {
+  Random random(9);
+  unsigned seed = 1;
+  for (const Layout& layout :
+       {boats, Layout{.axes = 3, .law = Law::accelerated, .shape = Shape::box, .has_until = true},
+        Layout{.axes = 1, .has_category = true}}) {
+    std::size_t taken = 0, refused = 0;
+    for (const std::size_t stored : {0, 1, 5, 30, 200, 1500})
+      for (const std::size_t added : {1, 4, 20, 100, 700, 3000}) {
+        TreeModel model(layout, 60, 5);
+        if (stored > 0) model.load(random_scene({.layout = layout, .count = stored, .seed = seed++}));
+        double clock = 0;
+        for (int runs = 0; runs < 3; ++runs) {
+          const bool takes = model.tree->takes_run(added);
+          ++(takes ? taken : refused);
+          if (!takes) break;
+          model.add_run(random_scene({.layout = layout, .count = added, .seed = seed++}));
+          model.expect_sound();
+        }
+        // Nodes of a run with few children are as sound as others when they change.
+        if (!model.objects.empty())
+          model.churn(random_scene({.layout = layout, .count = stored + added, .seed = seed++}), 300, random,
+                      clock);
+        model.expect_sound();
+      }
+    EXPECT_GE(taken, 45u);
+    EXPECT_GE(refused, 5u);
+  }
+}
+
 /// The number of leaves read by windows of a twentieth of the scene's side.
 std::size_t leaves_in_windows(TreeModel& model, double side, double now) {
   Random random(8);

@@ -61,6 +61,19 @@ struct TreeModel {
     tree->merge(ids, records, never);
   }
 
+  /// Adds the objects of `scene` as a run, with other ids.
+  void add_run(const RandomScene& scene) {
+    const std::size_t size = scene.records.size() / scene.size();
+    const std::int64_t last = objects.empty() ? 0 : objects.rbegin()->first;
+    std::vector<std::int64_t> ids;
+    for (std::size_t i = 0; i < scene.size(); ++i) {
+      const auto from = scene.records.begin() + static_cast<std::ptrdiff_t>(i * size);
+      ids.push_back(last + 1 + static_cast<std::int64_t>(i));
+      objects[ids.back()].assign(from, from + static_cast<std::ptrdiff_t>(size));
+    }
+    tree->add_run(ids, scene.records, never);
+  }
+
   /// Inserts, updates and erases at random with records of `scene`, whose t advance with `clock`.
   void churn(const RandomScene& scene, int steps, Random& random, double& clock) {
     const std::size_t size = scene.records.size() / scene.size();

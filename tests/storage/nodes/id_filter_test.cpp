@@ -34,5 +34,21 @@ TEST(IdFilter, AcceptsAnyIdAndMoreThanAnnounced) {
   EXPECT_TRUE(filter.may_have(999));
 }
 
+TEST(IdFilter, GrowsWithItsIdsAndNotWithRepeatedOnes) {
+  IdFilter filter;
+  constexpr std::int64_t many = 300'000;
+  for (std::int64_t i = 0; i < many; ++i) filter.add(i * 7919);
+  const std::size_t memory = filter.memory();
+  EXPECT_LT(memory, 5 * many);
+  for (std::int64_t i = 0; i < many; ++i) filter.add(i * 7919);
+  EXPECT_EQ(filter.memory(), memory);
+  std::int64_t others = 0;
+  for (std::int64_t i = 0; i < many; ++i) {
+    ASSERT_TRUE(filter.may_have(i * 7919));
+    others += filter.may_have(i * 7919 + 1);
+  }
+  EXPECT_LT(others, many / 50);
+}
+
 }  // namespace
 }  // namespace foresee

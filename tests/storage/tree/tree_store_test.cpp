@@ -59,8 +59,8 @@ class TwoTrees : public ::testing::Test {
   }
   void merge() {
     change([&] {
-      if (first.pending().count() > 0) first.merge_pending(never);
-      if (second.pending().count() > 0) second.merge_pending(never);
+      if (first.pending().count() > 0) first.merge_pending(TreeStore::Reason::query, never);
+      if (second.pending().count() > 0) second.merge_pending(TreeStore::Reason::query, never);
     });
   }
   Model contents(TreeStore& tree) {
@@ -147,7 +147,7 @@ TEST_F(TwoTrees, AreRestoredTogetherThroughRandomProgramsOfSavepoints) {
           const Both before = model;
           const Journal::Mark mark = journal.set_mark();
           put(first, model.first, id), put(second, model.second, id);
-          if (random() % 2) first.merge_pending(never);
+          if (random() % 2) first.merge_pending(TreeStore::Reason::query, never);
           journal.rewind(mark);
           journal.forget(mark);
           model = before;

@@ -26,17 +26,16 @@ class TreeLoad {
   TreeLoad(TreeState<D>& state, Interrupt& interrupt) : state_(state), interrupt_(interrupt) {}
 
   void run(std::span<const std::int64_t> ids, std::span<const double> records) {
-    start_clock(state_, records);
-    number_nodes(state_.leaves_for(ids.size()));
-    write_leaves(ids, records, {0, levels_[0]});
-    write_inner_levels();
+    pack(ids, records, level_sizes(state_.leaves_for(ids.size()), state_.pages.inner_capacity()));
+    set_root();
   }
 
   void run(ObjectPartitions& partitions) {
     const std::span<const std::size_t> counts = partitions.counts();
     std::vector<std::size_t> leaves;
     for (const std::size_t count : counts) leaves.push_back(count == 0 ? 0 : state_.leaves_for(count));
-    number_nodes(std::accumulate(leaves.begin(), leaves.end(), std::size_t{0}));
+    number_nodes(level_sizes(std::accumulate(leaves.begin(), leaves.end(), std::size_t{0}),
+                             state_.pages.inner_capacity()));
     std::vector<std::int64_t> ids;
     std::vector<double> records;
     for (std::size_t i = 0, first = 0; i < leaves.size(); first += leaves[i++]) {
@@ -46,11 +45,33 @@ class TreeLoad {
     }
     std::vector<double>().swap(records);
     write_inner_levels();
+    set_root();
+  }
+
+  /// Subtrees of this many nodes per level, which are not connected to the tree yet.
+  std::vector<Branch<D>> pack_branches(std::span<const std::int64_t> ids, std::span<const double> records,
+                                       std::vector<std::size_t> levels) {
+    pack(ids, records, std::move(levels));
+    std::vector<Branch<D>> branches;
+    const std::size_t top = levels_.size() - 1;
+    for (std::size_t i = 0; i < levels_[top]; ++i)
+      branches.push_back({number(top, i), 0, static_cast<int>(top) + 1, entries_[i], epochs_.back()});
+    return branches;
   }
 
  private:
-  void number_nodes(std::size_t leaves) {
-    levels_ = level_sizes(leaves, state_.pages.inner_capacity());
+  void pack(std::span<const std::int64_t> ids, std::span<const double> records,
+            std::vector<std::size_t> levels) {
+    start_clock(state_, records);
+    number_nodes(std::move(levels));
+    write_leaves(ids, records, {0, levels_[0]});
+    write_inner_levels();
+  }
+
+  void set_root() { state_.pages.set_root(number(levels_.size() - 1, 0)); }
+
+  void number_nodes(std::vector<std::size_t> levels) {
+    levels_ = std::move(levels);
     std::size_t nodes = 0;
     for (const std::size_t level : levels_) firsts_.push_back(static_cast<NodeNumber>(nodes)), nodes += level;
     const NodeNumber first = state_.pages.reserve(nodes);
@@ -72,7 +93,6 @@ class TreeLoad {
 
   void write_inner_levels() {
     for (std::size_t level = 1; level < levels_.size(); ++level) write_inner_nodes(level);
-    state_.pages.set_root(number(levels_.size() - 1, 0));
   }
 
   void write_inner_nodes(std::size_t level) {
@@ -157,11 +177,37 @@ void bulk_load_tree(TreeState<D>& state, ObjectPartitions& partitions, Interrupt
   TreeLoad<D>(state, interrupt).run(partitions);
 }
 
+template <int D>
+std::vector<std::size_t> run_levels(const TreeState<D>& state, std::size_t objects, int root_level) {
+  const std::size_t leaves = state.leaves_for(objects), capacity = state.pages.inner_capacity();
+  const auto height = static_cast<std::size_t>(root_level);
+  std::vector<std::size_t> levels = level_sizes(leaves, capacity);
+  if (levels.size() > height + 1) return {};
+  if (levels.size() >= height) return levels;
+  // Its nodes are less full, so that it is as high as the others; but none has a single child.
+  if (height > 32 || leaves < std::size_t{1} << (height - 1)) return {};
+  levels.resize(height);
+  for (std::size_t level = 1; level < height; ++level)
+    levels[level] =
+        std::max((levels[level - 1] + capacity - 1) / capacity, std::size_t{1} << (height - 1 - level));
+  return levels;
+}
+
+template <int D>
+std::vector<Branch<D>> pack_run(TreeState<D>& state, std::span<const std::int64_t> ids,
+                                std::span<const double> records, std::vector<std::size_t> levels,
+                                Interrupt& interrupt) {
+  return TreeLoad<D>(state, interrupt).pack_branches(ids, records, std::move(levels));
+}
+
 #define FORESEE_OF_AXES(D)                                                                               \
   template void start_clock<D>(TreeState<D>&, std::span<const double>);                                  \
   template void bulk_load_tree<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
                                   Interrupt&);                                                           \
-  template void bulk_load_tree<D>(TreeState<D>&, ObjectPartitions&, Interrupt&)
+  template void bulk_load_tree<D>(TreeState<D>&, ObjectPartitions&, Interrupt&);                         \
+  template std::vector<std::size_t> run_levels<D>(const TreeState<D>&, std::size_t, int);                \
+  template std::vector<Branch<D>> pack_run<D>(TreeState<D>&, std::span<const std::int64_t>,              \
+                                              std::span<const double>, std::vector<std::size_t>, Interrupt&)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);

@@ -25,4 +25,16 @@ void bulk_load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std:
 template <int D>
 void bulk_load_tree(TreeState<D>& state, ObjectPartitions& partitions, Interrupt& interrupt);
 
+/// The number of nodes per level of subtrees that hold these objects alone, for a root of this level. The top
+/// nodes are one level below the root, or there is one that is as high as the root. Empty if there are too few
+/// objects for such a height, or too many.
+template <int D>
+std::vector<std::size_t> run_levels(const TreeState<D>& state, std::size_t objects, int root_level);
+/// Packs the objects into subtrees of these levels: branches, to be added by insert_branch(). Requires: the clock
+/// runs.
+template <int D>
+std::vector<Branch<D>> pack_run(TreeState<D>& state, std::span<const std::int64_t> ids,
+                                std::span<const double> records, std::vector<std::size_t> levels,
+                                Interrupt& interrupt);
+
 }  // namespace foresee
