@@ -1,24 +1,11 @@
 #include "query/memory_table.h"
 
-#include <algorithm>
-
 #include "base/float_environment.h"
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/search/tree_join.h"
+#include "shape/chunk_item.h"
 
 namespace foresee {
-namespace {
-
-/// Sets t, x, v and a of a record to those of a leg.
-void start_as(const Layout& layout, const Leg& leg, std::vector<double>& record) {
-  const Offsets at = record_offsets(layout);
-  record[static_cast<std::size_t>(at.t)] = leg.t;
-  std::copy_n(leg.x.begin(), layout.axes, record.data() + at.x);
-  std::copy_n(leg.v.begin(), layout.axes, record.data() + at.v);
-  if (at.a != Offsets::absent) std::copy_n(leg.a.begin(), layout.axes, record.data() + at.a);
-}
-
-}  // namespace
 
 MemoryTable::MemoryTable(std::string name, const Layout& layout, double horizon)
     : name_(std::move(name)), pages_(layout), tree_(make_tpr_tree(pages_, horizon)) {
@@ -38,7 +25,7 @@ void MemoryTable::put(std::int64_t id, std::span<const double> record, std::span
   if (plans_) {
     if (const auto before = find_record(id); !before.empty()) plans_->erase(before);
     head.assign(record.begin(), record.end());
-    if (!legs.empty()) start_as(layout(), legs[0], head);
+    if (!legs.empty()) write_leg(record_offsets(layout()), layout().axes, legs[0], head.data());
     plans_->put(id, head, legs);
     record = head;
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shape/chunk_item.h"
+
 namespace foresee {
 
 void Scene::add(std::int64_t id, const double* record, std::span<const Leg> legs) {
@@ -20,11 +22,8 @@ void Scene::add(std::int64_t id, const double* record, std::span<const Leg> legs
   const double end = record[stored.until];
   for (const Leg& leg : legs) {
     if (end < leg.t) break;
-    row[static_cast<std::size_t>(at.t)] = leg.t;
+    write_leg(at, layout.axes, leg, row.data());
     row[static_cast<std::size_t>(at.until)] = std::min(leg.until, end);
-    std::copy_n(leg.x.begin(), layout.axes, row.data() + at.x);
-    std::copy_n(leg.v.begin(), layout.axes, row.data() + at.v);
-    if (at.a != Offsets::absent) std::copy_n(leg.a.begin(), layout.axes, row.data() + at.a);
     add_row();
   }
   if (ids.size() > first_rows.back()) first_rows.push_back(static_cast<std::uint32_t>(ids.size()));

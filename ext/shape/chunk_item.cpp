@@ -23,6 +23,13 @@ ChunkBox box_along(const double* item, const Offsets& at, std::span<const Leg> l
 
 }  // namespace
 
+void write_leg(const Offsets& at, int axes, const Leg& leg, double* numbers) {
+  numbers[at.t] = leg.t;
+  std::copy_n(leg.x.begin(), axes, numbers + at.x);
+  std::copy_n(leg.v.begin(), axes, numbers + at.v);
+  if (at.a != Offsets::absent) std::copy_n(leg.a.begin(), axes, numbers + at.a);
+}
+
 void write_chunk_item(const Layout& layout, const double* record, std::span<const Leg> legs, double* item,
                       const double* given) {
   const FloatEnvironment environment;

@@ -97,14 +97,6 @@ std::size_t leg_doubles(const Layout& layout) {
   return static_cast<std::size_t>((at.a == Offsets::absent ? at.v : at.a) + layout.axes);
 }
 
-void write_leg(const Layout& layout, const Leg& leg, double* record) {
-  const Offsets at = record_offsets(layout);
-  record[at.t] = leg.t;
-  std::copy_n(leg.x.begin(), layout.axes, record + at.x);
-  std::copy_n(leg.v.begin(), layout.axes, record + at.v);
-  if (at.a != Offsets::absent) std::copy_n(leg.a.begin(), layout.axes, record + at.a);
-}
-
 std::optional<Plan> PlanValues::written(sqlite3_value* value) const {
   std::optional<Plan> plan = plan_of(value, interrupt_, in_degrees_ ? WktUnit::degrees : WktUnit::metres);
   if (!plan) return plan;

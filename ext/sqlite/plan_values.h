@@ -33,9 +33,6 @@ void result_plan(sqlite3_context* context, const Plan& plan, Interrupt& interrup
 /// How many of the first doubles of a record are those of its first leg: t, x…, v…, a…. Requires: a layout with plans.
 std::size_t leg_doubles(const Layout& layout);
 
-/// Writes t, x, v and a of a leg as the first doubles of a record. Requires: a layout with plans.
-void write_leg(const Layout& layout, const Leg& leg, double* record);
-
 class PlanValues {
  public:
   /// Requires: a layout with plans; `interrupt` outlives the values.

@@ -57,6 +57,7 @@ GIVEN = {
     "plan_functions.h": {"value": "sqlite3_value*"},
     "plan_values.h": {"value": "sqlite3_value*", "context": "sqlite3_context*"},
     "stored_plans.h": {"rolled_back": "const bool&"},
+    "chunk_item.h": {"ships": "const Layout&", "legs": "const std::vector<Leg>&", "record": "double*"},
     "chunk_source.h": {"plans": "ChunkSource&"},
     "chunk_blob.h": {"plan": "const Plan&", "rows": "LegRows&", "first": "std::int64_t", "legs": "std::vector<Leg>&"},
     "exact_avoidance.h": {"spared": "const std::vector<Intruder>&"},

@@ -7,6 +7,7 @@
 #include "base/float_environment.h"
 #include "base/number_text.h"
 #include "motion/plan/plan_legs.h"
+#include "shape/chunk_item.h"
 #include "sqlite/callback.h"
 #include "sqlite/table/degrees_columns.h"
 #include "sqlite/table/record_values.h"
@@ -73,7 +74,7 @@ void Values::take_plan(std::int64_t id, sqlite3_value* value, Store& store,
   }
   new_plan_ = plans_.stored(*written, origin);
   leg_.resize(leg_doubles(layout_));
-  write_leg(layout_, legs_of(*new_plan_).front(), leg_.data());
+  write_leg(at_, layout_.axes, legs_of(*new_plan_).front(), leg_.data());
 } catch (const StoreError&) {
   throw;
 } catch (const Error& error) {
