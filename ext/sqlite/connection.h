@@ -100,6 +100,12 @@ class Connection {
   static std::shared_ptr<Scene> load_object(const OpenTable& table, std::int64_t id,
                                             const LegTimes& times = {});
 
+  /// The one object with this id, as above; without an id all, as load_legs() gives them.
+  std::shared_ptr<const Scene> load_queried(const OpenTable& table, const std::optional<std::int64_t>& id,
+                                            const LegTimes& times) {
+    return id ? load_object(table, *id, times) : load_legs(table, times);
+  }
+
   /// PRAGMA threads: the number of helper threads that a computation may use; 0 by default.
   std::size_t helper_threads() const {
     return static_cast<std::size_t>(std::max(0, sqlite3_limit(db_, SQLITE_LIMIT_WORKER_THREADS, -1)));

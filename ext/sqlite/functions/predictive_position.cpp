@@ -52,12 +52,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
   call.used(in_tbl, table.table), call.used(in_schema, table.schema);
-  const auto id = call.only(out_id);
-  std::shared_ptr<const Scene> scene;
-  if (id)
-    scene = Connection::load_object(table, *id, {at, at});
-  else
-    scene = connection.load_legs(table, {at, at});
+  auto scene = connection.load_queried(table, call.only(out_id), {at, at});
   return std::make_unique<PositionRows>(std::move(scene), at, table.store->frame(), connection.interrupt());
 }
 

@@ -49,12 +49,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
   call.used(in_tbl, table.table), call.used(in_schema, table.schema);
-  const auto id = call.only(out_id);
-  std::shared_ptr<const Scene> scene;
-  if (id)
-    scene = Connection::load_object(table, *id, {instants.t0, instants.t1});
-  else
-    scene = connection.load_legs(table, {instants.t0, instants.t1});
+  const auto scene = connection.load_queried(table, call.only(out_id), {instants.t0, instants.t1});
   return std::make_unique<TrackRows>(scene, instants, table.store->frame(), connection.interrupt());
 }
 
