@@ -43,8 +43,7 @@ struct Join::Progress {
 
   /// The same query; for the first contacts if no two paths meet more than once, since all are straight.
   static JoinQuestion with_contacts(JoinQuestion question) {
-    const auto is_bent = [](const Scene& scene) { return degree_of(scene.layout.law) > 1; };
-    if (!is_bent(*question.a) && !(question.b && is_bent(*question.b))) question.all_contacts = false;
+    if (!has_bent_paths(question)) question.all_contacts = false;
     return question;
   }
 

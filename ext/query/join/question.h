@@ -91,6 +91,12 @@ inline bool has_plans(const JoinQuestion& question) {
   return question.a->layout.has_plan || (question.b && question.b->layout.has_plan);
 }
 
+/// Whether paths of either side may bend: then two rows may be in contact more than once.
+inline bool has_bent_paths(const JoinQuestion& question) {
+  const auto is_bent = [](const Scene& scene) { return degree_of(scene.layout.law) > 1; };
+  return is_bent(*question.a) || (question.b && is_bent(*question.b));
+}
+
 /// Throws Error if h, within or within_z is negative or not finite, now is not finite, or the axes of both
 /// scenes differ. Also if the tile is empty or has a bound on an axis that the scenes do not have.
 void require_valid(const JoinQuestion& question);

@@ -7,6 +7,7 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/sweep_walk.h"
+#include "query/legs/leg_scene.h"
 #include "query/sweep/sweep.h"
 #include "query/tile/ownership.h"
 
@@ -189,11 +190,6 @@ std::shared_ptr<const Scene> scene_by_tree(TableSource& table, const JoinQuestio
   return scene_of_tile(*tree, table.name(), question, interrupt);
 }
 
-/// The times that a join reads.
-LegTimes read_times(const JoinQuestion& question) {
-  return {question.now, std::nextafter(question.now + question.h, std::numeric_limits<double>::infinity())};
-}
-
 }  // namespace
 
 void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt,
@@ -201,7 +197,7 @@ void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& 
   const bool with_levels = question.method == JoinMethod::tree;
   const auto scene = [&](TableSource& table, TableSource& others) {
     std::shared_ptr<const Scene> in_tile;
-    if (table.layout().has_plan) return table.all_during(read_times(question));
+    if (table.layout().has_plan) return table.all_during(leg_times_of({question.now, question.h}));
     if (question.tile && !with_levels) in_tile = scene_by_tree(table, question, interrupt);
     if (in_tile) return in_tile;
     return inert == InertObjects::counted ? table.all(with_levels)

@@ -1,7 +1,8 @@
 #include "query/legs/leg_candidates.h"
 
-#include <cmath>
 #include <utility>
+
+#include "query/legs/leg_scene.h"
 
 namespace foresee {
 namespace {
@@ -26,8 +27,7 @@ class LegCandidates final : public Candidates {
  public:
   LegCandidates(LegCandidatesOf sides, const Horizon& horizon, Interrupt& interrupt)
       : sides_(std::move(sides)),
-        now_(horizon.now),
-        end_(std::nextafter(horizon.now + horizon.h, std::numeric_limits<double>::infinity())),
+        times_(leg_times_of(horizon)),
         of_a_(queried(sides_.a, sides_.only_a)),
         of_b_(queried(sides_.b, sides_.only_b)),
         within_(sides_.within && !sides_.only_a && !sides_.only_b),
@@ -42,8 +42,8 @@ class LegCandidates final : public Candidates {
       for (; b_ < of_b_.last; ++b_) {
         if (out.size() >= full || ++steps > legs_per_batch) return true;
         if ((sides_.within || sides_.are_one) && a_ == b_) continue;
-        for_leg_pairs(sides_.a, sides_.b, {a_, b_}, now_, [&](const Pair& legs) {
-          if (std::max(sides_.a.t(legs.a), sides_.b.t(legs.b)) > end_) return false;
+        for_leg_pairs(sides_.a, sides_.b, {a_, b_}, times_.from, [&](const Pair& legs) {
+          if (std::max(sides_.a.t(legs.a), sides_.b.t(legs.b)) > times_.until) return false;
           out.push_back(legs);
           return true;
         });
@@ -57,7 +57,7 @@ class LegCandidates final : public Candidates {
   std::uint32_t first_b() const { return within_ ? a_ + 1 : of_b_.first; }
 
   LegCandidatesOf sides_;
-  double now_, end_;
+  LegTimes times_;
   MoverRange of_a_, of_b_;
   bool within_;
   std::uint32_t a_, b_;

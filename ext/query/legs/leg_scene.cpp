@@ -6,41 +6,27 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/window_walk.h"
+#include "query/legs/movers.h"
 #include "shape/shapes.h"
 
 namespace foresee {
-namespace {
-
-/// The first row of `rows` for which `is_past` holds. Requires: it holds for all rows from one on.
-template <class IsPast>
-std::size_t first_row(RowRange rows, IsPast is_past) {
-  while (rows.first < rows.last) {
-    const std::size_t middle = rows.first + rows.size() / 2;
-    if (is_past(middle))
-      rows.last = middle;
-    else
-      rows.first = middle + 1;
-  }
-  return rows.first;
-}
-
-}  // namespace
-
 LegTimes leg_times_of(const Horizon& horizon) {
   return {horizon.now, std::nextafter(horizon.now + horizon.h, no_end)};
 }
 
 RowRange rows_during(const Bodies& bodies, RowRange rows, const Horizon& horizon) {
   const Offsets& at = bodies.at;
-  rows.first = first_row(rows, [&](std::size_t row) { return bodies.row(row)[at.until] >= horizon.now; });
-  rows.last =
-      first_row(rows, [&](std::size_t row) { return bodies.row(row)[at.t] - horizon.now > horizon.h; });
+  rows.first = first_row(rows.first, rows.last,
+                         [&](std::size_t row) { return bodies.row(row)[at.until] >= horizon.now; });
+  rows.last = first_row(rows.first, rows.last,
+                        [&](std::size_t row) { return bodies.row(row)[at.t] - horizon.now > horizon.h; });
   return rows;
 }
 
 std::optional<std::size_t> row_at(const Bodies& bodies, RowRange rows, double time) {
   const Offsets& at = bodies.at;
-  const std::size_t later = first_row(rows, [&](std::size_t row) { return bodies.row(row)[at.t] > time; });
+  const std::size_t later =
+      first_row(rows.first, rows.last, [&](std::size_t row) { return bodies.row(row)[at.t] > time; });
   if (later == rows.first || bodies.row(later - 1)[at.until] < time) return std::nullopt;
   return later - 1;
 }
@@ -61,14 +47,6 @@ std::vector<std::int64_t> chunks_near(ChunkSource& chunks, std::span<const Movin
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
-}
-
-template <int D>
-Motion<D> motion_of(const Leg& leg) {
-  const auto vector = [](const std::array<double, 3>& from) {
-    return Vec<D>(Eigen::Map<const Vec<D>>(from.data()));
-  };
-  return {leg.t, vector(leg.x), vector(leg.v), vector(leg.a), leg.until};
 }
 
 /// Selects the legs that may meet one of some boxes.

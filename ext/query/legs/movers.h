@@ -16,6 +16,19 @@
 
 namespace foresee {
 
+/// The first row of [first, last) for which is_past(row) holds; last: none. Requires: it holds for all rows behind one.
+template <class Row, class IsPast>
+Row first_row(Row first, Row last, IsPast is_past) {
+  while (first < last) {
+    const Row middle = first + (last - first) / 2;
+    if (is_past(middle))
+      last = middle;
+    else
+      first = middle + 1;
+  }
+  return first;
+}
+
 class Movers {
  public:
   explicit Movers(std::shared_ptr<const Scene> scene)
@@ -49,12 +62,7 @@ class Movers {
   double until(std::uint32_t row) const { return column(row, bodies_.at.until, infinite); }
   /// The first leg of a mover that ends at `time` or later.
   std::uint32_t first_until(std::uint32_t mover, double time) const {
-    std::uint32_t low = first(mover), high = last(mover);
-    while (low < high) {
-      const std::uint32_t middle = low + (high - low) / 2;
-      until(middle) < time ? low = middle + 1 : high = middle;
-    }
-    return low;
+    return first_row(first(mover), last(mover), [&](std::uint32_t leg) { return until(leg) >= time; });
   }
 
  private:

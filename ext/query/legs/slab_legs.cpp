@@ -1,17 +1,16 @@
 #include "query/legs/slab_legs.h"
 
-#include <cmath>
 #include <numeric>
 
 namespace foresee {
 
-SlabLegs::SlabLegs(const Movers& movers, double from, double until, Slabs slabs)
-    : movers_(movers), is_whole_(takes_whole(from, until, slabs)) {
+SlabLegs::SlabLegs(const Movers& movers, const LegTimes& all, Slabs slabs)
+    : movers_(movers), is_whole_(takes_whole(all, slabs)) {
   if (is_whole_) return;
   const Scene& whole = *movers.scene();
   waiting_.reserve(movers.count());
   for (std::uint32_t mover = 0; mover < movers.count(); ++mover) {
-    const std::uint32_t first = movers.first_until(mover, from), last = last_leg(mover, first, until);
+    const std::uint32_t first = movers.first_until(mover, all.from), last = last_leg(mover, first, all.until);
     if (first < last) waiting_.push_back({movers.t(first), first, last, mover});
   }
   scene_ = std::make_shared<Scene>();
@@ -21,58 +20,54 @@ SlabLegs::SlabLegs(const Movers& movers, double from, double until, Slabs slabs)
 
 /// One past the last leg, from `first` on, that starts by `until`.
 std::uint32_t SlabLegs::last_leg(std::uint32_t mover, std::uint32_t first, double until) const {
-  std::uint32_t low = first, high = movers_.last(mover);
-  if (low < high && movers_.t(high - 1) <= until) return high;
-  while (low < high) {
-    const std::uint32_t middle = low + (high - low) / 2;
-    movers_.t(middle) <= until ? low = middle + 1 : high = middle;
-  }
-  return low;
+  const std::uint32_t last = movers_.last(mover);
+  if (first < last && movers_.t(last - 1) <= until) return last;
+  return first_row(first, last, [&](std::uint32_t leg) { return movers_.t(leg) > until; });
 }
 
-bool SlabLegs::takes_whole(double from, double until, Slabs slabs) const {
+bool SlabLegs::takes_whole(const LegTimes& all, Slabs slabs) const {
   const std::size_t rows = movers_.scene()->size();
   if (slabs == Slabs::whole || movers_.scene()->forms) return true;
   if (slabs == Slabs::one) {
     std::size_t alive = 0;
     for (std::uint32_t mover = 0; mover < movers_.count(); ++mover) {
-      const std::uint32_t first = movers_.first_until(mover, from);
-      alive += last_leg(mover, first, until) - first;
+      const std::uint32_t first = movers_.first_until(mover, all.from);
+      alive += last_leg(mover, first, all.until) - first;
     }
     return alive >= rows - rows / 4;
   }
   if (movers_.count() < rows) return false;
   double lives = 0;
   for (std::uint32_t row = 0; row < rows; ++row)
-    lives += std::max(0.0, std::min(movers_.until(row), until) - std::max(movers_.t(row), from));
-  return lives >= 0.75 * static_cast<double>(rows) * (until - from);
+    lives += std::max(0.0, std::min(movers_.until(row), all.until) - std::max(movers_.t(row), all.from));
+  return lives >= 0.75 * static_cast<double>(rows) * (all.until - all.from);
 }
 
-void SlabLegs::take(double from, double until) {
+void SlabLegs::take(const LegTimes& times) {
   if (is_whole_) return;
   scene_->ids.clear(), scene_->rows.clear(), scene_->kinds.reset(), legs_.clear(), numbers_.clear();
   std::size_t kept = 0;
   for (Left& left : current_) {
-    take_legs(left, from, until);
+    take_legs(left, times);
     if (left.first < left.last) current_[kept++] = left;
   }
   current_.resize(kept), kept = 0;
   for (Left& left : waiting_) {
-    if (left.t > until) {
+    if (left.t > times.until) {
       waiting_[kept++] = left;
       continue;
     }
-    take_legs(left, from, until);
+    take_legs(left, times);
     if (left.first < left.last) current_.push_back(left);
   }
   waiting_.resize(kept);
 }
 
-void SlabLegs::take_legs(Left& left, double from, double until) {
+void SlabLegs::take_legs(Left& left, const LegTimes& times) {
   const Scene& whole = *movers_.scene();
-  while (left.first < left.last && movers_.until(left.first) < from) ++left.first;
+  while (left.first < left.last && movers_.until(left.first) < times.from) ++left.first;
   std::uint32_t end = left.first;
-  while (end < left.last && movers_.t(end) <= until) ++end;
+  while (end < left.last && movers_.t(end) <= times.until) ++end;
   const std::size_t row_size = static_cast<std::size_t>(movers_.bodies().at.size), count = end - left.first;
   const double* const rows = whole.rows.data() + left.first * row_size;
   scene_->rows.insert(scene_->rows.end(), rows, rows + count * row_size);

@@ -1,7 +1,7 @@
 // Legs that exist during a time slab, as a scene of their own: the input of the indexes of a join slab by slab.
 //
-//   SlabLegs legs(movers, now, now + h, SlabLegs::Slabs::several);
-//   legs.take(from, until);                               // slabs in order of time
+//   SlabLegs legs(movers, {now, now + h}, SlabLegs::Slabs::several);
+//   legs.take({from, until});                             // slabs in order of time
 //   use(legs.scene()->bodies(), legs.leg(7));             // the row of the whole scene
 //
 // A pass over the movers that have legs left; each leg is looked at once, and copied once for each slab in which it
@@ -25,11 +25,11 @@ class SlabLegs {
     several
   };
 
-  /// For slabs within [from, until]. `movers` must outlive this.
-  SlabLegs(const Movers& movers, double from, double until, Slabs slabs);
+  /// For slabs within `all`. `movers` must outlive this.
+  SlabLegs(const Movers& movers, const LegTimes& all, Slabs slabs);
 
-  /// Requires: from does not decrease from call to call.
-  void take(double from, double until);
+  /// Requires: times.from does not decrease from call to call.
+  void take(const LegTimes& times);
 
   const std::shared_ptr<const Scene>& scene() const { return is_whole_ ? movers_.scene() : given_; }
   /// Of the whole scene.
@@ -45,9 +45,9 @@ class SlabLegs {
   };
 
   /// Whether a copy of the legs is not worth its cost.
-  bool takes_whole(double from, double until, Slabs slabs) const;
+  bool takes_whole(const LegTimes& all, Slabs slabs) const;
   std::uint32_t last_leg(std::uint32_t mover, std::uint32_t first, double until) const;
-  void take_legs(Left& left, double from, double until);
+  void take_legs(Left& left, const LegTimes& times);
 
   const Movers& movers_;
   bool is_whole_;

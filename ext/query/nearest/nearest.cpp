@@ -117,11 +117,7 @@ class Search {
   /// Whether a leg, as long as its plan says, may come within reach.
   bool is_near(const Leg& leg) const {
     if (life_of(leg.t, leg.until, horizon_).none) return false;
-    const auto vector = [](const std::array<double, 3>& from) {
-      return Vec<D>(Eigen::Map<const Vec<D>>(from.data()));
-    };
-    const Motion<D> motion{leg.t, vector(leg.x), vector(leg.v), vector(leg.a), leg.until};
-    const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::Zero());
+    const MovingBox<D> box = moving_box<D>(motion_of<D>(leg), Extents<D>::none(), horizon_, Vec<D>::Zero());
     return !box.span.is_empty() && min_point_distance(box, moving_window<D>(place(), place(), velocity(),
                                                                             horizon_)) <= movers_.reach();
   }

@@ -1,25 +1,14 @@
 #include "query/join/movers/leg_join.h"
 
-#include <cmath>
 #include <utility>
 
 #include "query/join/join_candidates.h"
 #include "query/join/pair_kinds.h"
+#include "query/legs/leg_scene.h"
 #include "query/tile/ownership.h"
 
 namespace foresee {
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity();
-
-/// The last time of a horizon, rounded up.
-double end_of(const Horizon& horizon) {
-  return std::nextafter(horizon.now + horizon.h, inf);
-}
-
-bool is_bent(const JoinQuestion& question) {
-  return degree_of(question.a->layout.law) > 1 || (question.b && degree_of(question.b->layout.law) > 1);
-}
 
 /// A scan, and candidates of one object, are made of whole scenes.
 SlabLegs::Slabs slabs_for(const JoinPlan& plan, const JoinQuestion& question) {
@@ -45,11 +34,10 @@ LegJoin::LegJoin(JoinQuestion question, Interrupt& interrupt)
       pair_(a_, b_, *contact_, {question_.now, question_.h}, interrupt),
       plan_(plan_join(question_, contact_->reach())),
       slabs_(slabs_of(plan_, question_)),
-      legs_a_(a_, question_.now, end_of({question_.now, question_.h}), slabs_for(plan_, question_)),
+      legs_a_(a_, leg_times_of({question_.now, question_.h}), slabs_for(plan_, question_)),
       found_(question_, a_, b_, pair_, plan_.slabs == 1 && question_.order == JoinOrder::any) {
   contact_->set_interrupt(interrupt);
-  if (other_)
-    legs_b_.emplace(b_, question_.now, end_of({question_.now, question_.h}), slabs_for(plan_, question_));
+  if (other_) legs_b_.emplace(b_, leg_times_of({question_.now, question_.h}), slabs_for(plan_, question_));
 }
 
 LegJoin::~LegJoin() {
@@ -66,7 +54,7 @@ JoinQuestion LegJoin::question_of_legs() const {
                        question_.queries_all_times();
   legs.order = at_once ? JoinOrder::any : JoinOrder::by_t;
   legs.wants = {.contact = true, .ends = at_once && question_.wants.ends, .approach = false};
-  legs.all_contacts = question_.all_contacts && is_bent(question_);
+  legs.all_contacts = question_.all_contacts && has_bent_paths(question_);
   if (legs.a == question_.a && (!question_.b || legs.b == question_.b)) return legs;
   if (question_.kinds) legs = with_kinds(std::move(legs));
   if (!question_.own) return legs;
@@ -80,8 +68,8 @@ JoinQuestion LegJoin::question_of_legs() const {
 bool LegJoin::join_slab() {
   const std::optional<TimeSlab> slab = slabs_.next();
   if (!slab) return false;
-  legs_a_.take(slab->horizon.now, end_of(slab->horizon));
-  if (legs_b_) legs_b_->take(slab->horizon.now, end_of(slab->horizon));
+  legs_a_.take(leg_times_of(slab->horizon));
+  if (legs_b_) legs_b_->take(leg_times_of(slab->horizon));
   const JoinQuestion question = question_of_legs();
   ContactStage stage(question, interrupt_);
   if (plan_.with_helpers) {
