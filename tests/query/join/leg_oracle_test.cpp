@@ -8,7 +8,10 @@
 namespace foresee {
 namespace {
 
+using leg_oracle::legs_through;
 using leg_oracle::Meeting;
+using leg_oracle::random_path;
+using leg_oracle::resting_at;
 using leg_oracle::Spans;
 using testing::numbers_of;
 using testing::sorted_rows;
@@ -70,56 +73,13 @@ std::vector<ContactTimes> checked(const Meeting& meeting) {
   return *oracle;
 }
 
-std::vector<Leg> legs_through(std::vector<Knot> knots, std::vector<std::size_t> part_starts = {0}) {
-  const Plan plan{
-      .kind = PlanKind::knots, .axes = 2, .knots = std::move(knots), .part_starts = std::move(part_starts)};
-  check_plan(plan);
-  return legs_of(plan);
-}
-
-std::vector<Leg> resting_at(double x, double y) {
-  return {{.t = 0, .x = {x, y, 0}}};
-}
-
 TEST(LegOracle, TrapsAtJointsJumpsAndGaps) {
-  const std::vector<Leg> path = legs_through({{0, {0, 5}}, {4, {4, 1}}, {8, {8, 5}}});
-  EXPECT_EQ(checked({path, resting_at(4, 0), 0, 10}).size(), 1u) << "at a joint alone";
-  for (const auto& [now, h] : {std::pair(4.0, 10.0), {0.0, 4.0}, {4.0, 0.0}})
-    EXPECT_EQ(checked({path, resting_at(4, 0), now, h}).size(), 1u) << "the horizon at a joint";
-  EXPECT_EQ(checked({path, resting_at(4, 0), 4.5, 10}).size(), 0u);
-  EXPECT_EQ(checked({legs_through({{0, {0, 0}}, {4, {4, 0}}, {8, {4, 4}}}),
-                     legs_through({{0, {8, 0}}, {4, {5, 0}}, {8, {5, 4}}}), 0, 8})
-                .size(),
-            1u)
-      << "through joints of both at once";
-  EXPECT_EQ(checked({legs_through({{0, {0, 0}}, {4, {0, 0}}, {4, {9, 9}}, {8, {9, 9}}}, {0, 2}),
-                     legs_through({{0, {9, 9}}, {4, {9, 9}}, {4, {0, 0}}, {8, {0, 0}}}, {0, 2}), 0, 8})
-                .size(),
-            1u)
-      << "two exchange their places by jumps";
-  const std::vector<Leg> gaps = legs_through(
-      {{0, {0, 0}}, {2, {0, 0}}, {6, {0, 0}}, {6.5, {0, 0}}, {6.5, {9, 9}}, {8, {9, 9}}}, {0, 2, 4});
-  EXPECT_EQ(checked({gaps, resting_at(0, 0), 3, 2}).size(), 0u) << "a horizon wholly in a gap";
-  EXPECT_EQ(checked({gaps, resting_at(0, 0), 0, 20}).size(), 2u);
-  EXPECT_EQ(checked({gaps, resting_at(9, 9), 6.5, 0}).size(), 1u) << "no horizon, at a jump";
-  EXPECT_EQ(
-      checked({legs_through({{0, {0, 0}}, {4, {4, 0}}}), legs_through({{4, {4, 0}}, {9, {9, 9}}}), 0, 20})
-          .size(),
-      1u)
-      << "one ends as the other starts";
-  EXPECT_EQ(
-      checked({legs_through({{0, {0, 0}}, {8, {8, 0}}, {no_end, {8, 0}}}), resting_at(8, 1), 2, 1000}).size(),
-      1u)
-      << "a stop without end";
+  for (const auto& trap : leg_oracle::traps())
+    EXPECT_EQ(checked(trap.meeting).size(), trap.contacts.size()) << trap.name;
 }
 
 TEST(LegOracle, AContactOverAHundredJoints) {
-  std::vector<Knot> a, b;
-  for (int i = 0; i <= 100; ++i) {
-    const double t = i, y = i % 2;
-    a.push_back({t, {t, y}}), b.push_back({t + 0.5, {t + 0.5, 0.5 - y}});
-  }
-  const Meeting meeting{legs_through(a), legs_through(b), 0, 200};
+  const Meeting meeting = leg_oracle::zigzags();
   ASSERT_EQ(checked(meeting).size(), 1u);
   // Where t is bounded from below, the contact is neither new nor the first one.
   JoinQuestion question = question_of(meeting);
@@ -162,28 +122,6 @@ TEST(LegOracle, UntilCutsAPlan) {
       ASSERT_EQ(found.size(), rows) << until;
       for (const JoinRow& row : found) EXPECT_EQ(row.contact.t_end, std::min(until, 7.0));
     }
-}
-
-std::vector<Leg> random_path(judge::Inputs& inputs, bool thirds) {
-  std::vector<Leg> legs;
-  while (legs.empty()) {
-    std::vector<Knot> knots;
-    std::vector<std::size_t> parts{0};
-    double t = inputs.between(-4, 4) * 0.5;
-    for (int i = inputs.between(2, 9); i > 0; --i) {
-      const double x = inputs.between(-3, 3), y = inputs.between(-3, 3);
-      knots.push_back({t, {thirds ? x / 3 : x, thirds ? y / 7 : y}});
-      if (i > 3 && knots.size() - parts.back() > 1 && inputs.one_in(4)) {
-        parts.push_back(knots.size());
-        if (inputs.one_in(2)) t += 1;
-        continue;
-      }
-      t += thirds ? inputs.between(1, 5) / 3.0 : std::ldexp(1, inputs.between(-1, 1));
-    }
-    if (inputs.one_in(4)) knots.push_back({no_end, knots.back().x});
-    legs = legs_through(knots, parts);
-  }
-  return legs;
 }
 
 TEST(LegOracle, RandomPaths) {

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 
-#include "motion/plan/plan_legs.h"
 #include "query/legs/leg_oracle.h"
 
 namespace foresee {
 namespace {
 
 using leg_oracle::Meeting;
+using leg_oracle::random_path;
+using leg_oracle::resting_at;
 using leg_oracle::Spans;
 
 bool equal(const ContactTimes& a, const ContactTimes& b) {
@@ -42,82 +43,16 @@ std::vector<ContactTimes> checked(const Meeting& meeting, bool exact = true) {
   return found;
 }
 
-std::vector<Leg> legs_through(std::vector<Knot> knots, std::vector<std::size_t> part_starts = {0}) {
-  const Plan plan{
-      .kind = PlanKind::knots, .axes = 2, .knots = std::move(knots), .part_starts = std::move(part_starts)};
-  check_plan(plan);
-  return legs_of(plan);
-}
-
-/// A mover that rests permanently.
-std::vector<Leg> resting_at(double x, double y) {
-  return {{.t = 0, .x = {x, y, 0}}};
-}
-
-TEST(MoverContacts, AtAJointAlone) {
-  const auto found =
-      checked({legs_through({{0, {0, 5}}, {4, {4, 1}}, {8, {8, 5}}}), resting_at(4, 0), 0, 10});
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].t, 4);
-  EXPECT_EQ(found[0].t_end, 4);
-}
-
-TEST(MoverContacts, ThroughJointsOfBothAtOnce) {
-  const auto found = checked({legs_through({{0, {0, 0}}, {4, {4, 0}}, {8, {4, 4}}}),
-                              legs_through({{0, {8, 0}}, {4, {5, 0}}, {8, {5, 4}}}), 0, 8});
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].t, 4);
-  EXPECT_EQ(found[0].t_end, 8);
-}
-
-TEST(MoverContacts, WhereTwoExchangeTheirPlacesByJumps) {
-  const auto found =
-      checked({legs_through({{0, {0, 0}}, {4, {0, 0}}, {4, {9, 9}}, {8, {9, 9}}}, {0, 2}),
-               legs_through({{0, {9, 9}}, {4, {9, 9}}, {4, {0, 0}}, {8, {0, 0}}}, {0, 2}), 0, 8});
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].t, 4);
-  EXPECT_EQ(found[0].t_end, 4);
-}
-
-TEST(MoverContacts, WhereOneEndsAsTheOtherStarts) {
-  const auto found =
-      checked({legs_through({{0, {0, 0}}, {4, {4, 0}}}), legs_through({{4, {4, 0}}, {9, {9, 9}}}), 0, 20});
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].t_end, 4);
-}
-
-TEST(MoverContacts, WithTheHorizonAtAJoint) {
-  const std::vector<Leg> path = legs_through({{0, {0, 5}}, {4, {4, 1}}, {8, {8, 5}}});
-  EXPECT_EQ(checked({path, resting_at(4, 0), 4, 10}).size(), 1u);
-  EXPECT_EQ(checked({path, resting_at(4, 0), 0, 4}).size(), 1u);
-  EXPECT_EQ(checked({path, resting_at(4, 0), 4, 0}).size(), 1u);
-  EXPECT_EQ(checked({path, resting_at(4, 0), 4.5, 10}).size(), 0u);
-}
-
-TEST(MoverContacts, InAGapOrAtAJumpWithoutHorizon) {
-  const std::vector<Leg> path = legs_through(
-      {{0, {0, 0}}, {2, {0, 0}}, {6, {0, 0}}, {6.5, {0, 0}}, {6.5, {9, 9}}, {8, {9, 9}}}, {0, 2, 4});
-  EXPECT_EQ(checked({path, resting_at(0, 0), 3, 2}).size(), 0u);
-  EXPECT_EQ(checked({path, resting_at(0, 0), 0, 20}).size(), 2u);
-  EXPECT_EQ(checked({path, resting_at(0, 0), 6.5, 0}).size(), 1u);
-  EXPECT_EQ(checked({path, resting_at(9, 9), 6.5, 0}).size(), 1u);
-}
-
-TEST(MoverContacts, OfAStopWithoutEnd) {
-  const auto found =
-      checked({legs_through({{0, {0, 0}}, {8, {8, 0}}, {no_end, {8, 0}}}), resting_at(8, 1), 2, 1000});
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].t, 7);
-  EXPECT_EQ(found[0].t_end, 1002);
+TEST(MoverContacts, AtJointsJumpsAndGaps) {
+  for (const auto& trap : leg_oracle::traps()) {
+    std::vector<std::pair<double, double>> found;
+    for (const ContactTimes& times : checked(trap.meeting)) found.emplace_back(times.t, times.t_end);
+    EXPECT_EQ(found, trap.contacts) << trap.name;
+  }
 }
 
 TEST(MoverContacts, OverAHundredJoints) {
-  std::vector<Knot> a, b;
-  for (int i = 0; i <= 100; ++i) {
-    const double t = i, y = i % 2;
-    a.push_back({t, {t, y}}), b.push_back({t + 0.5, {t + 0.5, 0.5 - y}});
-  }
-  const auto found = checked({legs_through(a), legs_through(b), 0, 200});
+  const auto found = checked(leg_oracle::zigzags());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].t, 0.5);
   EXPECT_EQ(found[0].t_end, 100);
@@ -135,24 +70,6 @@ TEST(MoverContacts, OfOneBentLegAreNotJoined) {
   contacts.push_back({0, 1, {1.5, 2.5, 1.5, 2.5}});
   ASSERT_EQ(mover_contacts(contacts).size(), 1u);
   EXPECT_TRUE(equal(mover_contacts(contacts)[0], {1, 3, 1, 3}));
-}
-
-std::vector<Leg> random_path(judge::Inputs& inputs, bool thirds) {
-  std::vector<Knot> knots;
-  std::vector<std::size_t> parts{0};
-  double t = inputs.between(-4, 4) * 0.5;
-  for (int i = inputs.between(2, 7); i > 0; --i) {
-    const double x = inputs.between(-3, 3), y = inputs.between(-3, 3);
-    knots.push_back({t, {thirds ? x / 3 : x, thirds ? y / 7 : y}});
-    if (i > 3 && knots.size() - parts.back() > 1 && inputs.one_in(4)) {
-      parts.push_back(knots.size());
-      if (inputs.one_in(2)) t += 1;
-      continue;
-    }
-    t += thirds ? inputs.between(1, 5) / 3.0 : std::ldexp(1, inputs.between(-1, 1));
-  }
-  if (inputs.one_in(4)) knots.push_back({no_end, knots.back().x});
-  return legs_through(knots, parts);
 }
 
 TEST(MoverContacts, OfRandomPathsOfShortNumbers) {
