@@ -14,8 +14,8 @@
 namespace foresee {
 namespace {
 
-constexpr std::array<const char*, 8> suffixes{"node",  "map", "meta",       "aux",
-                                              "shape", "leg", "chunk_node", "chunk_map"};
+constexpr std::array<const char*, 8> suffixes{"node",  "map", "meta",      "aux",
+                                              "shape", "leg", "chunknode", "chunkmap"};
 
 std::int64_t page_size(sqlite3* db, const QualifiedName& name) {
   Statement statement(db, format_sql("PRAGMA \"%w\".page_size", name.schema.c_str()));

@@ -5,7 +5,7 @@
 //   <name>_aux(id INTEGER PRIMARY KEY, a0, a1, …)                      only with auxiliary columns
 //   <name>_shape(number INTEGER PRIMARY KEY, hash, data BLOB)          only with outlines or meshes (shape_rows.h)
 //   <name>_leg(number INTEGER PRIMARY KEY, data BLOB)                  only with plans (leg_rows.h)
-//   <name>_chunk_node, <name>_chunk_map                                the tree of their chunks, as node and map
+//   <name>_chunknode, <name>_chunkmap                                  the tree of their chunks, as node and map
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
 //
 // `format` in _meta is the version of the format, `columns` the columns as declared, `root` is 0 in an empty
@@ -27,8 +27,8 @@
 
 namespace foresee {
 
-/// True for node, map, aux, meta, shape, leg, chunk_node and chunk_map: the suffixes
-/// after `<name>_` of a shadow table's name.
+/// True for node, map, aux, meta, shape, leg, chunknode and chunkmap: the suffixes after `<name>_` of a shadow table's
+/// name. None has an underscore: SQLite looks at what follows the last one.
 bool is_shadow_suffix(std::string_view suffix);
 
 /// The columns of the record in their order, then the auxiliary ones: the value of `columns` in _meta.

@@ -4,7 +4,7 @@
 //   rows.write_node(7, blob);
 //   rows.write_root(7);
 //
-// A table may have another tree with a prefix: "chunk_" for ships_chunk_node, ships_chunk_map and `chunk_root`.
+// A table may have another tree with a prefix: "chunk_" for ships_chunknode, ships_chunkmap and `chunk_root`.
 // Nothing is cached: each call sees the database as this connection sees it now. Blobs are not checked. Node
 // numbers are integers that ascend strictly, else the call fails with SQLITE_CORRUPT_VTAB (ascending_rows.h).
 #pragma once

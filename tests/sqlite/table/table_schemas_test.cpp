@@ -1,4 +1,6 @@
 // Schemas of a moving_objects table and operations on whole databases: ATTACH, temp, VACUUM, dump, views.
+#include <sstream>
+
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -143,6 +145,22 @@ TEST(TableSafety, DefensiveModeProtectsTheShadowTables) {
     EXPECT_EQ(db.error_of("DELETE FROM " + shadow), "table " + shadow + " may not be modified");
   EXPECT_NE(db.error_of("DROP TABLE ships_node"), "");
   db.exec("ALTER TABLE ships RENAME TO fleet; DROP TABLE fleet");
+}
+
+TEST(TableSafety, DefensiveModeProtectsEachKindOfShadowTable) {
+  Database db;
+  sqlite3_db_config(db.handle(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  db.exec(
+      "CREATE VIRTUAL TABLE robots USING moving_objects(id, x, y, shape, heading, plan, +n);"
+      "INSERT INTO robots(id, shape, heading, plan) VALUES(1, 'POLYGON((0 0, 1 0, 0 1, 0 0))', 0, "
+      "'LINESTRING "
+      "M(0 0 0, 4 0 9)')");
+  std::istringstream names(db.rows("SELECT name FROM sqlite_schema WHERE name GLOB 'robots[_]*'"));
+  int count = 0;
+  for (std::string shadow; std::getline(names, shadow); ++count)
+    EXPECT_EQ(db.error_of("DELETE FROM " + shadow), "table " + shadow + " may not be modified");
+  EXPECT_EQ(count, 8);
+  db.exec("INSERT INTO robots(robots) VALUES('integrity-check')");
 }
 
 TEST(TableSafety, ViewsAndTriggersMayUseItWithoutATrustedSchema) {

@@ -100,7 +100,7 @@ TEST_F(PlanDamage, StraysAreReportedAndRebuildDeletesThem) {
 }
 
 TEST_F(PlanDamage, NodesOfTheTreeOfChunks) {
-  db.run("UPDATE ships_chunk_node SET data = zeroblob(length(data)) WHERE nodeno = 1");
+  db.run("UPDATE ships_chunknode SET data = zeroblob(length(data)) WHERE nodeno = 1");
   open_again();
   expect_fault("ships_chunk: node 1 is damaged");
   begin(db, *store);
@@ -110,7 +110,7 @@ TEST_F(PlanDamage, NodesOfTheTreeOfChunks) {
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
   expect_robots(*store, robots, "rebuilt");
   db.run(
-      "DELETE FROM ships_chunk_node; DELETE FROM ships_chunk_map; UPDATE ships_meta SET value = 0 WHERE key "
+      "DELETE FROM ships_chunknode; DELETE FROM ships_chunkmap; UPDATE ships_meta SET value = 0 WHERE key "
       "= "
       "'chunk_root'");
   open_again();
@@ -132,8 +132,8 @@ TEST_F(PlanDamage, ItemsThatDoNotContainTheirLegs) {
     wrong->insert(id, robot_record(1), {}, {}, robot.plan ? &moved : nullptr);
   }
   commit(other, *wrong);
-  const std::string sql = "SELECT quote(data) FROM ships_chunk_node WHERE nodeno = 1";
-  db.run("UPDATE ships_chunk_node SET data = " + other.text(sql) + " WHERE nodeno = 1");
+  const std::string sql = "SELECT quote(data) FROM ships_chunknode WHERE nodeno = 1";
+  db.run("UPDATE ships_chunknode SET data = " + other.text(sql) + " WHERE nodeno = 1");
   open_again();
   expect_fault(" is not within its box");
 }

@@ -119,7 +119,7 @@ TEST(PlanMemory, ChangesBeyondTheBudgetAreWrittenEarlyAndStillRollBack) {
   open_savepoint(db, *store, 0);
   Robots more = robots;
   insert(51, 3000, more);
-  EXPECT_GT(db.number("SELECT count(*) FROM ships_chunk_node"), 20) << "written early";
+  EXPECT_GT(db.number("SELECT count(*) FROM ships_chunknode"), 20) << "written early";
   expect_robots(*store, more, "all");
   roll_back_to(db, *store, 0);
   expect_robots(*store, robots, "rolled back");

@@ -96,7 +96,7 @@ TEST_F(TwoTrees, StoreTheirObjectsApart) {
   });
   commit();
   EXPECT_GT(db.number("SELECT count(*) FROM ships_node"), 1);
-  EXPECT_GT(db.number("SELECT count(*) FROM ships_chunk_node"), 1);
+  EXPECT_GT(db.number("SELECT count(*) FROM ships_chunknode"), 1);
   EXPECT_GT(db.number("SELECT value FROM ships_meta WHERE key = 'chunk_root'"), 0);
   EXPECT_EQ(rows.tree().map().count_ids(), 500);
   EXPECT_EQ(other_rows.map().count_ids(), 301);
