@@ -1,7 +1,7 @@
 #include "query/join/join_plan.h"
 
 #include <algorithm>
-#include <type_traits>
+#include <functional>
 
 #include "base/axes.h"
 #include "base/float_environment.h"
@@ -30,10 +30,6 @@ double pairs_of(const JoinQuestion& question) {
   return question.b ? a * static_cast<double>(question.b->size()) : a * (a - 1) / 2;
 }
 
-double objects_of(const JoinQuestion& question) {
-  return static_cast<double>(question.a->size() + (question.b ? question.b->size() : 0));
-}
-
 /// Swept boxes of a stratified sample: one row from each of equal ranges, not at equal distances.
 template <int D>
 std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const Vec<D>& margin,
@@ -51,18 +47,24 @@ std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const 
   return boxes;
 }
 
+/// The number of pairs of boxes that intersect; of one sample, each pair once.
+template <int D>
+double count_meetings(const std::vector<Box<D>>& a, const std::vector<Box<D>>& b, bool between) {
+  std::size_t meetings = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = between ? 0 : i + 1; j < b.size(); ++j) meetings += a[i].meets(b[j]);
+  return static_cast<double>(meetings);
+}
+
 /// Fraction of all pairs whose swept boxes intersect.
 template <int D>
 double share_that_meets(const JoinQuestion& question, const Horizon& horizon, const Vec<D>& margin) {
-  const std::vector<Box<D>> a = sample_of<D>(*question.a, horizon, margin);
   const bool between = question.b && question.b != question.a;
-  const std::vector<Box<D>> other =
-      between ? sample_of<D>(*question.b, horizon, margin) : std::vector<Box<D>>{};
-  const std::vector<Box<D>>& b = between ? other : a;
-  std::size_t pair_count = 0, meetings = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = between ? 0 : i + 1; j < b.size(); ++j) ++pair_count, meetings += a[i].meets(b[j]);
-  return pair_count == 0 ? 0 : static_cast<double>(meetings) / static_cast<double>(pair_count);
+  const std::vector<Box<D>> a = sample_of<D>(*question.a, horizon, margin),
+                            b = between ? sample_of<D>(*question.b, horizon, margin) : a;
+  const double of_a = static_cast<double>(a.size()), of_b = static_cast<double>(b.size());
+  const double pairs = between ? of_a * of_b : of_a * (of_a - 1) / 2;
+  return pairs > 0 ? count_meetings(a, b, between) / pairs : 0;
 }
 
 /// Fraction of all pairs whose boxes intersect at one instant, from a few rows against many. A few giants may
@@ -83,12 +85,6 @@ double share_that_touches(const JoinQuestion& question, double time, const Vec<D
   return std::max(0.0, static_cast<double>(meetings) - same) / pair_count;
 }
 
-/// The middle one of `parts` equal parts of the queried span.
-Horizon middle_part(const JoinQuestion& question, double begin, double length, std::size_t parts) {
-  const double part = length / static_cast<double>(parts);
-  return {question.now + (begin + (length - part) / 2), part};
-}
-
 /// The queried times in seconds from now, as accurate as a plan needs. Length 0 if no time is queried.
 struct QueriedSpan {
   double begin, length;
@@ -100,10 +96,11 @@ QueriedSpan span_of(const JoinQuestion& question) {
   return {begin, std::max(0.0, end - begin)};
 }
 
-struct SlabChoice {
-  std::size_t slabs;
-  double cost;
-};
+/// The middle one of `parts` equal parts of the span.
+Horizon middle_part(const JoinQuestion& question, const QueriedSpan& span, std::size_t parts) {
+  const double part = span.length / static_cast<double>(parts);
+  return {question.now + (span.begin + (span.length - part) / 2), part};
+}
 
 /// Estimated number of pairs that touch at one instant.
 double expected_contacts(const JoinQuestion& question, const Contact::Reach& reach, double time) {
@@ -112,25 +109,24 @@ double expected_contacts(const JoinQuestion& question, const Contact::Reach& rea
   });
 }
 
-/// Increases the number of slabs while the grid gets cheaper. Every slab pays for the objects again, so the
-/// lower bound on the cost soon ends the search.
-SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reach) {
-  const QueriedSpan span = span_of(question);
-  const auto meetings = [&](std::size_t parts) {
-    return expected_meetings(question, reach, middle_part(question, span.begin, span.length, parts));
-  };
-  const double fixed = grid_setup + grid_object * objects_of(question);
-  SlabChoice best{1, fixed + grid_meeting * meetings(1)};
-  if (best.cost <= 2 * fixed || !(span.length > 0)) return best;
-  const double repeated =
-      grid_repetition * expected_contacts(question, reach, question.now + span.begin + span.length / 2);
-  for (std::size_t parts = 2; parts <= slabs_max; parts += (parts + 1) / 2) {
-    const double times = static_cast<double>(parts), floor = times * fixed + (times - 1) * repeated;
-    if (floor >= best.cost) break;
-    const double cost = floor + grid_meeting * times * meetings(parts);
-    if (cost < best.cost) best = {parts, cost};
-  }
-  return best;
+/// What a join costs in a scan, and per slab in a grid.
+struct JoinCosts {
+  double pairs;                                       ///< that a scan tests
+  std::function<double(std::size_t slabs)> rows;      ///< that one of so many slabs enters into a grid
+  std::function<double(std::size_t slabs)> meetings;  ///< pairs of swept boxes that intersect in one of them
+  double shortest = 0;                                ///< no slab is shorter
+
+  double of_grid(std::size_t slabs) const { return grid_setup + grid_object * rows(slabs); }
+};
+
+JoinCosts costs_of_objects(const JoinQuestion& question, const Contact::Reach& reach) {
+  const double objects = static_cast<double>(question.a->size() + (question.b ? question.b->size() : 0));
+  return {.pairs = pairs_of(question),
+          .rows = [objects](std::size_t) { return objects; },
+          .meetings =
+              [&](std::size_t slabs) {
+                return expected_meetings(question, reach, middle_part(question, span_of(question), slabs));
+              }};
 }
 
 // Plans: the rows are legs, most of which exist during a part of the span only.
@@ -199,63 +195,61 @@ class LegSample {
   double each_;
 };
 
-double movers_of(const Scene& scene) {
-  const bool has_legs = scene.layout.has_plan && !scene.first_rows.empty();
-  return static_cast<double>(has_legs ? scene.first_rows.size() - 1 : scene.size());
+/// Each leg that crosses the border of a slab is entered twice. A scan merges the legs of each pair of movers.
+template <int D>
+JoinCosts costs_of_legs(const JoinQuestion& question, const Contact::Reach& reach) {
+  const QueriedSpan span = span_of(question);
+  const bool between = question.b && question.b != question.a;
+  const Horizon whole{question.now + span.begin, span.length};
+  const auto a = std::make_shared<const LegSample>(*question.a, whole),
+             b = between ? std::make_shared<const LegSample>(*question.b, whole) : a;
+  const double movers_a = static_cast<double>(question.a->object_count()),
+               movers_b = between ? static_cast<double>(question.b->object_count()) : movers_a;
+  const auto part = [span](std::size_t slabs) { return span.length / static_cast<double>(slabs); };
+  const auto meetings = [=, &question, margin = margin_of<D>(reach)](std::size_t slabs) {
+    const Horizon middle = middle_part(question, span, slabs);
+    const std::vector<Box<D>> of_a = a->template boxes<D>(middle, margin),
+                              of_b = between ? b->template boxes<D>(middle, margin) : of_a;
+    const double sampled = static_cast<double>(of_a.size() * of_b.size());
+    const double legs = a->alive(part(slabs)) * b->alive(part(slabs));
+    return sampled > 0 ? count_meetings(of_a, of_b, between) * legs / sampled : 0;
+  };
+  const double median = std::min(a->median_length(), b->median_length());
+  return {
+      .pairs =
+          (question.b ? movers_a * movers_b : movers_a * movers_a / 2) *
+          (a->alive(span.length) / std::max(movers_a, 1.0) + b->alive(span.length) / std::max(movers_b, 1.0)),
+      .rows =
+          [=](std::size_t slabs) { return a->alive(part(slabs)) + (between ? b->alive(part(slabs)) : 0); },
+      .meetings = meetings,
+      // Legs that outlast the span are cut as objects are.
+      .shortest = median < span.length ? 4 * median : 0};
 }
 
-/// The plan of a join of legs: as for objects, but no slab is shorter than four median legs. Each leg that crosses the
-/// border of a slab is entered twice.
-template <int D>
-JoinPlan plan_legs(const JoinQuestion& question, const Contact::Reach& reach) {
-  constexpr double min_legs = 4;
-  const bool automatic = question.method == JoinMethod::automatic,
-             between = question.b && question.b != question.a;
+struct SlabChoice {
+  std::size_t slabs;
+  double cost;
+};
+
+/// Increases the number of slabs while the grid gets cheaper. Every slab pays for its rows again, so the lower bound on
+/// the cost soon ends the search.
+SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reach, const JoinCosts& costs) {
   const QueriedSpan span = span_of(question);
-  const Horizon whole{question.now + span.begin, span.length};
-  const LegSample a(*question.a, whole), other(between ? *question.b : *question.a, whole);
-  const auto alive = [&](double part) { return a.alive(part) + (between ? other.alive(part) : 0); };
-  const double movers_a = movers_of(*question.a), movers_b = between ? movers_of(*question.b) : movers_a;
-  const double of_movers =
-      (question.b ? movers_a * movers_b : movers_a * movers_a / 2) *
-      (a.alive(span.length) / std::max(movers_a, 1.0) + other.alive(span.length) / std::max(movers_b, 1.0));
-  if (automatic && scan_pair * of_movers <= grid_setup + grid_object * alive(span.length))
-    return {JoinMethod::scan, "to test each of so few pairs costs less than a grid", 1};
-  const auto cost = [&](std::size_t parts) {
-    const double length = span.length / static_cast<double>(parts), in_part = alive(length);
-    const Horizon middle = middle_part(question, span.begin, span.length, parts);
-    const std::vector<Box<D>> of_a = a.boxes<D>(middle, margin_of<D>(reach)),
-                              of_b = other.boxes<D>(middle, margin_of<D>(reach));
-    double meetings = 0;
-    for (std::size_t i = 0; i < of_a.size(); ++i)
-      for (std::size_t j = between ? 0 : i + 1; j < of_b.size(); ++j) meetings += of_a[i].meets(of_b[j]);
-    const double sampled =
-        static_cast<double>(of_a.size()) * static_cast<double>(of_b.size()) / (between ? 1 : 2);
-    const double legs = between ? a.alive(length) * other.alive(length) : in_part * in_part / 2;
-    if (sampled > 0) meetings *= legs / sampled;
-    return static_cast<double>(parts) * (grid_setup + grid_object * in_part + grid_meeting * meetings);
-  };
-  // Legs that outlast the span are cut as objects are.
-  const double median = std::min(a.median_length(), other.median_length());
-  const double shortest = median < span.length ? min_legs * median : 0;
-  SlabChoice best{1, cost(1)};
-  double repeated = -1;
-  for (std::size_t parts = 2; parts <= slabs_max; parts += (parts + 1) / 2) {
-    const double times = static_cast<double>(parts), length = span.length / times;
-    if (!(length > 0) || length < shortest) break;
-    if (repeated < 0)
+  SlabChoice best{1, costs.of_grid(1) + grid_meeting * costs.meetings(1)};
+  std::optional<double> repeated;
+  for (std::size_t slabs = 2; slabs <= slabs_max; slabs += (slabs + 1) / 2) {
+    const double times = static_cast<double>(slabs), length = span.length / times;
+    double floor = times * costs.of_grid(slabs);
+    if (!(length > 0) || length < costs.shortest || floor >= best.cost) break;
+    if (!repeated)
       repeated =
           grid_repetition * expected_contacts(question, reach, question.now + span.begin + span.length / 2);
-    const double floor = times * (grid_setup + grid_object * alive(length)) + (times - 1) * repeated;
+    floor += (times - 1) * *repeated;
     if (floor >= best.cost) break;
-    if (const double of_parts = cost(parts) + (times - 1) * repeated; of_parts < best.cost)
-      best = {parts, of_parts};
+    const double cost = floor + grid_meeting * times * costs.meetings(slabs);
+    if (cost < best.cost) best = {slabs, cost};
   }
-  if (!automatic && question.method != JoinMethod::grid) return {question.method, "as requested", best.slabs};
-  const bool with_helpers =
-      question.helpers > 0 && best.cost >= worth_helpers * static_cast<double>(best.slabs);
-  const char* why = automatic ? "there are too many pairs to test each" : "as requested";
-  return {JoinMethod::grid, why, best.slabs, with_helpers};
+  return best;
 }
 
 }  // namespace
@@ -269,18 +263,23 @@ double expected_meetings(const JoinQuestion& question, const Contact::Reach& rea
 JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach) {
   const FloatEnvironment environment;
   const bool automatic = question.method == JoinMethod::automatic;
-  if (has_plans(question) && !question.only_a && !question.only_b && question.method != JoinMethod::scan)
-    return with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) { return plan_legs<D>(question, reach); });
-  const double scan = scan_pair * pairs_of(question);
+  const bool may_be_grid = automatic || question.method == JoinMethod::grid;
   if (question.only_a || question.only_b) return {JoinMethod::scan, "a query of one object", 1};
-  if (!automatic && question.method != JoinMethod::grid) return {question.method, "as requested", 1};
-  if (automatic && scan <= grid_setup + grid_object * objects_of(question))
+  const bool of_legs = has_plans(question);
+  if (!may_be_grid && (!of_legs || question.method == JoinMethod::scan))
+    return {question.method, "as requested", 1};
+  const JoinCosts costs =
+      !of_legs ? costs_of_objects(question, reach) : with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
+        return costs_of_legs<D>(question, reach);
+      });
+  if (automatic && scan_pair * costs.pairs <= costs.of_grid(1))
     return {JoinMethod::scan, "to test each of so few pairs costs less than a grid", 1};
-  const SlabChoice grid = choose_slabs(question, reach);
+  const SlabChoice best = choose_slabs(question, reach, costs);
+  if (!may_be_grid) return {question.method, "as requested", best.slabs};
   const bool with_helpers =
-      question.helpers > 0 && grid.cost >= worth_helpers * static_cast<double>(grid.slabs);
+      question.helpers > 0 && best.cost >= worth_helpers * static_cast<double>(best.slabs);
   const char* why = automatic ? "there are too many pairs to test each" : "as requested";
-  return {JoinMethod::grid, why, grid.slabs, with_helpers};
+  return {JoinMethod::grid, why, best.slabs, with_helpers};
 }
 
 TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question) {
