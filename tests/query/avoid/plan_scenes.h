@@ -14,6 +14,7 @@
 #include "motion/plan/plan_legs.h"
 #include "query/avoid/avoid_cases.h"
 #include "query/avoid/own_state.h"
+#include "shape/chunk_item.h"
 
 namespace foresee::avoid_oracle {
 
@@ -129,15 +130,11 @@ inline PlanScene plan_scene(Random& random, std::size_t count) {
     } else {
       made.plans.push_back(nullptr);
     }
-    record[static_cast<std::size_t>(at.t)] = first.t;
+    write_leg(at, layout.axes, first, record.data());
     record[static_cast<std::size_t>(at.until)] = random.below(3) == 0 ? first.t + maker.time(1, 25) : no_end;
     for (int axis = 0; axis < layout.axes; ++axis) {
-      const auto j = static_cast<std::size_t>(axis);
-      record[static_cast<std::size_t>(at.x) + j] = first.x[j];
-      record[static_cast<std::size_t>(at.v) + j] = first.v[j];
-      if (at.a != Offsets::absent) record[static_cast<std::size_t>(at.a) + j] = first.a[j];
       if (at.half != Offsets::absent)
-        record[static_cast<std::size_t>(at.half) + j] = std::abs(maker.number(1.5));
+        record[static_cast<std::size_t>(at.half + axis)] = std::abs(maker.number(1.5));
     }
     if (at.r != Offsets::absent) record[static_cast<std::size_t>(at.r)] = std::abs(maker.number(1.5));
     made.scene->add(static_cast<std::int64_t>(i) + 1, record.data(), legs);
@@ -215,12 +212,8 @@ inline bool meets(const AvoidQuestion& question, const std::vector<Leg>& legs, c
   const Scene& others = *question.others.scene;
   for (const Leg& leg : legs) {
     std::vector<double> row(question.own->rows.begin(), question.own->rows.begin() + at.size);
-    row[static_cast<std::size_t>(at.t)] = leg.t, row[static_cast<std::size_t>(at.until)] = leg.until;
-    for (int axis = 0; axis < layout.axes; ++axis) {
-      const auto j = static_cast<std::size_t>(axis);
-      row[static_cast<std::size_t>(at.x) + j] = leg.x[j], row[static_cast<std::size_t>(at.v) + j] = leg.v[j];
-      if (at.a != Offsets::absent) row[static_cast<std::size_t>(at.a) + j] = leg.a[j];
-    }
+    write_leg(at, layout.axes, leg, row.data());
+    row[static_cast<std::size_t>(at.until)] = leg.until;
     const auto contact = make_contact({layout, row.data(), 1}, others.bodies(),
                                       {horizon, question.within, {}}, "own", "others");
     std::vector<Pair> pairs, hits;

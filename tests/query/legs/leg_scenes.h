@@ -125,11 +125,49 @@ inline bool exist_together(const Scene& a, std::uint32_t row_a, const Scene& b, 
   return start <= end;
 }
 
-/// The rows of a join by the letter, in order of a, b, t, t_end. Closest approaches only where they are wanted.
+/// In order of a, b, t, t_end.
+inline void sort_rows(std::vector<JoinRow>& rows) {
+  std::sort(rows.begin(), rows.end(), [](const JoinRow& l, const JoinRow& r) {
+    return std::tie(l.a, l.b, l.contact.t, l.contact.t_end) <
+           std::tie(r.a, r.b, r.contact.t, r.contact.t_end);
+  });
+}
+
+/// The contacts of two movers, from all pairs of their legs.
+inline std::vector<ContactTimes> plain_contacts(const JoinQuestion& question, Contact& contact,
+                                                const std::vector<Pair>& pairs) {
+  std::vector<Pair> hits;
+  std::vector<ContactTimes> times;
+  if (has_bent_paths(question))
+    contact.all_contacts(pairs, hits, times);
+  else
+    contact.first_contacts(pairs, TimesWanted::both, hits, times);
+  std::vector<LegContact> legs;
+  for (std::size_t i = 0; i < hits.size(); ++i) legs.push_back({hits[i].a, hits[i].b, times[i]});
+  std::vector<ContactTimes> found = mover_contacts(legs);
+  if (!question.all_contacts && found.size() > 1) found.resize(1);
+  return found;
+}
+
+/// The closest approach of all pairs of legs that exist together.
+inline ClosestApproach plain_approach(const JoinQuestion& question, Contact& contact,
+                                      const std::vector<Pair>& pairs) {
+  const Scene &a = *question.a, &b = question.b ? *question.b : a;
+  ClosestApproach nearest{};
+  nearest.d = HUGE_VAL;
+  for (const Pair& pair : pairs) {
+    if (!exist_together(a, pair.a, b, pair.b, {question.now, question.h})) continue;
+    ClosestApproach one;
+    contact.closest_approach({&pair, 1}, {&one, 1});
+    if (std::tie(one.d, one.t, one.dt) < std::tie(nearest.d, nearest.t, nearest.dt)) nearest = one;
+  }
+  return nearest;
+}
+
+/// The rows of a join by their definition, in that order. Closest approaches only where they are wanted.
 inline std::vector<JoinRow> plain_rows(const JoinQuestion& question) {
   const Scene &a = *question.a, &b = question.b ? *question.b : a;
   const auto contact = contact_of(question);
-  const bool bent = degree_of(a.layout.law) > 1 || degree_of(b.layout.law) > 1;
   const bool one = &a == &b;
   std::vector<JoinRow> rows;
   for (const RowRange& of_a : movers_of(a))
@@ -138,48 +176,26 @@ inline std::vector<JoinRow> plain_rows(const JoinQuestion& question) {
       if ((one && id_a == id_b) || (!question.b && id_a > id_b)) continue;
       if ((question.only_a && id_a != *question.only_a) || (question.only_b && id_b != *question.only_b))
         continue;
-      std::vector<Pair> pairs, hits;
+      std::vector<Pair> pairs;
       for (std::uint32_t i = of_a.first; i < of_a.last; ++i)
         for (std::uint32_t k = of_b.first; k < of_b.last; ++k) pairs.push_back({i, k});
-      std::vector<ContactTimes> times;
-      if (bent)
-        contact->all_contacts(pairs, hits, times);
-      else
-        contact->first_contacts(pairs, TimesWanted::both, hits, times);
-      std::vector<LegContact> legs;
-      for (std::size_t i = 0; i < hits.size(); ++i) legs.push_back({hits[i].a, hits[i].b, times[i]});
-      std::vector<ContactTimes> found = mover_contacts(legs);
-      if (!question.all_contacts && found.size() > 1) found.resize(1);
+      const std::vector<ContactTimes> found = plain_contacts(question, *contact, pairs);
       JoinRow row;
       row.a = id_a, row.b = id_b, row.approach = {0, 0, 0};
-      if (question.wants.approach && !found.empty()) {
-        row.approach.d = HUGE_VAL;
-        for (const Pair& pair : pairs) {
-          if (!exist_together(a, pair.a, b, pair.b, {question.now, question.h})) continue;
-          ClosestApproach one_approach;
-          contact->closest_approach({&pair, 1}, {&one_approach, 1});
-          if (std::tie(one_approach.d, one_approach.t, one_approach.dt) <
-              std::tie(row.approach.d, row.approach.t, row.approach.dt))
-            row.approach = one_approach;
-        }
-      }
-      for (const ContactTimes& contact_times : found) {
-        if (!question.queried_t.holds(contact_times.t) || !question.queried_dt.holds(contact_times.dt))
-          continue;
-        row.contact = contact_times;
+      if (question.wants.approach && !found.empty()) row.approach = plain_approach(question, *contact, pairs);
+      for (const ContactTimes& times : found) {
+        if (!question.queried_t.holds(times.t) || !question.queried_dt.holds(times.dt)) continue;
+        row.contact = times;
         if (!rows.empty() && rows.back().a == row.a && rows.back().b == row.b &&
-            rows.back().contact.t == row.contact.t && rows.back().contact.t_end == row.contact.t_end) {
-          rows.back().contact.dt = std::min(rows.back().contact.dt, row.contact.dt);
-          rows.back().contact.dt_end = std::max(rows.back().contact.dt_end, row.contact.dt_end);
+            rows.back().contact.t == times.t && rows.back().contact.t_end == times.t_end) {
+          rows.back().contact.dt = std::min(rows.back().contact.dt, times.dt);
+          rows.back().contact.dt_end = std::max(rows.back().contact.dt_end, times.dt_end);
           continue;
         }
         rows.push_back(row);
       }
     }
-  std::sort(rows.begin(), rows.end(), [](const JoinRow& l, const JoinRow& r) {
-    return std::tie(l.a, l.b, l.contact.t, l.contact.t_end) <
-           std::tie(r.a, r.b, r.contact.t, r.contact.t_end);
-  });
+  sort_rows(rows);
   return rows;
 }
 
@@ -190,10 +206,7 @@ inline std::vector<JoinRow> sorted_rows(const JoinQuestion& question) {
     if (!question.wants.ends) row.contact.t_end = row.contact.dt_end = 0;
     if (!question.wants.approach) row.approach = {0, 0, 0};
   }
-  std::sort(rows.begin(), rows.end(), [](const JoinRow& l, const JoinRow& r) {
-    return std::tie(l.a, l.b, l.contact.t, l.contact.t_end) <
-           std::tie(r.a, r.b, r.contact.t, r.contact.t_end);
-  });
+  sort_rows(rows);
   return rows;
 }
 
