@@ -98,10 +98,10 @@ const double* MemoryTable::find(std::int64_t id) {
   return leaf->values.data() + slot_of(*leaf, id) * static_cast<std::size_t>(record_offsets(layout()).size);
 }
 
-std::shared_ptr<const Scene> MemoryTable::objects(std::span<const std::int64_t> ids) {
+std::shared_ptr<const Scene> MemoryTable::objects(std::span<const std::int64_t> ids, const LegTimes& times) {
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = std::make_shared<Scene>();
-  scene->name = name_, scene->layout = layout();
+  scene->name = name_, scene->layout = layout(), scene->legs_during = times;
   std::vector<Leg> legs;
   for (const std::int64_t id : ids) {
     const double* record = find(id);

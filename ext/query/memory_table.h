@@ -89,7 +89,7 @@ class MemoryTable final : public TableSource {
   std::shared_ptr<const Scene> all(bool with_levels = false) override;
   std::shared_ptr<const Scene> all_during(const LegTimes& times) override;
   bool is_loaded() override { return all_ != nullptr; }
-  std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) override;
+  std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids, const LegTimes& times) override;
   /// Valid until the next change.
   std::shared_ptr<NodeSource> tree() override { return {std::shared_ptr<void>(), &pages_}; }
   /// Valid until the next change.

@@ -52,8 +52,10 @@ class TableSource {
     return all(with_levels);
   }
   virtual bool is_loaded() = 0;
-  /// Those of these ids that exist. Requires: ids in rising order. Cost: a look-up per id.
-  virtual std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) = 0;
+  /// Those of these ids that exist at some time of `times`, plans as their legs of that time, and perhaps others.
+  /// Requires: ids in rising order. Cost: a look-up per id, and per plan the chunks of `times`.
+  virtual std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids,
+                                               const LegTimes& times = {}) = 0;
   /// Must not outlive the statement that takes it.
   virtual std::shared_ptr<NodeSource> tree() = 0;
   /// The plans; null for a layout without. Must be read to the end before anything is written.

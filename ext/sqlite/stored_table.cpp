@@ -20,10 +20,10 @@ ChangedObjects StoredTable::changes_since(const std::optional<std::int64_t>& sta
   return changed;
 }
 
-std::shared_ptr<const Scene> StoredTable::objects(std::span<const std::int64_t> ids) {
+std::shared_ptr<const Scene> StoredTable::objects(std::span<const std::int64_t> ids, const LegTimes& times) {
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = std::make_shared<Scene>();
-  scene->name = name(), scene->layout = layout();
+  scene->name = name(), scene->layout = layout(), scene->legs_during = times;
   StatementReadState statement_state;
   for (const std::int64_t id : ids) {
     const std::span<const double> record = table_.store->find(id, statement_state);

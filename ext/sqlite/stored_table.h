@@ -34,7 +34,7 @@ class StoredTable final : public TableSource {
     return connection_.load_scene(table_, with_levels, others);
   }
   bool is_loaded() override { return connection_.find_scene(table_) != nullptr; }
-  std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids) override;
+  std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids, const LegTimes& times) override;
   std::shared_ptr<NodeSource> tree() override { return table_.store->take_snapshot(); }
   std::shared_ptr<ChunkSource> chunks() override { return table_.store->chunks(); }
 

@@ -112,7 +112,8 @@ void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, Joi
   TableSource &one = by_a ? *tables.a : tables.last(), &others = by_a ? tables.last() : *tables.a;
   std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
                         &near = by_a ? question.b : question.a;
-  object = one.objects(std::span(&id, 1));
+  const LegTimes times = leg_times_of({question.now, question.h});
+  object = one.objects(std::span(&id, 1), times);
   near = empty_scene(others);
   require_valid(question);
   const auto keep = [&](std::int64_t other) {
@@ -122,7 +123,7 @@ void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, Joi
   near = objects_near(*object, trees_of(others), {question.now, question.h}, contact_of(question)->reach(),
                       interrupt, keep);
   // The closest approach is that of all legs.
-  if (near->layout.has_plan && question.wants.approach) near = others.objects(objects_in(*near));
+  if (near->layout.has_plan && question.wants.approach) near = others.objects(objects_in(*near), times);
   question.method = JoinMethod::scan;
   if (by_a) question.only_b = ids.b;
 }

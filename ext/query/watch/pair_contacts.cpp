@@ -6,6 +6,7 @@
 #include "base/float_environment.h"
 #include "query/join/contact_stage.h"
 #include "query/join/pair_kinds.h"
+#include "query/legs/leg_scene.h"
 #include "query/legs/mover_pair.h"
 
 namespace foresee {
@@ -53,11 +54,12 @@ void append_mover_contacts(const JoinQuestion& question, std::span<const Pair> p
   const auto contact = contact_of(question);
   contact->set_interrupt(interrupt);
   MoverPair both(a, b, *contact, {question.now, question.h}, interrupt);
+  const double end = leg_times_of({question.now, question.h}).until;
   std::vector<ContactTimes> contacts;
   for (const Pair& pair : pairs) {
     interrupt.check();
     if (question.kinds && !question.kinds->may_meet({a.first(pair.a), b.first(pair.b)})) continue;
-    both.contacts_within(pair, question.now, std::numeric_limits<double>::infinity(), contacts);
+    both.contacts_within(pair, question.now, end, contacts);
     if (contacts.empty()) continue;
     JoinRow& row = rows.emplace_back();
     row.a = a.id(pair.a), row.b = b.id(pair.b), row.contact = contacts.front();
@@ -72,8 +74,9 @@ void append_contacts(const JoinedTables& tables, JoinQuestion question, std::spa
   std::vector<std::int64_t> a, b;
   const bool one_scene = tables.is_within_one();
   for (const PairIds& pair : pairs) a.push_back(pair.a), (one_scene ? a : b).push_back(pair.b);
-  question.a = tables.a->objects(sorted_ids(std::move(a)));
-  if (tables.b) question.b = one_scene ? question.a : tables.b->objects(sorted_ids(std::move(b)));
+  const LegTimes times = leg_times_of({question.now, question.h});
+  question.a = tables.a->objects(sorted_ids(std::move(a)), times);
+  if (tables.b) question.b = one_scene ? question.a : tables.b->objects(sorted_ids(std::move(b)), times);
   std::vector<Pair> numbers;
   for (const PairIds& pair : pairs) {
     const auto object_a = object_of(*question.a, pair.a);

@@ -46,7 +46,7 @@ void PairSearch::pairs_of(Side side, std::span<const std::int64_t> ids, const Ta
 
 void PairSearch::probe(Side side, std::int64_t id, const SearchTarget& others, const Take& take) {
   const bool by_a = side == Side::a;
-  const std::shared_ptr<const Scene> object = table(side).objects(std::span(&id, 1));
+  const std::shared_ptr<const Scene> object = table(side).objects(std::span(&id, 1), times());
   if (object->size() == 0) return;
   const bool within_one = tables_.is_within_one();
   const auto near = objects_near(*object, others, {question_.now, question_.h}, reach_, resources_.interrupt,
@@ -62,7 +62,7 @@ void PairSearch::probe(Side side, std::int64_t id, const SearchTarget& others, c
 void PairSearch::join(Side side, std::span<const std::int64_t> ids, const Take& take) {
   JoinQuestion question = question_;
   const bool within_one = tables_.is_within_one();
-  const auto changed = table(side).objects(ids);
+  const auto changed = table(side).objects(ids, times());
   const auto all = all_that_may_meet(table(side == Side::a ? Side::b : Side::a), table(side));
   question.a = side == Side::a ? changed : all, question.b = side == Side::a ? all : changed;
   question.space = resources_.space, question.helpers = resources_.helpers;

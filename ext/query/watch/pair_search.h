@@ -14,6 +14,7 @@
 
 #include "index/all_pairs.h"
 #include "query/join/question.h"
+#include "query/legs/leg_scene.h"
 #include "query/table_source.h"
 #include "query/watch/watch_state.h"
 
@@ -44,6 +45,7 @@ class PairSearch {
  private:
   void probe(Side side, std::int64_t id, const SearchTarget& others, const Take& take);
   void join(Side side, std::span<const std::int64_t> ids, const Take& take);
+  LegTimes times() const { return leg_times_of({question_.now, question_.h}); }
   TableSource& table(Side side) const { return side == Side::b ? tables_.last() : *tables_.a; }
 
   const JoinedTables& tables_;

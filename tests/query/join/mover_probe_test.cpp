@@ -30,7 +30,7 @@ TEST_P(ProbeOfMovers, FindsEveryContact) {
     const bool kinds = GetParam().has_category;
     for (const Mover& one : movers.all) {
       const Horizon horizon{maker.time(-4, 24), maker.number(0, 40)};
-      const auto object = table->objects(std::span(&one.id, 1));
+      const auto object = table->objects(std::span(&one.id, 1), {});
       const auto near = objects_near(*object, trees_of(*table), horizon, {0.5, 0.5}, never,
                                      [&](std::int64_t id) { return id != one.id; });
       std::map<std::int64_t, foresee::RowRange> rows;
