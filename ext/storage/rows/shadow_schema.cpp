@@ -77,7 +77,7 @@ ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declara
   if (is_stored_apart(declaration.layout.shape)) tables.push_back(ShapeRows::table());
   if (declaration.layout.has_plan) {
     tables.push_back(LegRows::table());
-    for (ShadowTable& table : TreeRows::tables("chunk_")) tables.push_back(std::move(table));
+    for (ShadowTable& table : TreeRows::tables("chunk")) tables.push_back(std::move(table));
   }
   return {db, name, std::move(tables)};
 }

@@ -4,26 +4,16 @@
 
 namespace foresee {
 
-namespace {
-
-/// SQLite takes a table for a shadow table by what follows the last underscore of its name.
-std::string prefix_of_tables(const std::string& prefix) {
-  return prefix.substr(0, prefix.find('_'));
-}
-
-}  // namespace
-
 std::vector<ShadowTable> TreeRows::tables(const std::string& prefix) {
-  const std::string before = prefix_of_tables(prefix);
-  return {{before + "node", "(nodeno INTEGER PRIMARY KEY, data BLOB)"}, MapRows::table(before)};
+  return {{prefix + "node", "(nodeno INTEGER PRIMARY KEY, data BLOB)"}, MapRows::table(prefix)};
 }
 
 TreeRows::TreeRows(const ShadowTables& tables, MetaRows& meta, const std::string& prefix)
     : table_(tables.name().table),
-      nodes_(prefix_of_tables(prefix) + "node"),
-      root_(prefix + "root"),
+      nodes_(prefix + "node"),
+      root_(prefix.empty() ? "root" : prefix + "_root"),
       meta_(meta),
-      map_(tables, prefix_of_tables(prefix)) {
+      map_(tables, prefix) {
   const std::string nodes = "{" + nodes_ + "}";
   const auto sql = [&](const std::string& before, const std::string& after = "") {
     return tables.statement(before + nodes + after);

@@ -21,14 +21,6 @@ bool equal_bits(std::span<const double> a, std::span<const double> b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
-/// The motion of a record: that of a leg.
-void set_motion(const Offsets& at, int axes, const Leg& leg, double* record) {
-  record[at.t] = leg.t;
-  std::copy_n(leg.x.begin(), axes, record + at.x);
-  std::copy_n(leg.v.begin(), axes, record + at.v);
-  if (at.a != Offsets::absent) std::copy_n(leg.a.begin(), axes, record + at.a);
-}
-
 }  // namespace
 
 std::int64_t StoredPlans::last_number() {
@@ -64,7 +56,7 @@ std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<cons
   if (first_ > largest_chunk_number - chunks)
     throw StoreError(SQLITE_FULL, plans.name_.table + ": no number is left for a chunk");
   record_.assign(record.begin(), record.end());
-  set_motion(plans.at_, plans.layout_.axes, added_->all_legs().front(), record_.data());
+  write_leg(plans.at_, plans.layout_.axes, added_->all_legs().front(), record_.data());
   record_[static_cast<std::size_t>(plans.at_.plan)] = static_cast<double>(first_);
   record_[static_cast<std::size_t>(plans.at_.chunks)] = static_cast<double>(chunks);
   std::vector<double> item(static_cast<std::size_t>(plans.item_at_.size));
@@ -106,7 +98,7 @@ std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t 
     plans.require(append_legs(plans.opened(number, blob, &head), legs), number);
     write_chunk_item(plans.layout_, record_.data(), legs, item.data());
     if (!plans.tree_.update(number, item))
-      plans.damaged("chunk " + std::to_string(number) + " is missing in " + plans.name_.table + "_chunk_map");
+      plans.damaged("chunk " + std::to_string(number) + " is missing in " + plans.name_.table + "_chunkmap");
     ++next;
   });
   if (next != head.last() + 1) plans.damaged("a chunk of object " + std::to_string(id) + " is missing");
@@ -120,7 +112,7 @@ void StoredPlans::Change::remove(std::int64_t id, std::span<const double> record
     for (std::int64_t number = head.first; number <= head.last(); ++number)
       if (!plans_->tree_.erase(number))
         plans_->damaged("chunk " + std::to_string(number) + " is missing in " + plans_->name_.table +
-                        "_chunk_map");
+                        "_chunkmap");
   });
   plans_->last_number_ = std::max(plans_->last_number_, head.last());
   removed_.push_back(head);

@@ -18,19 +18,19 @@ class TwoTrees : public ::testing::Test {
       : format((db.run("BEGIN IMMEDIATE"), create_shadow_tables(db, name, ships()))),
         others(db, name, others_and_meta()),
         rows(shadow_tables(db, name, ships()), ships()),
-        other_rows((create_others(), others), rows.meta(), "chunk_"),
+        other_rows((create_others(), others), rows.meta(), "chunk"),
         first(db, format, name, 60, journal, memory, [] {}),
         second(db, format, name, 60, journal, memory, [] {}) {
     first.connect(rows.tree()), second.connect(other_rows);
     db.run("COMMIT");
   }
   static std::vector<ShadowTable> others_and_meta() {
-    std::vector<ShadowTable> tables = TreeRows::tables("chunk_");
+    std::vector<ShadowTable> tables = TreeRows::tables("chunk");
     tables.push_back(MetaRows::table());
     return tables;
   }
   void create_others() {
-    ShadowTables(db, name, TreeRows::tables("chunk_")).create();
+    ShadowTables(db, name, TreeRows::tables("chunk")).create();
     db.run("INSERT INTO ships_meta VALUES('chunk_root', 0)");
   }
 
