@@ -26,7 +26,7 @@ class Progress:
     def __init__(self, stream, every=10.0):
         self.stream, self.every = stream, every
         self.started = self.shown = time.monotonic()
-        self.lines = self.stored = self.older = self.bad = self.repeated = self.far = 0
+        self.lines = self.stored = self.older = self.bad = self.repeated = self.far = self.names = 0
         self.left_out = lambda: 0           # of the decoder
 
     def name_bad(self, number, message):
@@ -55,7 +55,7 @@ class Progress:
         self.shown = now
         rate = self.lines / max(now - self.started, 1e-3)
         more = "".join(f", {count} {what}" for count, what in ((self.far, "too far from the origin"), (self.repeated, "sent again")) if count)
-        self.say(f"{self.lines} lines, {self.stored} reports stored, {self.older} older than what is stored, {self.left_out()} without "
+        self.say(f"{self.lines} lines, {self.stored} reports stored, {self.older} older than what is stored, {self.left_out() + self.names} without "
                  f"position or speed, {self.bad} bad{more}; {rate:.0f} lines per second")
 
 
@@ -66,11 +66,13 @@ class Batches:
     def commit(self, reports, bad, lines, last_line=None, also=lambda: None):
         """Stores reports in one transaction, in which also() writes too. What the table refuses is a bad line; everything else ends the
         feed, and stores nothing."""
-        stored, refused = 0, []
+        stored, names, refused = 0, 0, []
         with committed(self.db):
             for report in reports:
                 try:
-                    stored += self.table.write(report)
+                    was_stored = self.table.write(report)
+                    stored += was_stored
+                    names += report.t is None and not was_stored      # a name alone that is known, or of no ship
                 except sqlite3.Error as error:
                     if not self.db.in_transaction or not is_refusal(error, self.table.name):
                         raise
@@ -84,7 +86,8 @@ class Batches:
         progress = self.progress
         progress.lines += lines
         progress.stored += stored
-        progress.older += len(reports) - stored - len(refused)
+        progress.older += len(reports) - stored - names - len(refused)
+        progress.names += names
         for number, message in bad:
             progress.name_bad(number, message)
         for ship, message in refused:

@@ -37,6 +37,8 @@ def prepared(db, options):
         if options.watch and not exists(db, options.watch):
             db.execute(f"CREATE VIRTUAL TABLE {quoted(options.watch)} USING predictive_watch({quoted(options.table)}, "
                        f"horizon = {options.horizon!r}, within = {options.within!r}, tolerance = {options.tolerance!r}, ahead = 3600)")
+    if options.watch and not db.execute("SELECT 1 FROM predictive_watches WHERE lower(name) = lower(?)", (options.watch,)).fetchone():
+        raise Refusal(f"{options.watch} is a table, not a watch; write another name after --watch")
     table = Table(db, options.table)
     table.prepare(options.forget, options.kinds)
     return table

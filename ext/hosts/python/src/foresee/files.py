@@ -32,6 +32,7 @@ def opened(path, create=False, **options):
     except sqlite3.OperationalError as error:
         raise Refusal(f"{path} cannot be opened: {error}") from None
     try:
+        db.execute("PRAGMA schema_version").fetchone()      # reads the file
         if create:
             db.execute("PRAGMA journal_mode = WAL").fetchone()
             db.execute("CREATE TABLE IF NOT EXISTS foresee_feed(tbl TEXT PRIMARY KEY, line INTEGER NOT NULL DEFAULT 0, "
@@ -39,8 +40,10 @@ def opened(path, create=False, **options):
             db.execute("CREATE TABLE IF NOT EXISTS foresee_messages(tbl TEXT, session TEXT, mid INTEGER, digest BLOB, number INTEGER, "
                        "PRIMARY KEY(tbl, session, mid)) WITHOUT ROWID")
         return db
-    except BaseException:
+    except BaseException as error:
         db.close()
+        if isinstance(error, sqlite3.DatabaseError) and "not a database" in str(error):
+            raise Refusal(f"{path} is no SQLite file; write the name of another file") from None
         raise
 
 

@@ -64,4 +64,4 @@ def place(text):
     return lat, lon
 
 
-positive.__name__, not_negative.__name__, place.__name__ = "number above 0", "number of at least 0", "'LATITUDE LONGITUDE'"
+positive.__name__, not_negative.__name__, place.__name__ = "(not a number above 0)", "(not 0 or more)", "(not 'LATITUDE LONGITUDE')"
