@@ -4,8 +4,8 @@
 //   rows.write_node(7, blob);
 //   rows.write_root(7);
 //
-// A table may have another tree with the prefix "chunk": ships_chunknode, ships_chunkmap and the key `chunk_root`. SQLite
-// takes a table for a shadow table by what follows the last underscore of its name, so the prefix has none.
+// A table may have another tree with the prefix "chunk": ships_chunknode, ships_chunkmap and the key `chunk_root`.
+// SQLite takes a table for a shadow table by what follows the last underscore, so the prefix has none.
 // Nothing is cached: each call sees the database as this connection sees it now. Blobs are not checked. Node
 // numbers are integers that ascend strictly, else the call fails with SQLITE_CORRUPT_VTAB (ascending_rows.h).
 #pragma once
