@@ -223,7 +223,7 @@ void Store::write_count(std::int64_t objects) {
 }
 
 void Store::write_out() {
-  if (own_statements_ == 0 && !torn_) flush();
+  if (own_statements_ == 0 && !torn_) flush(TreeStore::Reason::memory);
   note_memory();
 }
 

@@ -50,7 +50,7 @@ class TreeStore final : private MemoryHolder {
   bool update(std::int64_t id, std::span<const double> record);
   /// False if there is no such object.
   bool erase(std::int64_t id);
-  /// Why pending objects go into the tree: a query follows, memory is full, or the transaction ends.
+  /// Why pending objects go into the tree: a query or command needs it, memory is full, or the transaction ends.
   enum class Reason : std::uint8_t { query, memory, commit };
   /// Moves all pending objects into the tree: in memory, as far as the budget allows. If memory is full in the
   /// middle of a large load, they become a run beside the other objects (TprTree::add_run()); the commit packs

@@ -152,9 +152,8 @@ TEST(TableSafety, DefensiveModeProtectsEachKindOfShadowTable) {
   sqlite3_db_config(db.handle(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   db.exec(
       "CREATE VIRTUAL TABLE robots USING moving_objects(id, x, y, shape, heading, plan, +n);"
-      "INSERT INTO robots(id, shape, heading, plan) VALUES(1, 'POLYGON((0 0, 1 0, 0 1, 0 0))', 0, "
-      "'LINESTRING "
-      "M(0 0 0, 4 0 9)')");
+      "INSERT INTO robots(id, shape, heading, plan) "
+      "VALUES(1, 'POLYGON((0 0, 1 0, 0 1, 0 0))', 0, 'LINESTRING M(0 0 0, 4 0 9)')");
   std::istringstream names(db.rows("SELECT name FROM sqlite_schema WHERE name GLOB 'robots[_]*'"));
   int count = 0;
   for (std::string shadow; std::getline(names, shadow); ++count)

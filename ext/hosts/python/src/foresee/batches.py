@@ -26,7 +26,7 @@ class Progress:
     def __init__(self, stream, every=10.0):
         self.stream, self.every = stream, every
         self.started = self.shown = time.monotonic()
-        self.lines = self.stored = self.older = self.bad = self.repeated = self.far = self.names = 0
+        self.lines = self.stored = self.older = self.bad = self.repeated = self.far = self.without_position = 0
         self.left_out = lambda: 0           # of the decoder
 
     def name_bad(self, number, message):
@@ -55,7 +55,7 @@ class Progress:
         self.shown = now
         rate = self.lines / max(now - self.started, 1e-3)
         more = "".join(f", {count} {what}" for count, what in ((self.far, "too far from the origin"), (self.repeated, "sent again")) if count)
-        self.say(f"{self.lines} lines, {self.stored} reports stored, {self.older} older than what is stored, {self.left_out() + self.names} without "
+        self.say(f"{self.lines} lines, {self.stored} reports stored, {self.older} older than what is stored, {self.left_out() + self.without_position} without "
                  f"position or speed, {self.bad} bad{more}; {rate:.0f} lines per second")
 
 
@@ -66,13 +66,13 @@ class Batches:
     def commit(self, reports, bad, lines, last_line=None, also=lambda: None):
         """Stores reports in one transaction, in which also() writes too. What the table refuses is a bad line; everything else ends the
         feed, and stores nothing."""
-        stored, names, refused = 0, 0, []
+        stored, without_position, refused = 0, 0, []
         with committed(self.db):
             for report in reports:
                 try:
                     was_stored = self.table.write(report)
                     stored += was_stored
-                    names += report.t is None and not was_stored      # a name alone that is known, or of no ship
+                    without_position += report.t is None and not was_stored     # a name that is known, or of no ship
                 except sqlite3.Error as error:
                     if not self.db.in_transaction or not is_refusal(error, self.table.name):
                         raise
@@ -86,8 +86,8 @@ class Batches:
         progress = self.progress
         progress.lines += lines
         progress.stored += stored
-        progress.older += len(reports) - stored - names - len(refused)
-        progress.names += names
+        progress.older += len(reports) - stored - without_position - len(refused)
+        progress.without_position += without_position
         for number, message in bad:
             progress.name_bad(number, message)
         for ship, message in refused:
