@@ -144,6 +144,10 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   void remove_watch(const std::string& name);
   /// The stored stamp; nothing while changes are unwritten. Equal stamps: equal contents.
   std::optional<std::int64_t> settled_stamp();
+  /// The stamp under which memory holds committed contents; nothing once this transaction has written.
+  std::optional<std::int64_t> committed_stamp() const {
+    return version_.is_own() ? std::nullopt : version_.seen();
+  }
   /// The stored stamp, even if changes are unwritten.
   std::optional<std::int64_t> stored_stamp() { return shadow_rows().read_stamp(); }
   /// The stamp before all changes of for_each_change(); nothing if these are unknown (after 'rebuild').

@@ -15,7 +15,7 @@ class StoredChunks final : public ChunkSource {
   NodeSource& tree() override { return plans_.tree().nodes(); }
 
   void read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) override {
-    if (!plans_.read_chunk(number, times, chunk))
+    if (!plans_.read_chunk(number, times, store_->committed_stamp(), chunk))
       plans_.damaged("chunk " + std::to_string(number) + " is missing");
     if (!head_ || head_->object != chunk.object || !head_->has(number)) find_head(number, chunk.object);
     chunk.record = record_;

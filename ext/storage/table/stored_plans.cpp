@@ -34,7 +34,8 @@ StoredPlans::StoredPlans(sqlite3* db, const NodeFormat& format, const QualifiedN
       layout_(format.layout),
       at_(format.at),
       item_at_(record_offsets(chunk_layout(layout_))),
-      tree_(db, chunk_node_format(format), tree_name_, horizon, journal, memory, std::move(write_out)) {}
+      tree_(db, chunk_node_format(format), tree_name_, horizon, journal, memory, std::move(write_out)),
+      cache_(memory) {}
 
 void StoredPlans::connect(const ShadowTables& tables, MetaRows& meta) {
   tree_name_ = {tables.name().schema, tables.name().table + "_chunk"};
@@ -117,13 +118,20 @@ void StoredPlans::read_legs(const Head& head, double from, double until, std::ve
   if (first != last + 1) damaged("a chunk of object " + std::to_string(head.object) + " is missing");
 }
 
-bool StoredPlans::read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) {
+bool StoredPlans::read_chunk(std::int64_t number, const LegTimes& times, std::optional<std::int64_t> stamp,
+                             Chunk& chunk) {
   const FloatEnvironment environment;
-  chunk.legs.clear();
+  const auto use = [&](const StoredChunk& stored) {
+    chunk.object = stored.object;
+    chunk.legs.clear();
+    require(append_legs(stored, chunk.legs, times), number);
+  };
+  const StoredChunk* const known = stamp ? cache_.find(*stamp, number) : nullptr;
+  if (known) return use(*known), true;
   return rows_->read_one(number, [&](std::span<const std::byte> blob) {
     const StoredChunk stored = opened(number, blob, nullptr);
-    chunk.object = stored.object;
-    require(append_legs(stored, chunk.legs, times), number);
+    use(stored);
+    if (stamp) cache_.add(number, blob, stored);
   });
 }
 

@@ -21,6 +21,7 @@
 
 #include "index/chunk_source.h"
 #include "storage/format/chunk_blob.h"
+#include "storage/nodes/chunk_cache.h"
 #include "storage/rows/leg_rows.h"
 #include "storage/tree/tree_store.h"
 
@@ -61,7 +62,9 @@ class StoredPlans final : public Journal::Participant {
   /// The legs of chunks that last at some time from `from` to `until`, in order. Cost: two look-ups, a row per chunk.
   void read_legs(const Head& head, double from, double until, std::vector<Leg>& legs);
   /// Fills the chunk but its record, with the legs of these times; returns false if the number does not exist.
-  bool read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk);
+  /// `stamp`: of the committed rows, whose chunks are kept in memory; nothing: this transaction has written.
+  bool read_chunk(std::int64_t number, const LegTimes& times, std::optional<std::int64_t> stamp,
+                  Chunk& chunk);
 
   using EachPlan = std::function<void(const Head&, std::span<const Leg>)>;
   /// Calls each(head, legs) for the objects with legs from `from` to `until`. Sorts the heads by number.
@@ -104,6 +107,7 @@ class StoredPlans final : public Journal::Participant {
   Layout layout_;
   Offsets at_, item_at_;
   TreeStore tree_;
+  ChunkCache cache_;
   std::optional<LegRows> rows_;
   std::optional<TreeRows> tree_rows_;
   std::int64_t last_number_ = 0;  ///< of those that this object has written or deleted

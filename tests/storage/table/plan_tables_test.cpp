@@ -97,5 +97,42 @@ TEST(StorePlans, ASecondConnectionSeesNewPlans) {
   std::filesystem::remove(file);
 }
 
+// Numbers of chunks that memory knows get other contents: by another id, and by another plan.
+TEST(StorePlans, ASecondConnectionSeesOtherContentsUnderKnownNumbers) {
+  const std::string file = FORESEE_BINARY_DIR "/storage_plans.db";
+  std::filesystem::remove(file);
+  {
+    Database db(file), other_db(file), third_db(file);
+    auto store = make_store(db, fleet());
+    auto other = Store::open(other_db, "main", "ships", fleet());
+    testing::Random random(4);
+    Robots robots{{1, {robot_record(1), random_stored_plan(random)}}};
+    begin(db, *store);
+    store->insert(1, robots[1].record, {}, {}, &*robots[1].plan);
+    commit(db, *store);
+    expect_robots(*store, robots, "in memory");
+    const double first = plan_number(stored_record(*store, 1));
+
+    begin(other_db, *other);
+    other->update(1, 9, stored_record(*other, 1), {});
+    commit(other_db, *other);
+    robots = {{9, robots[1]}};
+    expect_robots(*store, robots, "of another id");
+    EXPECT_EQ(plan_number(stored_record(*store, 9)), first);
+
+    begin(other_db, *other);
+    other->erase(9);
+    commit(other_db, *other);
+    auto third = Store::open(third_db, "main", "ships", fleet());
+    robots = {{2, {robot_record(2), random_stored_plan(random)}}};
+    begin(third_db, *third);
+    third->insert(2, robots[2].record, {}, {}, &*robots[2].plan);
+    commit(third_db, *third);
+    expect_robots(*store, robots, "of another plan");
+    EXPECT_EQ(plan_number(stored_record(*store, 2)), first);
+  }
+  std::filesystem::remove(file);
+}
+
 }  // namespace
 }  // namespace foresee

@@ -95,7 +95,7 @@ class LeafOrder {
   void halve(std::size_t first, std::size_t last) {
     while (last - first > 1) {
       interrupt_.check();
-      const std::size_t middle = boundary_near_middle(first, last);
+      std::size_t middle = boundary_near_middle(first, last);
       const auto begin = items_.begin() + object(first), nth = items_.begin() + object(middle),
                  end = items_.begin() + object(last);
       const std::span<const Item> items(&*begin, static_cast<std::size_t>(end - begin));
@@ -104,9 +104,34 @@ class LeafOrder {
         step_();
         return a.place[along] < b.place[along];
       });
+      if (along == 2 * D) middle = boundary_beside_equals(first, middle, last);
       halve(first, middle);
       first = middle;
     }
+  }
+
+  /// Moves a cut in time to the nearer end of the objects whose time it has, if it goes through them. Else legs that
+  /// start together, as in a timetable, would be in nodes of different times that cover the same space.
+  /// Requires: nth_element() at `middle`.
+  std::size_t boundary_beside_equals(std::size_t first, std::size_t middle, std::size_t last) {
+    const auto begin = items_.begin() + object(first), nth = items_.begin() + object(middle),
+               end = items_.begin() + object(last);
+    const float time = nth->place.back();
+    const auto equals =
+        std::partition(begin, nth, [&](const Item& item) { return step_(), item.place.back() < time; });
+    if (equals == nth) return middle;
+    const auto later =
+        std::partition(nth, end, [&](const Item& item) { return step_(), item.place.back() <= time; });
+    const std::size_t before = nearest_leaf(equals), after = nearest_leaf(later);
+    const bool is_after_nearer = later - nth < nth - equals;
+    if (after < last && (is_after_nearer || before <= first)) return after;
+    return before > first ? before : middle;
+  }
+
+  /// The leaf that starts nearest to an item.
+  std::size_t nearest_leaf(typename std::vector<Item>::const_iterator item) const {
+    const auto place = static_cast<std::size_t>(item - items_.begin());
+    return leaves_.first + (place * leaves_.count + items_.size() / 2) / items_.size();
   }
 
   std::ptrdiff_t object(std::size_t leaf) const {

@@ -4,9 +4,10 @@
 // The objects are halved recursively at a boundary between nodes, of the highest level that has one near the
 // middle. Each cut is along the axis of position, velocity or time with the largest spread
 // (leaf_order_items.h). The spread is the distance between the first and the last tenth of a sample, so a few
-// outliers do not change it. Objects far larger or faster than the median come last, in their own leaves.
-// Objects without an end do not share leaves with those that end. Objects that may meet none of the others
-// (shape/kinds.h) have leaves of their own, which a join does not read.
+// outliers do not change it. A cut in time leaves objects of equal time on one side. Objects far larger or
+// faster than the median come last, in their own leaves. Objects without an end do not share leaves with those
+// that end. Objects that may meet none of the others (shape/kinds.h) have leaves of their own, which a join
+// does not read.
 #pragma once
 
 #include <cstdint>

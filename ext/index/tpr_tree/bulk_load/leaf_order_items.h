@@ -7,7 +7,7 @@
 //
 // A velocity counts as the distance that it covers in part of a horizon, or in a median life if that is
 // shorter. A reference time (reference_times.h) counts as the distance that an object of median speed covers in
-// `time_weight` times as long. Only the spread beyond a median life counts: a cut does not separate objects
+// `time_weight` times as long. Only the spread beyond half a median life counts: a cut does not separate objects
 // that live together. Without an end the reference time is the clock, and the order is that of a table without
 // `until`. Single precision suffices: the order affects the cost of queries, not their results.
 #pragma once
@@ -88,8 +88,9 @@ class OrderItems {
 
  private:
   static constexpr std::size_t samples = 20;
-  /// For legs between way-points 10 was better than 1 and 3: half to a fifth of the time per window.
-  static constexpr double time_weight = 10;
+  /// So large that nodes are separated in time first. A node is bounded at one time, so one that covers several lives
+  /// is wide at all others. With 10 and a whole life, windows over chunks of plans visited three times as many leaves.
+  static constexpr double time_weight = 40;
 
   static Times times_of_one(const Motion<D>& motion) { return {motion.t, motion.t, motion.until}; }
 
@@ -148,7 +149,7 @@ class OrderItems {
       distance_per_time_ = time > 0 ? widest / time : 0;
     }
     const double life = median_or(lives, 0);
-    shared_ = clamped(life * distance_per_time_);
+    shared_ = clamped(0.5 * life * distance_per_time_);
     scheduled_velocity_weight_ = std::min(velocity_weight_, life);
   }
 
@@ -159,7 +160,7 @@ class OrderItems {
   Vec<D> origin_;
   bool is_schedule_ = false;  ///< some lives of the sample are not current
   double distance_per_time_ = 0;
-  float shared_ = 0;  ///< the spread in time of objects that live together
+  float shared_ = 0;  ///< the spread in time of objects that mostly live together
 };
 
 }  // namespace foresee
