@@ -14,6 +14,8 @@ namespace foresee {
 namespace {
 
 constexpr std::size_t smallest_page = 512, largest_page = 65536;
+/// So few are looked up one by one, in memory first; a range of rows is faster for more.
+constexpr std::int64_t few_chunks = 8;
 
 }  // namespace
 
@@ -63,15 +65,29 @@ StoredChunk StoredPlans::opened(std::int64_t number, std::span<const std::byte> 
                                 const Head* head) const {
   StoredChunk chunk;
   require(open_chunk(layout_, blob, number, chunk), number);
-  if (!head) return chunk;
-  if (chunk.object != head->object)
-    damaged("chunk " + std::to_string(number) + " is of object " + std::to_string(chunk.object) +
-            ", not of object " + std::to_string(head->object));
-  if (chunk.is_first != (number == head->first) ||
-      (chunk.is_first && static_cast<std::int64_t>(chunk.plan_chunks) != head->chunks))
-    damaged("chunk " + std::to_string(number) + " is not where object " + std::to_string(head->object) +
-            " has it");
+  if (head) require_of(*head, number, chunk);
   return chunk;
+}
+
+void StoredPlans::require_of(const Head& head, std::int64_t number, const StoredChunk& chunk) const {
+  if (chunk.object != head.object)
+    damaged("chunk " + std::to_string(number) + " is of object " + std::to_string(chunk.object) +
+            ", not of object " + std::to_string(head.object));
+  if (chunk.is_first != (number == head.first) ||
+      (chunk.is_first && static_cast<std::int64_t>(chunk.plan_chunks) != head.chunks))
+    damaged("chunk " + std::to_string(number) + " is not where object " + std::to_string(head.object) +
+            " has it");
+}
+
+template <class Use>
+bool StoredPlans::with_chunk(std::int64_t number, std::optional<std::int64_t> stamp, Use use) {
+  const StoredChunk* const known = stamp ? cache_.find(*stamp, number) : nullptr;
+  if (known) return use(*known), true;
+  return rows_->read_one(number, [&](std::span<const std::byte> blob) {
+    const StoredChunk stored = opened(number, blob, nullptr);
+    use(stored);
+    if (stamp) cache_.add(number, blob, stored);
+  });
 }
 
 Plan StoredPlans::read(const Head& head) {
@@ -97,12 +113,13 @@ Plan StoredPlans::read(const Head& head) {
   return plan;
 }
 
-void StoredPlans::read_legs(const Head& head, double from, double until, std::vector<Leg>& legs) {
+void StoredPlans::read_legs(const Head& head, double from, double until, std::optional<std::int64_t> stamp,
+                            std::vector<Leg>& legs) {
   const FloatEnvironment environment;
   legs.clear();
   std::int64_t first = head.first, last = head.first - 1;
-  rows_->read(head.first, head.first, [&](std::int64_t number, std::span<const std::byte> blob) {
-    const StoredChunk chunk = opened(number, blob, &head);
+  const bool has_first = with_chunk(head.first, stamp, [&](const StoredChunk& chunk) {
+    require_of(head, head.first, chunk);
     std::size_t begin = 0, end = 0;
     for (std::size_t step = std::bit_floor(chunk.plan_chunks); step > 0; step /= 2) {
       if (end + step <= chunk.plan_chunks && chunk.start(end + step - 1) <= until) end += step;
@@ -112,26 +129,28 @@ void StoredPlans::read_legs(const Head& head, double from, double until, std::ve
     first += static_cast<std::int64_t>(begin);
     last = head.first + static_cast<std::int64_t>(end) - 1;
   });
-  rows_->read(first, last, [&](std::int64_t number, std::span<const std::byte> blob) {
-    if (number == first) require(append_legs(opened(first++, blob, &head), legs), number);
-  });
-  if (first != last + 1) damaged("a chunk of object " + std::to_string(head.object) + " is missing");
+  const auto append = [&](const StoredChunk& chunk) {
+    require_of(head, first, chunk);
+    require(append_legs(chunk, legs), first++);
+  };
+  if (last - first < few_chunks)
+    while (first <= last && with_chunk(first, stamp, append)) {
+    }
+  else
+    rows_->read(first, last, [&](std::int64_t number, std::span<const std::byte> blob) {
+      if (number == first) append(opened(number, blob, nullptr));
+    });
+  if (!has_first || first != last + 1)
+    damaged("a chunk of object " + std::to_string(head.object) + " is missing");
 }
 
 bool StoredPlans::read_chunk(std::int64_t number, const LegTimes& times, std::optional<std::int64_t> stamp,
                              Chunk& chunk) {
   const FloatEnvironment environment;
-  const auto use = [&](const StoredChunk& stored) {
+  return with_chunk(number, stamp, [&](const StoredChunk& stored) {
     chunk.object = stored.object;
     chunk.legs.clear();
     require(append_legs(stored, chunk.legs, times), number);
-  };
-  const StoredChunk* const known = stamp ? cache_.find(*stamp, number) : nullptr;
-  if (known) return use(*known), true;
-  return rows_->read_one(number, [&](std::span<const std::byte> blob) {
-    const StoredChunk stored = opened(number, blob, nullptr);
-    use(stored);
-    if (stamp) cache_.add(number, blob, stored);
   });
 }
 

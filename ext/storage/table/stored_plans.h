@@ -59,8 +59,10 @@ class StoredPlans final : public Journal::Participant {
   Head head_of(std::int64_t object, const double* record, std::size_t place = 0) const;
   /// The plan as it was written.
   Plan read(const Head& head);
-  /// The legs of chunks that last at some time from `from` to `until`, in order. Cost: two look-ups, a row per chunk.
-  void read_legs(const Head& head, double from, double until, std::vector<Leg>& legs);
+  /// The legs of chunks that last at some time from `from` to `until`, in order. `stamp`: as for read_chunk().
+  /// Cost: two look-ups, a row per chunk.
+  void read_legs(const Head& head, double from, double until, std::optional<std::int64_t> stamp,
+                 std::vector<Leg>& legs);
   /// Fills the chunk but its record, with the legs of these times; returns false if the number does not exist.
   /// `stamp`: of the committed rows, whose chunks are kept in memory; nothing: this transaction has written.
   bool read_chunk(std::int64_t number, const LegTimes& times, std::optional<std::int64_t> stamp,
@@ -88,6 +90,10 @@ class StoredPlans final : public Journal::Participant {
 
   /// Opens a stored chunk of this object; throws for damage.
   StoredChunk opened(std::int64_t number, std::span<const std::byte> blob, const Head* head) const;
+  void require_of(const Head& head, std::int64_t number, const StoredChunk& chunk) const;
+  /// Calls use(chunk) if the number exists; returns whether it does.
+  template <class Use>
+  bool with_chunk(std::int64_t number, std::optional<std::int64_t> stamp, Use use);
   void require(const char* fault, std::int64_t number) const;
   using EachRow = std::function<void(const Head&, std::int64_t number, std::span<const std::byte>)>;
   using EachStray = std::function<void(std::int64_t number)>;

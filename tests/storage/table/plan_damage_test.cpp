@@ -74,6 +74,13 @@ TEST_F(PlanDamage, RowsThatAreMissingMovedOrForeign) {
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
 }
 
+TEST_F(PlanDamage, AMissingFirstChunkIsNotAPlanWithoutLegs) {
+  db.run("DELETE FROM ships_leg WHERE number = " + number(0));
+  std::vector<Leg> legs;
+  expect_store_error(SQLITE_CORRUPT_VTAB, "a chunk of object 1 is missing",
+                     [&] { store->read_legs(1, stored_record(*store, 1), -no_end, no_end, legs); });
+}
+
 TEST_F(PlanDamage, AChunkOfAnotherObjectIsRefused) {
   std::vector<std::byte> blob;
   const std::int64_t second = std::stoll(number(1));
