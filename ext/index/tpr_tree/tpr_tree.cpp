@@ -4,11 +4,10 @@
 #include "base/interrupt_steps.h"
 #include "index/tpr_tree/bulk_load/bulk_load.h"
 #include "index/tpr_tree/bulk_load/leaf_order.h"
-#include "index/tpr_tree/bulk_load/space_partitioning.h"
 #include "index/tpr_tree/update/insertion.h"
 #include "index/tpr_tree/update/merge.h"
 #include "index/tpr_tree/update/removal.h"
-#include "index/tpr_tree/update/repack.h"
+#include "index/tpr_tree/update/rebalance.h"
 
 namespace foresee {
 namespace {
@@ -93,6 +92,16 @@ class Tree final : public TprTree {
       const Node some = objects_at(part_of(order, i, portions), ids, records, size);
       merge_neighbours(some.keys, some.values, interrupt);
     }
+  }
+
+  bool packs_new(std::size_t objects) override { return objects >= few && takes_runs(state_, objects); }
+
+  void merge_new(std::span<const std::int64_t> ids, std::span<const double> records,
+                 Interrupt& interrupt) override {
+    if (!packs_new(ids.size())) return merge(ids, records, interrupt);
+    observe_newest(records);
+    const Remainder rest = merge_runs(state_, ids, records, interrupt);
+    merge(rest.ids, rest.records, interrupt);
   }
 
   bool takes_run(std::size_t objects) override {

@@ -12,7 +12,7 @@
 // are in place, and are tuned for queries during their lives (reference_times.h). Bounds follow the clock, or
 // the middle of the lives beneath. If a node's epoch is far from it, its entries are recomputed when an object
 // beneath it is written. If updates have left loose leaves, the
-// leaves beneath two neighbours are repacked from time to time (repack.h).
+// leaves beneath two neighbours are repacked from time to time (update/rebalance.h).
 //
 // Cost: insert and erase touch one path of nodes. An update writes only the leaf if the leaf's entry stays
 // valid and the object is not the newest; a few updates also repack loose leaves. A bulk load is O(n log n)
@@ -39,7 +39,7 @@ struct TreeReport {
   std::size_t objects = 0, nodes = 0;
 };
 
-/// Assigns objects to partitions of the space of positions and velocities. See space_partitioning.h.
+/// Assigns objects to partitions of the space of positions and velocities. See bulk_load/bulk_load.h.
 class SpacePartitioning {
  public:
   virtual ~SpacePartitioning() = default;
@@ -74,6 +74,12 @@ class TprTree {
   /// object than insert() and update() (merge.h). Ids are unique.
   virtual void merge(std::span<const std::int64_t> ids, std::span<const double> records,
                      Interrupt& interrupt) = 0;
+  /// The same for objects that the tree does not have. Where they are many, they become packed nodes beside those
+  /// that are there, and parts of the tree are packed again from time to time (update/merge.h).
+  virtual void merge_new(std::span<const std::int64_t> ids, std::span<const double> records,
+                         Interrupt& interrupt) = 0;
+  /// True if merge_new() would pack so many objects.
+  virtual bool packs_new(std::size_t objects) = 0;
   /// Adds objects that the tree does not have, packed separately: a run, subtrees beside those that are there.
   /// It costs as much as a bulk load of these objects, whatever the tree holds; but queries visit its leaves
   /// besides the others. Ids are unique. Requires: takes_run().

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace foresee {
@@ -31,6 +32,13 @@ class IdFilter {
     const Bits bits(id, layers_.back().size());
     for (const unsigned bit : bits.at)
       layers_.back()[bits.block].words[bit / 64] |= std::uint64_t{1} << bit % 64;
+  }
+  /// The same for many, without waiting for memory at each.
+  void add(std::span<const std::int64_t> ids) {
+    for (const std::int64_t id : ids)
+      for (const std::vector<Block>& blocks : layers_)
+        __builtin_prefetch(&blocks[Bits(id, blocks.size()).block]);
+    for (const std::int64_t id : ids) add(id);
   }
   bool may_have(std::int64_t id) const noexcept {
     return std::any_of(layers_.rbegin(), layers_.rend(), [id](const std::vector<Block>& blocks) {

@@ -35,9 +35,9 @@ void IdMap::place(std::span<const std::int64_t> ids, std::int64_t leaf) {
   if (packed_map_ && !packed_map_->place(ids, leaf)) other_objects();
   if (packed_map_) return;
   if (!filter_ && ids.size() >= few && has_no_ids()) filter_.emplace();
+  for (const std::int64_t id : ids) leaves_.prefetch(id);
   for (const std::int64_t id : ids) set(id, leaf);
-  if (filter_)
-    for (const std::int64_t id : ids) filter_->add(id);
+  if (filter_) filter_->add(ids);
 }
 
 void IdMap::other_objects() const {
@@ -101,8 +101,11 @@ void IdMap::write_packed(bool replaces, Interrupt& interrupt) {
     interrupt.check();
     rows_->write_map(chunk);
   });
-  if (filter_)
-    for (const std::int64_t id : packed_map_->ids()) filter_->add(id);
+  constexpr std::size_t at_once = 64;  // what is prefetched stays in the processor's caches
+  for (std::span<const std::int64_t> ids = packed_map_->ids(); filter_ && !ids.empty();) {
+    filter_->add(ids.first(std::min(at_once, ids.size())));
+    ids = ids.subspan(std::min(at_once, ids.size()));
+  }
   packed_map_ = nullptr;
   last_block_.reset();
 }

@@ -26,6 +26,10 @@ class IdHashMap {
   IdHashMap();
 
   std::int64_t find(std::int64_t id) const noexcept;
+  /// Hides the memory latency of a following call for `id`.
+  void prefetch(std::int64_t id) const noexcept {
+    if (!slots_.empty()) __builtin_prefetch(&slots_[home_of(id)]);
+  }
   /// Reserves a slot for `id`.
   void prepare(std::int64_t id);
   /// Requires: prepared since the last clear(), or value is unknown.
@@ -46,6 +50,8 @@ class IdHashMap {
  private:
   static constexpr std::int64_t free_slot = std::numeric_limits<std::int64_t>::min();
 
+  /// Where the search for an id starts.
+  std::size_t home_of(std::int64_t id) const noexcept;
   std::size_t slot_of(std::int64_t id) const noexcept;
   void grow();
 

@@ -12,6 +12,8 @@ namespace {
 
 // Per object a bulk load of the whole table costs a twentieth of an insert, and it gives a better tree.
 constexpr double min_reload_ratio = 1.0 / 8;
+// New objects alone are packed beside the others: then only half of the table is worth it.
+constexpr double min_reload_of_new = 0.5;
 
 constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::max();
 
@@ -64,7 +66,8 @@ void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
     const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_);
     const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
     const bool packs_runs = reason == Reason::commit && has_runs_.get();
-    const bool many = pending > stored * min_reload_ratio;
+    const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
+    const bool many = pending > stored * (packs_new ? min_reload_of_new : min_reload_ratio);
     const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
     if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count()))
       return add_run(interrupt);
@@ -87,7 +90,10 @@ auto TreeStore::with_pending(Use use) const {
 }
 
 void TreeStore::merge_into_tree(Interrupt& interrupt) {
-  with_pending([&](auto ids, auto records) { tree_->merge(ids, records, interrupt); });
+  with_pending([&](auto ids, auto records) {
+    pending_updates_.get() ? tree_->merge(ids, records, interrupt)
+                           : tree_->merge_new(ids, records, interrupt);
+  });
 }
 
 // Their places are written at once: in memory each would take five times as much until the transaction ends.

@@ -62,7 +62,11 @@ struct TreeModel {
   }
 
   /// Adds the objects of `scene` as a run, with other ids.
-  void add_run(const RandomScene& scene) {
+  void add_run(const RandomScene& scene) { tree->add_run(add_new(scene), scene.records, never); }
+  /// The same by merge_new().
+  void merge_new(const RandomScene& scene) { tree->merge_new(add_new(scene), scene.records, never); }
+  /// Gives the objects of `scene` other ids; the model has them.
+  std::vector<std::int64_t> add_new(const RandomScene& scene) {
     const std::size_t size = scene.records.size() / scene.size();
     const std::int64_t last = objects.empty() ? 0 : objects.rbegin()->first;
     std::vector<std::int64_t> ids;
@@ -71,7 +75,7 @@ struct TreeModel {
       ids.push_back(last + 1 + static_cast<std::int64_t>(i));
       objects[ids.back()].assign(from, from + static_cast<std::ptrdiff_t>(size));
     }
-    tree->add_run(ids, scene.records, never);
+    return ids;
   }
 
   /// Inserts, updates and erases at random with records of `scene`, whose t advance with `clock`.

@@ -23,7 +23,9 @@ double typical_t(const LeafReader<D>& reader, std::span<const double> records) {
 template <int D>
 class TreeLoad {
  public:
-  TreeLoad(TreeState<D>& state, Interrupt& interrupt) : state_(state), interrupt_(interrupt) {}
+  /// The first leaves get the numbers of `old_leaves`.
+  TreeLoad(TreeState<D>& state, Interrupt& interrupt, std::span<const NodeNumber> old_leaves = {})
+      : state_(state), interrupt_(interrupt), old_leaves_(old_leaves) {}
 
   void run(std::span<const std::int64_t> ids, std::span<const double> records) {
     pack(ids, records, level_sizes(state_.leaves_for(ids.size()), state_.pages.inner_capacity()));
@@ -74,11 +76,13 @@ class TreeLoad {
     levels_ = std::move(levels);
     std::size_t nodes = 0;
     for (const std::size_t level : levels_) firsts_.push_back(static_cast<NodeNumber>(nodes)), nodes += level;
-    const NodeNumber first = state_.pages.reserve(nodes);
+    const NodeNumber first =
+        state_.pages.reserve(nodes - old_leaves_.size()) - static_cast<NodeNumber>(old_leaves_.size());
     for (NodeNumber& number : firsts_) number += first;
   }
 
   NodeNumber number(std::size_t level, std::size_t i) const {
+    if (level == 0 && i < old_leaves_.size()) return old_leaves_[i];
     return firsts_[level] + static_cast<NodeNumber>(i);
   }
 
@@ -119,24 +123,25 @@ class TreeLoad {
     while (first_child(parent + 1, parents, nodes) <= i) ++parent;
     node.parent = is_root ? 0 : number(level + 1, parent);
     siblings_.push_back(std::move(node));
-    if (i + 1 == first_child(parent + 1, parents, nodes)) write_siblings(number(level, i + 1));
+    if (i + 1 == first_child(parent + 1, parents, nodes)) write_siblings(level, i + 1);
   }
 
-  /// Writes the nodes before node `end` and keeps their entries for the level above.
-  void write_siblings(NodeNumber end) {
+  /// Writes the nodes of a level before its node `end` and keeps their entries for the level above.
+  void write_siblings(std::size_t level, std::size_t end) {
     Times times;
     for (const Node& node : siblings_) times.include(times_of(node, state_.reader));
     epochs_.push_back(state_.epoch_for(times));
-    NodeNumber next = end - static_cast<NodeNumber>(siblings_.size());
+    std::size_t next = end - siblings_.size();
     for (Node& node : siblings_) {
       entries_.push_back(summary(node, state_.reader, epochs_.back()));
-      state_.pages.put(next++, std::move(node));
+      state_.pages.put(number(level, next++), std::move(node));
     }
     siblings_.clear();
   }
 
   TreeState<D>& state_;
   Interrupt& interrupt_;
+  std::span<const NodeNumber> old_leaves_;
   std::vector<std::size_t> levels_;  ///< number of nodes per level
   std::vector<NodeNumber> firsts_;   ///< the first node number of each level; the others follow
   std::vector<Node> siblings_;       ///< not written yet
@@ -196,18 +201,19 @@ std::vector<std::size_t> run_levels(const TreeState<D>& state, std::size_t objec
 template <int D>
 std::vector<Branch<D>> pack_run(TreeState<D>& state, std::span<const std::int64_t> ids,
                                 std::span<const double> records, std::vector<std::size_t> levels,
-                                Interrupt& interrupt) {
-  return TreeLoad<D>(state, interrupt).pack_branches(ids, records, std::move(levels));
+                                Interrupt& interrupt, std::span<const NodeNumber> old_leaves) {
+  return TreeLoad<D>(state, interrupt, old_leaves).pack_branches(ids, records, std::move(levels));
 }
 
-#define FORESEE_OF_AXES(D)                                                                               \
-  template void start_clock<D>(TreeState<D>&, std::span<const double>);                                  \
-  template void bulk_load_tree<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
-                                  Interrupt&);                                                           \
-  template void bulk_load_tree<D>(TreeState<D>&, ObjectPartitions&, Interrupt&);                         \
-  template std::vector<std::size_t> run_levels<D>(const TreeState<D>&, std::size_t, int);                \
-  template std::vector<Branch<D>> pack_run<D>(TreeState<D>&, std::span<const std::int64_t>,              \
-                                              std::span<const double>, std::vector<std::size_t>, Interrupt&)
+#define FORESEE_OF_AXES(D)                                                                                   \
+  template void start_clock<D>(TreeState<D>&, std::span<const double>);                                      \
+  template void bulk_load_tree<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>,     \
+                                  Interrupt&);                                                               \
+  template void bulk_load_tree<D>(TreeState<D>&, ObjectPartitions&, Interrupt&);                             \
+  template std::vector<std::size_t> run_levels<D>(const TreeState<D>&, std::size_t, int);                    \
+  template std::vector<Branch<D>> pack_run<D>(TreeState<D>&, std::span<const std::int64_t>,                  \
+                                              std::span<const double>, std::vector<std::size_t>, Interrupt&, \
+                                              std::span<const NodeNumber>)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);

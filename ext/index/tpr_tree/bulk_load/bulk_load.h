@@ -1,6 +1,6 @@
 // Bulk load of a TPR-tree, level by level from the leaves up. Each node is written once, from the objects in
 // leaf order. If the objects do not fit in memory, they are loaded one partition at a time
-// (space_partitioning.h).
+// (divide_space()).
 #pragma once
 
 #include "base/error.h"
@@ -30,11 +30,29 @@ void bulk_load_tree(TreeState<D>& state, ObjectPartitions& partitions, Interrupt
 /// objects for such a height, or too many.
 template <int D>
 std::vector<std::size_t> run_levels(const TreeState<D>& state, std::size_t objects, int root_level);
-/// Packs the objects into subtrees of these levels: branches, to be added by insert_branch(). Requires: the clock
-/// runs.
+/// Packs the objects into subtrees of these levels: branches, to be added by insert_branch(). The first leaves
+/// replace those of `old_leaves`; all other nodes have new numbers, a parent a larger one than its children.
+/// Requires: the clock runs.
 template <int D>
 std::vector<Branch<D>> pack_run(TreeState<D>& state, std::span<const std::int64_t> ids,
                                 std::span<const double> records, std::vector<std::size_t> levels,
-                                Interrupt& interrupt);
+                                Interrupt& interrupt, std::span<const NodeNumber> old_leaves = {});
+
+// Partitions of objects that do not fit in memory together, by position, velocity and time, for a bulk
+// load.
+//
+//   auto division = divide_space(state, sample, 9, interrupt);     // records of some objects, drawn anywhere
+//   parts[division->partition_of(record)].push_back(object);
+//
+// The concatenated leaves of the partitions are those of the whole. The sample is halved recursively like the
+// objects of a leaf order (leaf_order.h), and the cuts are stored. Objects exactly on a cut go to either side
+// in turn, so one place with very many objects is divided too. The sizes of partitions vary as the sample
+// does, by a few percent. Cost per object: its motion, and one comparison per halving.
+
+/// Partitions have about equal numbers of objects. Requires: a sample, and at least one partition. If the
+/// clock has not started, the sample sets it.
+template <int D>
+std::unique_ptr<SpacePartitioning> divide_space(TreeState<D>& state, std::span<const double> sample,
+                                                std::size_t parts, Interrupt& interrupt);
 
 }  // namespace foresee

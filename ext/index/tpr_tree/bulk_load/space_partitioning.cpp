@@ -1,5 +1,3 @@
-#include "index/tpr_tree/bulk_load/space_partitioning.h"
-
 #include "base/interrupt_steps.h"
 #include "index/tpr_tree/bulk_load/bulk_load.h"
 #include "index/tpr_tree/bulk_load/leaf_order_items.h"

@@ -1,7 +1,6 @@
 #include "index/tpr_tree/update/insertion.h"
 
 #include "index/tpr_tree/update/choose_child.h"
-#include "index/tpr_tree/update/node_split.h"
 #include "index/tpr_tree/update/rebalance.h"
 
 namespace foresee {

@@ -1,14 +1,9 @@
 #include "index/tpr_tree/update/merge.h"
 
-#include <map>
-
-#include "base/interrupt_steps.h"
-#include "index/tpr_tree/update/choose_child.h"
+#include "index/tpr_tree/update/batch_descent.h"
 #include "index/tpr_tree/update/insertion.h"
 #include "index/tpr_tree/update/rebalance.h"
 #include "index/tpr_tree/update/removal.h"
-#include "index/tpr_tree/update/repack.h"
-
 namespace foresee {
 namespace {
 
@@ -17,55 +12,33 @@ class Merge {
  public:
   Merge(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
         Interrupt& interrupt)
-      : state_(state), ids_(ids), records_(records), step_(interrupt), old_leaves_(ids.size()) {}
+      : state_(state), ids_(ids), batch_(state, ids, records, interrupt), old_leaves_(ids.size()) {}
 
   void run() {
-    const auto root = read(state_.pages, unread_root(state_.pages));
-    levels_.resize(static_cast<std::size_t>(root->level) + 1);
-    levels_.back().try_emplace(state_.pages.find_root());
+    const std::size_t levels = batch_.levels();
     write_reports();
-    for (std::size_t level = 1; level + 1 < levels_.size(); ++level) rise(level);
-    for (std::size_t level = levels_.size(); level-- > 1;) sink(level);
+    for (std::size_t level = 1; level + 1 < levels; ++level) rise(level);
+    for (std::size_t level = levels; level-- > 1;) batch_.sink(level);
     settle_leaves();
-    for (std::size_t level = 1; level < levels_.size(); ++level)
-      for (auto& [number, visit] : levels_[level]) step_(), even_out(state_, number, visit.children);
+    for (std::size_t level = 1; level < levels; ++level)
+      for (auto& [number, visit] : batch_.at(level)) {
+        batch_.step();
+        even_out(state_, number, visit.children);
+      }
     even_out_root(state_);
   }
 
  private:
-  /// The work of this merge in one node.
-  struct Visit {
-    NodeNumber parent = 0;
-    std::vector<NodeNumber> children = {};    ///< the children with work, too
-    std::vector<std::uint32_t> objects = {};  ///< that need a leaf beneath this node, or enter this leaf
-  };
-
-  NewObject<D> object(std::uint32_t i) const {
-    const std::size_t size = state_.reader.record_size();
-    const auto record = records_.subspan(i * size, size);
-    return {ids_[i], record, Mover<D>(state_.reader, record.data())};
-  }
-
-  /// The visit of a child of a visited node.
-  Visit& visit_below(NodeNumber parent, const Node& node, std::size_t slot) {
-    const auto [place, is_new] =
-        levels_[static_cast<std::size_t>(node.level) - 1].try_emplace(node.keys[slot]);
-    if (is_new) {
-      read_below(state_.pages, parent, node, slot);
-      place->second.parent = parent;
-      levels_[static_cast<std::size_t>(node.level)].at(parent).children.push_back(node.keys[slot]);
-    }
-    return place->second;
-  }
+  using Visit = typename BatchDescent<D>::Visit;
 
   /// Visits a node and all its ancestors; returns the visit of its parent.
   Visit& visit_upward(NodeNumber number, const Node& node) {
     const auto parent = read_above(state_.pages, number, node);
-    if (!parent || static_cast<std::size_t>(parent->level) >= levels_.size())
+    if (!parent || static_cast<std::size_t>(parent->level) >= batch_.levels())
       throw BrokenTree("an object is in a leaf that is too high or too low");
-    auto& above = levels_[static_cast<std::size_t>(parent->level)];
+    auto& above = batch_.at(static_cast<std::size_t>(parent->level));
     if (!above.contains(node.parent)) visit_upward(node.parent, *parent);
-    visit_below(node.parent, *parent, slot_of(*parent, number));
+    batch_.visit_below(node.parent, *parent, slot_of(*parent, number));
     return above.at(node.parent);
   }
 
@@ -78,15 +51,15 @@ class Merge {
   /// Overwrites the objects that keep their leaves; the others leave them.
   void write_reports() {
     std::vector<std::pair<NodeNumber, std::uint32_t>> found;
-    Visit& root = levels_.back().begin()->second;
+    Visit& root = batch_.root();
     for (std::uint32_t i = 0; i < ids_.size(); ++i) {
-      step_();
+      batch_.step();
       if (const auto leaf = state_.pages.find_leaf(ids_[i]))
         found.emplace_back(*leaf, i), old_leaves_[i] = *leaf;
       else
         root.objects.push_back(i);
     }
-    std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return step_(), a < b; });
+    std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return batch_.step(), a < b; });
     for (std::size_t first = 0, last; first < found.size(); first = last) {
       for (last = first; last < found.size() && found[last].first == found[first].first;) ++last;
       write_reports_of(found[first].first, std::span(found).subspan(first, last - first));
@@ -106,8 +79,8 @@ class Merge {
     }
     Node& leaf = state_.pages.modify(number);
     for (const auto& [home, i] : reports) {
-      step_();
-      const NewObject<D> report = object(i);
+      batch_.step();
+      const NewObject<D> report = batch_.object(i);
       const std::size_t slot = slot_of(leaf, report.id), size = report.record.size();
       if (entry.contains(report.entry(epoch))) {
         std::copy(report.record.begin(), report.record.end(),
@@ -121,44 +94,29 @@ class Merge {
 
   /// Moves objects that a node of this level does not contain to the level above.
   void rise(std::size_t level) {
-    for (auto& [number, visit] : levels_[level]) {
+    for (auto& [number, visit] : batch_.at(level)) {
       if (visit.objects.empty()) continue;
       const auto above = state_.pages.read(visit.parent);
       const Entry<D> entry = without_newest(entry_at<D>(*above, slot_of(*above, number)));
       const auto contained = [&](std::uint32_t i) {
-        return step_(), entry.contains(object(i).entry(above->epoch));
+        return batch_.step(), entry.contains(batch_.object(i).entry(above->epoch));
       };
       const auto rising = std::stable_partition(visit.objects.begin(), visit.objects.end(), contained);
-      auto& higher = levels_[level + 1].at(visit.parent).objects;
+      auto& higher = batch_.at(level + 1).at(visit.parent).objects;
       higher.insert(higher.end(), rising, visit.objects.end());
       visit.objects.erase(rising, visit.objects.end());
     }
   }
 
-  /// Moves objects that need a leaf beneath a node of this level to one of its children.
-  void sink(std::size_t level) {
-    for (auto& [number, visit] : levels_[level]) {
-      if (visit.objects.empty()) continue;
-      const auto node = state_.pages.read(number);
-      if (node->size() == 0) throw BrokenTree("an inner node of a tree is empty");
-      ChildChoice<D> choice(*node, state_.cost(node->epoch));
-      for (const std::uint32_t i : std::exchange(visit.objects, {})) {
-        step_();
-        const std::size_t slot = choice.choose(object(i).entry(node->epoch));
-        visit_below(number, *node, slot).objects.push_back(i);
-      }
-    }
-  }
-
   void settle_leaves() {
     std::vector<std::int64_t> arriving;
-    for (auto& [number, visit] : levels_[0]) {
+    for (auto& [number, visit] : batch_.at(0)) {
       if (visit.objects.empty()) continue;
       Node& leaf = state_.pages.modify(number);
       arriving.clear();
       for (const std::uint32_t i : visit.objects) {
-        step_();
-        const NewObject<D> added = object(i);
+        batch_.step();
+        const NewObject<D> added = batch_.object(i);
         leaf.keys.push_back(added.id);
         leaf.values.insert(leaf.values.end(), added.record.begin(), added.record.end());
         if (old_leaves_[i] != number) arriving.push_back(added.id);
@@ -169,10 +127,8 @@ class Merge {
 
   TreeState<D>& state_;
   std::span<const std::int64_t> ids_;
-  std::span<const double> records_;
-  Steps step_;
-  std::vector<NodeNumber> old_leaves_;               ///< the old leaf of each object; 0: a new object
-  std::vector<std::map<NodeNumber, Visit>> levels_;  ///< leaves first
+  BatchDescent<D> batch_;
+  std::vector<NodeNumber> old_leaves_;  ///< the old leaf of each object; 0: a new object
 };
 
 }  // namespace

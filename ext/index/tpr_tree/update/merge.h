@@ -24,4 +24,47 @@ template <int D>
 void merge_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
                    Interrupt& interrupt);
 
+// Batch insertion of many new objects as loose leaves, packed beside the leaves that are there.
+//
+//   const Remainder rest = merge_runs(state, ids, records, interrupt);
+//   merge_objects(state, rest.ids, rest.records, interrupt);       // too few for a leaf
+//
+// A batch that puts an object or two into every leaf would write the whole tree, batch after batch. Here a node of
+// level 1 is a partition: most of its leaves are its main run, packed together, and others are loose, which came
+// later. The new objects of a partition are packed together with its loose leaves. Once the loose objects would be a
+// third of the others, the whole partition is packed: a log-structured merge (P. O'Neil, E. Cheng, D. Gawlick, E.
+// O'Neil, "The Log-Structured Merge-Tree", Acta Informatica 33, 1996). The fraction differs between partitions, so
+// that they are not packed in the same batch.
+//
+// A leaf is loose if its number is larger than that of its parent: packing numbers nodes from the leaves up. So nothing
+// is stored about runs, and a wrong guess costs a little time, never an answer.
+//
+// Cost: per object a choice of a child per level, and some four writes if a table grows to twenty batches. A window
+// visits about one loose leaf per partition besides the others.
+
+/// Objects, for example those that remain to be inserted.
+struct Remainder {
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+
+  template <class Batch>
+  void add(const Batch& batch, std::span<const std::uint32_t> objects) {
+    for (const std::uint32_t i : objects) {
+      const auto added = batch.object(i);
+      ids.push_back(added.id);
+      records.insert(records.end(), added.record.begin(), added.record.end());
+    }
+  }
+};
+
+/// Whether a batch of so many objects is worth loose leaves: else merge_objects() is faster.
+template <int D>
+bool takes_runs(const TreeState<D>& state, std::size_t objects);
+
+/// Inserts all objects but the remainder. Requires: takes_runs(); the tree has none of the objects; their ids are
+/// unique.
+template <int D>
+Remainder merge_runs(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+                     Interrupt& interrupt);
+
 }  // namespace foresee

@@ -1,6 +1,6 @@
-#include "index/tpr_tree/update/node_split.h"
-
 #include <numeric>
+
+#include "index/tpr_tree/update/choose_child.h"
 
 namespace foresee {
 namespace {

@@ -1,8 +1,7 @@
-#include "index/tpr_tree/update/repack.h"
-
 #include "index/tpr_tree/leaf_pack.h"
 #include "index/tpr_tree/update/choose_child.h"
 #include "index/tpr_tree/update/insertion.h"
+#include "index/tpr_tree/update/rebalance.h"
 #include "index/tpr_tree/update/removal.h"
 
 namespace foresee {

@@ -1,0 +1,166 @@
+#include <algorithm>
+
+#include "index/tpr_tree/bulk_load/bulk_load.h"
+#include "index/tpr_tree/update/batch_descent.h"
+#include "index/tpr_tree/update/insertion.h"
+#include "index/tpr_tree/update/merge.h"
+#include "index/tpr_tree/update/rebalance.h"
+
+namespace foresee {
+namespace {
+
+/// A smaller batch has too few objects for most partitions.
+constexpr double min_share = 1.0 / 256;
+/// Fewer objects of a partition are inserted one by one.
+constexpr std::size_t min_objects = 8;
+/// Of loose to main objects, on average.
+constexpr double max_loose = 1.0 / 3;
+/// Of the leaves of a packed partition: the rest is for loose ones.
+constexpr double main_fill = 0.7;
+
+/// max_loose times 0.7 to 1.3.
+double max_loose_in(NodeNumber partition) {
+  const auto hash = (static_cast<std::uint64_t>(partition) * 0x9e3779b97f4a7c15) >> 32;
+  return max_loose * (0.7 + 0.6 * static_cast<double>(hash) * 0x1p-32);
+}
+
+template <int D>
+class RunMerge {
+ public:
+  RunMerge(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+           Interrupt& interrupt)
+      : state_(state), interrupt_(interrupt), batch_(state, ids, records, interrupt) {}
+
+  Remainder run() {
+    auto& all = batch_.root().objects;
+    for (std::uint32_t i = 0; i < batch_.size(); ++i) all.push_back(i);
+    for (std::size_t level = batch_.levels(); --level > 1;) batch_.sink(level);
+    for (auto& [number, visit] : batch_.at(1))
+      visit.objects.size() >= min_objects ? pack(number, visit) : rest_.add(batch_, visit.objects);
+    for (const Packed& packed : packed_) connect(packed);
+    for (std::size_t level = 2; level < batch_.levels(); ++level)
+      for (auto& [number, visit] : batch_.at(level)) {
+        batch_.step();
+        even_out(state_, number, visit.children);
+      }
+    even_out_root(state_);
+    return std::move(rest_);
+  }
+
+ private:
+  using Visit = typename BatchDescent<D>::Visit;
+
+  /// A run that is not connected yet: pages may write nodes while others are packed, and none may be overfull then.
+  struct Packed {
+    NodeNumber partition, parent;
+    std::vector<NodeNumber> old;  ///< the leaves that it replaces
+    std::vector<Branch<D>> run;
+
+    bool is_all() const { return run.front().level > 1; }
+  };
+
+  /// Packs the objects that have come to a partition, with its loose leaves or with all of it.
+  void pack(NodeNumber number, const Visit& visit) {
+    interrupt_.check();
+    const auto partition = state_.pages.read(number);
+    Remainder objects;
+    Packed packed{number, visit.parent, {}, {}};
+    for (std::size_t slot = 0; slot < partition->size(); ++slot)
+      if (is_loose(*partition, slot, number)) take_leaf(*partition, slot, packed, objects);
+    const std::size_t main = (partition->size() - packed.old.size()) * state_.packed_size();
+    const auto loose = static_cast<double>(objects.ids.size() + visit.objects.size());
+    const bool is_due = loose > max_loose_in(number) * static_cast<double>(main);
+    for (std::size_t slot = 0; is_due && slot < partition->size(); ++slot)
+      if (!is_loose(*partition, slot, number)) take_leaf(*partition, slot, packed, objects);
+    objects.add(batch_, visit.objects);
+    packed.run = pack_objects(objects, packed.old, is_due);
+    packed_.push_back(std::move(packed));
+  }
+
+  static bool is_loose(const Node& partition, std::size_t slot, NodeNumber number) {
+    return partition.keys[slot] > number;
+  }
+
+  void take_leaf(const Node& partition, std::size_t slot, Packed& packed, Remainder& objects) {
+    const auto leaf = read_below(state_.pages, packed.partition, partition, slot);
+    packed.old.push_back(partition.keys[slot]);
+    objects.ids.insert(objects.ids.end(), leaf->keys.begin(), leaf->keys.end());
+    objects.records.insert(objects.records.end(), leaf->values.begin(), leaf->values.end());
+  }
+
+  /// Packs into leaves, or into new partitions. The old leaves are used again as far as they go.
+  std::vector<Branch<D>> pack_objects(const Remainder& objects, std::span<const NodeNumber> old,
+                                      bool into_partitions) {
+    std::vector<NodeNumber> numbers(old.begin(), old.end());
+    std::sort(numbers.begin(), numbers.end());
+    std::vector<std::size_t> levels{state_.leaves_for(objects.ids.size())};
+    if (into_partitions) {
+      const auto size =
+          static_cast<std::size_t>(main_fill * static_cast<double>(state_.pages.inner_capacity()));
+      levels[0] = std::max<std::size_t>(levels[0], 2);
+      // No partition has a single leaf.
+      levels.push_back(std::min((levels[0] + size - 1) / size, levels[0] / 2));
+    }
+    const std::span<const NodeNumber> leaves(numbers);
+    const std::size_t used = std::min(levels[0], leaves.size());
+    auto run =
+        pack_run(state_, objects.ids, objects.records, std::move(levels), interrupt_, leaves.first(used));
+    for (const NodeNumber leaf : leaves.subspan(used)) state_.pages.free(leaf);
+    return run;
+  }
+
+  /// Puts a run in the place of what it replaces. A new partition has a larger number than its leaves.
+  void connect(const Packed& packed) {
+    const NodeNumber above = packed.is_all() ? packed.parent : packed.partition;
+    Node& node = state_.pages.modify(above);
+    const auto remove = [&](NodeNumber child) {
+      remove_slot(node, slot_of(node, child), state_.stride(node.level));
+    };
+    if (packed.is_all()) {
+      remove(packed.partition);
+      state_.pages.free(packed.partition);
+    } else {
+      std::for_each(packed.old.begin(), packed.old.end(), remove);
+    }
+    for (const Branch<D>& branch : packed.run) {
+      add_entry(node, branch.number, branch.entry(node.epoch));
+      add_children(state_, Unread{branch.number, branch.parent, branch.level - 1}, above);
+    }
+    if (!packed.is_all()) return;
+    auto& children = batch_.at(2).at(above).children;
+    std::erase(children, packed.partition);
+    for (const Branch<D>& branch : packed.run) children.push_back(branch.number);
+  }
+
+  TreeState<D>& state_;
+  Interrupt& interrupt_;
+  BatchDescent<D> batch_;
+  std::vector<Packed> packed_;
+  Remainder rest_;
+};
+
+}  // namespace
+
+template <int D>
+bool takes_runs(const TreeState<D>& state, std::size_t objects) {
+  const NodeNumber root = state.pages.find_root();
+  return root != 0 && state.pages.read(root)->level > 1 &&
+         static_cast<double>(objects) >= min_share * estimate_objects(state.pages);
+}
+
+template <int D>
+Remainder merge_runs(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+                     Interrupt& interrupt) {
+  return RunMerge<D>(state, ids, records, interrupt).run();
+}
+
+#define FORESEE_OF_AXES(D)                                                                                \
+  template bool takes_runs<D>(const TreeState<D>&, std::size_t);                                          \
+  template Remainder merge_runs<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
+                                   Interrupt&)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
+
+}  // namespace foresee
