@@ -79,9 +79,9 @@ class Values {
   /// The origin that the last record() needs: of the first position of a table that has none yet.
   const std::optional<LatLon>& new_origin() const { return new_origin_; }
 
-  /// The id in this value; nothing for NULL and ''. Throws Refusal (SQLITE_MISMATCH) for a value that is not
-  /// an integer.
-  std::optional<std::int64_t> id(sqlite3_value* value) const;
+  /// The id in this value; nothing for NULL and ''. `updated`: the row that an UPDATE changes. Throws Refusal
+  /// (SQLITE_MISMATCH) for a value that is not an integer.
+  std::optional<std::int64_t> id(sqlite3_value* value, std::optional<std::int64_t> updated = {}) const;
 
  private:
   struct Column {
