@@ -97,7 +97,7 @@ class StandardInput(Live):
         self.database().execute("CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy)")
         good = (1, START, 54.0, 8.0, 10.0, 90.0)
         errors = self.feed(csv_of([good, (2, START, -54.0, -172.0, 10.0, 90.0)]), "--origin", "54 8")
-        self.assertTrue(any("ship 2: geo_to_plane: lat, lon are opposite the origin" in line for line in errors), errors)
+        self.assertTrue(any("ship 2: geo_to_plane: lat, lon are -54, -172: opposite the origin" in line for line in errors), errors)
         self.assertEqual(totals(errors)[4], 1)
         self.assertEqual(self.database().execute("SELECT id FROM ships").fetchall(), [(1,)])
 

@@ -105,7 +105,7 @@ class Values {
                                       const std::optional<double>& course, sqlite3_value* given) const;
   Flight report_of(std::int64_t id, const Numbers& numbers, sqlite3_value* course) const;
   Metres metres_of_row(std::int64_t id, const Flight& report, const LatLon& origin, bool same_place) const;
-  void require_near(const Metres& point, const LatLon& origin) const;
+  void require_near(std::int64_t id, const LatLon& place, const Metres& point, const LatLon& origin) const;
   void store_degrees(const Metres& point);
   void copy_place(const std::vector<double>& before);
   void copy_motion(const std::vector<double>& before);
