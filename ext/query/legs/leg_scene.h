@@ -51,11 +51,12 @@ std::shared_ptr<const Scene> legs_near(const SearchTarget& objects, const Moving
                                        const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
                                        const std::optional<KindTest>& test = {});
 
-/// Appends the legs of the chunks that meet one of `boxes` and whose objects `keep` accepts, to a scene without forms.
-/// Requires: as above; scene.legs_during contains the horizon.
+/// Appends what meets one of `boxes` and what `test` and `keep` accept, to a scene without forms: objects without a
+/// plan, each once, and the legs of chunks. Requires: the target has a tree; scene.legs_during contains the horizon.
 template <int D>
-void add_legs_near(const SearchTarget& objects, std::span<const MovingBox<D>> boxes, const Horizon& horizon,
-                   const Vec<D>& margin, Interrupt& interrupt, const std::optional<KindTest>& test,
-                   const std::function<bool(std::int64_t id)>& keep, Scene& scene);
+void add_objects_near(const SearchTarget& objects, std::span<const MovingBox<D>> boxes,
+                      const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
+                      const std::optional<KindTest>& test, const std::function<bool(std::int64_t id)>& keep,
+                      Scene& scene);
 
 }  // namespace foresee
