@@ -27,10 +27,7 @@ LegTimes leg_times_of(const Horizon& horizon);
 /// The motion of a leg, as its plan says: the object may end earlier.
 template <int D>
 Motion<D> motion_of(const Leg& leg) {
-  const auto vector = [](const std::array<double, 3>& from) {
-    return Vec<D>(Eigen::Map<const Vec<D>>(from.data()));
-  };
-  return {leg.t, vector(leg.x), vector(leg.v), vector(leg.a), leg.until};
+  return {leg.t, vector_of<D>(leg.x), vector_of<D>(leg.v), vector_of<D>(leg.a), leg.until};
 }
 
 /// Those rows of an object that exist at some time of the horizon. Requires: `rows` are in order of time.
