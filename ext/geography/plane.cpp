@@ -43,8 +43,8 @@ OnPlane to_plane(const Fix& fix, const LatLon& origin) {
   OnPlane point{line.distance * bearing.sine + 0.0, line.distance * bearing.cosine + 0.0, {}};
   if (!fix.course) return point;
   if (is_opposite(line))
-    throw Error(
-        "lat, lon are opposite the origin, where no velocity is defined; write an origin that is closer");
+    throw Error("lat, lon are " + shown(fix.place.lat) + ", " + shown(fix.place.lon) +
+                ": opposite the origin, where no velocity is defined; write an origin that is closer");
   const Direction off = unit_direction(std::remainder(fix.course->degrees, 360) - line.azimuth -
                                        convergence(line, origin, fix.place));
   const int exponent = exponent_of(fix.course->speed);

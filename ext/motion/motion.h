@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "motion/law.h"
 
@@ -15,6 +16,12 @@ namespace foresee {
 /// An Eigen array, not a vector: `*`, `<` and `max` are element-wise, as boxes need.
 template <int D>
 using Vec = Eigen::Array<double, D, 1>;
+
+/// The first D numbers; the others are those of axes that a scene does not have.
+template <int D>
+Vec<D> vector_of(const std::array<double, 3>& values) {
+  return Eigen::Map<const Vec<D>>(values.data());
+}
 
 /// The closed time interval [now, now + h] of a query; its end is the exact real sum. Requires: now finite;
 /// h finite and >= 0.

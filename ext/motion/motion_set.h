@@ -12,7 +12,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -74,11 +73,6 @@ struct VectorSet {
 inline constexpr double pad_of_stored = 0x1p-49;
 /// Covers the underflow of a number that is not 0.
 inline constexpr double lost_by_underflow = 8 * std::numeric_limits<double>::denorm_min();
-
-template <int D>
-Vec<D> vector_of(const std::array<double, 3>& values) {
-  return Eigen::Map<const Vec<D>>(values.data());
-}
 
 /// One vector as it is stored.
 template <int D>

@@ -97,7 +97,7 @@ class StandardInput(Live):
         self.database().execute("CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy)")
         good = (1, START, 54.0, 8.0, 10.0, 90.0)
         errors = self.feed(csv_of([good, (2, START, -54.0, -172.0, 10.0, 90.0)]), "--origin", "54 8")
-        self.assertTrue(any("ship 2: geo_to_plane: lat, lon are opposite the origin" in line for line in errors), errors)
+        self.assertTrue(any("ship 2: geo_to_plane: lat, lon are -54, -172: opposite the origin" in line for line in errors), errors)
         self.assertEqual(totals(errors)[4], 1)
         self.assertEqual(self.database().execute("SELECT id FROM ships").fetchall(), [(1,)])
 
@@ -141,6 +141,18 @@ class StandardInput(Live):
                 errors = self.command("feed", self.file, *options, text=text, fails=True)[1]
                 self.assertEqual(errors.count("\n"), 1, errors)
                 self.assertIn(f"foresee feed: {message}", errors)
+
+    def test_a_wrong_option_is_one_line_and_status_2(self):
+        for arguments, message in (((), "foresee: the following arguments are required: feed | alerts | map; see python3 -m foresee --help"),
+                                   (("feed", "a.db"), "foresee feed: the following arguments are required: --table; see python3 -m foresee feed --help"),
+                                   (("feed", "a.db", "--table", "ships", "--a\nb"), "foresee feed: unrecognized arguments: --a b; see "),
+                                   (("alerts", "a.db", "alerts", "--poll", "0"), "foresee alerts: argument --poll: invalid "),
+                                   (("map", "a.db", "--zoom"), "foresee map: unrecognized arguments: --zoom; see python3 -m foresee map --help"),
+                                   (("map", "a.db", "--port", "y"), "foresee map: argument --port: invalid int value: 'y'; see ")):
+            with self.subTest(arguments):
+                command = Command(self, *arguments)
+                self.assertEqual((command.finish(), len(command.errors)), (2, 1), command.errors)
+                self.assertIn(message, command.errors[0])
 
     def test_sentences_of_a_receiver(self):
         if shutil.which("gpsdecode") is None:

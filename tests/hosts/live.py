@@ -9,6 +9,7 @@ import signal
 import socket
 import sqlite3
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -136,14 +137,20 @@ def made_up_report(number, ships):
             10.0, 45.0)
 
 
+def need_paho():
+    """Feeds over MQTT read with paho in PYTHON; Broker.publish() writes with it in this Python."""
+    for python in sorted({PYTHON, sys.executable}):
+        if subprocess.run([python, "-c", "import paho.mqtt.client"], capture_output=True).returncode != 0:
+            skip("feed over MQTT", f"{python} has no paho.mqtt (python3-paho-mqtt)")
+
+
 class Broker:
     """mosquitto on loopback, which can be stopped and started again with what it holds."""
 
     def __init__(self, test, settings=""):
         if not shutil.which("mosquitto") and not Path("/usr/sbin/mosquitto").exists():
             skip("feed over MQTT", "there is no mosquitto")
-        if subprocess.run([PYTHON, "-c", "import paho.mqtt.client"], capture_output=True).returncode != 0:
-            skip("feed over MQTT", f"{PYTHON} has no paho.mqtt (python3-paho-mqtt)")
+        need_paho()
         self.port, self.process = free_port(), None
         self.settings = test.write("broker/mosquitto.conf", f"listener {self.port} 127.0.0.1\nallow_anonymous true\nmax_queued_messages 0\n"
                                    f"persistence true\npersistence_location {test.folder}/broker/\n" + settings +
@@ -191,6 +198,7 @@ class ForgetfulBroker:
     """
 
     def __init__(self, test, connections):
+        need_paho()
         self.server = socket.create_server(("127.0.0.1", 0))
         test.addCleanup(self.server.close)
         self.url = f"mqtt://127.0.0.1:{self.server.getsockname()[1]}/ais/#"

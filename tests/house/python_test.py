@@ -62,6 +62,12 @@ class Python(unittest.TestCase):
                 done = run(program, PYTHONPATH=folder)
                 self.assertEqual((done.returncode, done.stdout), (0, printed), done.stderr)
 
+    def test_the_first_drone_gives_way_after_few_lines_to_copy(self):
+        first_steps = (ROOT / "docs/tutorials/drones.md").read_text().partition("\n## A loop of reports")[0]
+        build = [line for line in first_steps.partition("\n## ")[0].splitlines() if line.startswith("    ")]
+        programs = [line for block in fenced_and_hidden(first_steps) if block.kind == "python" for line in block.text.splitlines()]
+        self.assertLessEqual(len(build + [line for line in programs if line]), 25)
+
 
 if __name__ == "__main__":
     main()

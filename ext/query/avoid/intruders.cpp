@@ -1,10 +1,6 @@
 #include "query/avoid/intruders.h"
 
-#include <functional>
-#include <unordered_set>
-
 #include "base/axes.h"
-#include "index/tpr_tree/search/window_walk.h"
 #include "query/join/question.h"
 #include "query/legs/leg_scene.h"
 #include "shape/kinds.h"
@@ -58,18 +54,6 @@ MovingBox<D> box_around(const AvoidQuestion& question, const Changes& changes, c
   }
   if (!is_finite(base)) bounds = Bounds<D>::everything();
   return moving_box<D>(bounds, base.t, span_between(begin, end, horizon), horizon);
-}
-
-/// Appends the objects without plans near the box that `is_new` accepts.
-template <int D>
-void walk_tree(NodeSource& tree, const MovingBox<D>& box, const Horizon& horizon, const KindTest& partners,
-               Interrupt& interrupt, const std::function<bool(std::int64_t id)>& is_new, Scene& near) {
-  WindowWalk<D> walk(tree, box, horizon, Vec<D>::Zero(), interrupt, partners);
-  const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
-  for (LeafHits hits; walk.next(hits);)
-    for (const std::uint32_t slot : hits.slots)
-      if (const std::int64_t id = hits.leaf->keys[slot]; is_new(id))
-        near.add(id, hits.leaf->values.data() + slot * record_size);
 }
 
 /// The rows of a scene whose boxes meet one of the boxes.
@@ -143,14 +127,8 @@ NearObjects intruders(const AvoidQuestion& question, const ChangedLegs& changed,
     if (others.scene) {
       walk_scene<D>(*others.scene, {*others.scene, horizon, boxes}, itself, partners, interrupt, *near);
     } else {
-      std::unordered_set<std::int64_t> known;
-      const auto is_new = [&](std::int64_t id) {
-        return id != itself && (boxes.size() == 1 || known.insert(id).second);
-      };
-      for (const MovingBox<D>& box : boxes)
-        walk_tree<D>(*others.tree, box, horizon, partners, interrupt, is_new, *near);
       const auto is_other = [&](std::int64_t id) { return id != itself; };
-      if (others.chunks) add_legs_near<D>(others, boxes, horizon, zero, interrupt, partners, is_other, *near);
+      add_objects_near<D>(others, boxes, horizon, zero, interrupt, partners, is_other, *near);
     }
     if (legs.size() == 1) return;
     const RowsNear<D> rows(*near, horizon, boxes);

@@ -1,12 +1,10 @@
 #include "query/join/probe.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "base/interrupt_steps.h"
-#include "index/tpr_tree/search/window_walk.h"
 #include "motion/plan/chunks.h"
 #include "query/join/question.h"
 #include "query/legs/leg_scene.h"
@@ -73,20 +71,8 @@ void walk(const Scene& one, const SearchTarget& others, const Horizon& horizon, 
           Interrupt& interrupt, const std::function<bool(std::int64_t)>& keep, Scene& near) {
   // The object's box is inflated by one half of the reach, those in the tree by the other.
   const Vec<D> margin = margin_of<D>(reach);
-  const auto partners = partners_of(one, near.layout);
-  const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
   const std::vector<MovingBox<D>> boxes = boxes_of<D>(one, horizon, margin, interrupt);
-  std::unordered_set<std::int64_t> found;  // by several boxes
-  for (const MovingBox<D>& box : boxes) {
-    WindowWalk<D> walk(*others.tree, box, horizon, margin, interrupt, partners);
-    for (LeafHits hits; walk.next(hits);)
-      for (const std::uint32_t slot : hits.slots) {
-        const std::int64_t id = hits.leaf->keys[slot];
-        if (keep(id) && (boxes.size() == 1 || found.insert(id).second))
-          near.add(id, hits.leaf->values.data() + slot * record_size);
-      }
-  }
-  if (others.chunks) add_legs_near<D>(others, boxes, horizon, margin, interrupt, partners, keep, near);
+  add_objects_near<D>(others, boxes, horizon, margin, interrupt, partners_of(one, near.layout), keep, near);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include "base/axes.h"
 #include "base/float_environment.h"
@@ -120,6 +121,20 @@ void for_each_object(ChunkSource& chunks, std::span<const std::int64_t> numbers,
   use_legs();
 }
 
+/// Appends the legs of the chunks that meet one of `boxes` and whose objects `keep` accepts.
+template <int D>
+void add_legs_near(const SearchTarget& objects, std::span<const MovingBox<D>> boxes, const Horizon& horizon,
+                   const Vec<D>& margin, Interrupt& interrupt, const std::optional<KindTest>& test,
+                   const std::function<bool(std::int64_t id)>& keep, Scene& scene) {
+  const FloatEnvironment environment;
+  const auto found = chunks_near<D>(*objects.chunks, boxes, horizon, margin, interrupt, test);
+  const LegFilter<D> filter(boxes, scene.layout, horizon, margin);
+  for_each_object<D>(*objects.chunks, found, scene.legs_during, &filter, interrupt,
+                     [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
+                       if (keep(id)) scene.add(id, record.data(), legs);
+                     });
+}
+
 }  // namespace
 
 void for_each_plan(ChunkSource& chunks, const Layout& layout, const Horizon& horizon, Interrupt& interrupt,
@@ -141,16 +156,22 @@ void for_each_plan(ChunkSource& chunks, const Layout& layout, const Horizon& hor
 }
 
 template <int D>
-void add_legs_near(const SearchTarget& objects, std::span<const MovingBox<D>> boxes, const Horizon& horizon,
-                   const Vec<D>& margin, Interrupt& interrupt, const std::optional<KindTest>& test,
-                   const std::function<bool(std::int64_t id)>& keep, Scene& scene) {
-  const FloatEnvironment environment;
-  const auto found = chunks_near<D>(*objects.chunks, boxes, horizon, margin, interrupt, test);
-  const LegFilter<D> filter(boxes, scene.layout, horizon, margin);
-  for_each_object<D>(*objects.chunks, found, scene.legs_during, &filter, interrupt,
-                     [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
-                       if (keep(id)) scene.add(id, record.data(), legs);
-                     });
+void add_objects_near(const SearchTarget& objects, std::span<const MovingBox<D>> boxes,
+                      const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
+                      const std::optional<KindTest>& test, const std::function<bool(std::int64_t id)>& keep,
+                      Scene& scene) {
+  const auto record_size = static_cast<std::size_t>(record_offsets(scene.layout).size);
+  std::unordered_set<std::int64_t> found;  // by several boxes
+  for (const MovingBox<D>& box : boxes) {
+    WindowWalk<D> walk(*objects.tree, box, horizon, margin, interrupt, test);
+    for (LeafHits hits; walk.next(hits);)
+      for (const std::uint32_t slot : hits.slots) {
+        const std::int64_t id = hits.leaf->keys[slot];
+        if (keep(id) && (boxes.size() == 1 || found.insert(id).second))
+          scene.add(id, hits.leaf->values.data() + slot * record_size);
+      }
+  }
+  if (objects.chunks) add_legs_near<D>(objects, boxes, horizon, margin, interrupt, test, keep, scene);
 }
 
 template <int D>
@@ -165,13 +186,13 @@ std::shared_ptr<const Scene> legs_near(const SearchTarget& objects, const Moving
   return scene;
 }
 
-#define FORESEE_OF_AXES(D)                                                                           \
-  template std::shared_ptr<const Scene> legs_near<D>(const SearchTarget&, const MovingBox<D>&,       \
-                                                     const Horizon&, const Vec<D>&, Interrupt&,      \
-                                                     const std::optional<KindTest>&);                \
-  template void add_legs_near<D>(const SearchTarget&, std::span<const MovingBox<D>>, const Horizon&, \
-                                 const Vec<D>&, Interrupt&, const std::optional<KindTest>&,          \
-                                 const std::function<bool(std::int64_t)>&, Scene&)
+#define FORESEE_OF_AXES(D)                                                                              \
+  template std::shared_ptr<const Scene> legs_near<D>(const SearchTarget&, const MovingBox<D>&,          \
+                                                     const Horizon&, const Vec<D>&, Interrupt&,         \
+                                                     const std::optional<KindTest>&);                   \
+  template void add_objects_near<D>(const SearchTarget&, std::span<const MovingBox<D>>, const Horizon&, \
+                                    const Vec<D>&, Interrupt&, const std::optional<KindTest>&,          \
+                                    const std::function<bool(std::int64_t)>&, Scene&)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);

@@ -27,10 +27,7 @@ LegTimes leg_times_of(const Horizon& horizon);
 /// The motion of a leg, as its plan says: the object may end earlier.
 template <int D>
 Motion<D> motion_of(const Leg& leg) {
-  const auto vector = [](const std::array<double, 3>& from) {
-    return Vec<D>(Eigen::Map<const Vec<D>>(from.data()));
-  };
-  return {leg.t, vector(leg.x), vector(leg.v), vector(leg.a), leg.until};
+  return {leg.t, vector_of<D>(leg.x), vector_of<D>(leg.v), vector_of<D>(leg.a), leg.until};
 }
 
 /// Those rows of an object that exist at some time of the horizon. Requires: `rows` are in order of time.
@@ -51,11 +48,12 @@ std::shared_ptr<const Scene> legs_near(const SearchTarget& objects, const Moving
                                        const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
                                        const std::optional<KindTest>& test = {});
 
-/// Appends the legs of the chunks that meet one of `boxes` and whose objects `keep` accepts, to a scene without forms.
-/// Requires: as above; scene.legs_during contains the horizon.
+/// Appends what meets one of `boxes` and what `test` and `keep` accept, to a scene without forms: objects without a
+/// plan, each once, and the legs of chunks. Requires: the target has a tree; scene.legs_during contains the horizon.
 template <int D>
-void add_legs_near(const SearchTarget& objects, std::span<const MovingBox<D>> boxes, const Horizon& horizon,
-                   const Vec<D>& margin, Interrupt& interrupt, const std::optional<KindTest>& test,
-                   const std::function<bool(std::int64_t id)>& keep, Scene& scene);
+void add_objects_near(const SearchTarget& objects, std::span<const MovingBox<D>> boxes,
+                      const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
+                      const std::optional<KindTest>& test, const std::function<bool(std::int64_t id)>& keep,
+                      Scene& scene);
 
 }  // namespace foresee

@@ -140,8 +140,8 @@ class Search {
       faces.lower[axis] = faces.upper[axis] = *question.point[axis];
     return faces;
   }
-  Vec<D> place() const { return Eigen::Map<const Vec<D>>(point_.faces().lower.data()); }
-  Vec<D> velocity() const { return Eigen::Map<const Vec<D>>(point_.faces().velocity.data()); }
+  Vec<D> place() const { return vector_of<D>(point_.faces().lower); }
+  Vec<D> velocity() const { return vector_of<D>(point_.faces().velocity); }
 
   /// Nothing if the object does not exist during the horizon.
   std::optional<NearestRow> approach_of(std::int64_t id, const double* row) const {

@@ -49,11 +49,6 @@ class AllOfScene final : public ObjectCandidates {
   std::uint32_t next_ = 0;
 };
 
-template <int D>
-Vec<D> vector_of(const std::array<double, 3>& values) {
-  return Eigen::Map<const Vec<D>>(values.data());
-}
-
 /// Reads one leaf after another; the rows of a batch are decoded into one buffer.
 template <int D>
 class WindowOfTree final : public ObjectCandidates {

@@ -6,10 +6,12 @@
 #include "base/integer_of.h"
 #include "geography/frame.h"
 #include "index/tpr_tree/tpr_tree.h"
+#include "motion/plan/plan_legs.h"
 #include "query/avoid/avoid.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/plan_values.h"
+#include "sqlite/stored_table.h"
 #include "sqlite/table/degrees_columns.h"
 #include "storage/rows/value_text.h"
 
@@ -199,57 +201,87 @@ void read_numbers(const FunctionCall& call, AvoidQuestion& question) {
   if (const auto how = call.text(in_how)) question.how = manoeuvre_of(without_nul(*how));
   question.lo = call.number(in_lo), question.hi = call.number(in_hi);
   question.resume = call.number(in_resume);
+  const auto now = call.number(in_now);
+  question.now = now.value_or(0), question.now_given = now.has_value();
   if (const auto touching = call.text(in_touching)) question.touching = touching_of(without_nul(*touching));
 }
 
+void read_wanted_outputs(const FunctionCall& call, AvoidQuestion& question) {
+  question.wants_motion = reads_any(call, out_t, out_heading) || reads_any(call, out_lat, out_climb);
+  question.wants_plan = call.reads(out_plan);
+  question.wants_ends = reads_any(call, out_below, out_t_above);
+}
+
+/// The table of the object, and the one that is searched too; sets what depends on them.
+OpenTables open_tables(const FunctionCall& call, AvoidQuestion& question) {
+  const TableName tbl{call.text(in_tbl), call.text(in_schema)};
+  OpenTables tables{open_table(call.connection(), tbl)};
+  require_upright(tables.a, question.within_z);
+  question.on_globe = tables.a.store->frame().on_globe();
+  if (question.on_globe && !question.how) question.how = Manoeuvre::speed;
+  question.others = searched(tables.a);
+  if (const auto also = call.text(in_also)) {
+    tables.b = open_table(call.connection(), {also, tbl.schema});
+    require_one_frame(tables.a, *tables.b);
+    question.also = searched(*tables.b);
+  }
+  return tables;
+}
+
+double read_newest_t_of_both(const AvoidQuestion& question) {
+  const double newest = read_newest_t(*question.others.tree);
+  return question.also ? std::max(newest, read_newest_t(*question.also->tree)) : newest;
+}
+
+/// Sets its numbers, plan and outline, and a scene of all its legs; if it does not exist, an empty scene.
+void read_object(const Connection::OpenTable& table, std::int64_t id, Interrupt& interrupt,
+                 AvoidQuestion& question) {
+  const FloatEnvironment environment;  // accelerations are computed on loading
+  Store& store = *table.store;
+  auto own = std::make_shared<Scene>();
+  own->name = table.table, own->layout = store.declaration().layout;
+  if (auto record = store.read(id)) {
+    question.record = std::move(*record);
+    const double* const numbers = question.record.data();
+    const Offsets& at = store.format().at;
+    if (has_plan(at, numbers)) {
+      question.plan = std::make_shared<const Plan>(store.read_plan(id, question.record));
+      own->add(id, numbers, legs_of(*question.plan));
+    } else {
+      own->add(id, numbers);
+    }
+    const auto form = integer_of(value_or(numbers, at.outline, 0)).value_or(0);
+    if (form != 0) question.form = store.forms()->form(form);
+  }
+  question.plan_has_knots = store.frame().knows_places();
+  own->take_forms(store.forms(), interrupt);
+  question.own = std::move(own);
+}
+
+/// Plans as the table shows them: knots in degrees.
+void show_plans(Store& store, Interrupt& interrupt, std::vector<AvoidRow>& rows) {
+  PlanValues values(store.declaration(), interrupt);
+  for (AvoidRow& row : rows)
+    if (row.plan) row.plan = values.shown(*row.plan, store.frame());
+}
+
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
-  Connection& connection = call.connection();
+  Interrupt& interrupt = call.connection().interrupt();
   AvoidQuestion question;
   read_numbers(call, question);
+  read_wanted_outputs(call, question);
   const std::int64_t id = call.required_integer(in_id);
-  const auto given_now = call.number(in_now);
-  const TableName tbl{call.text(in_tbl), call.text(in_schema)};
-  const auto table = open_table(connection, tbl);
-  require_upright(table, question.within_z);
-  question.on_globe = table.store->frame().on_globe();
-  if (question.on_globe && !question.how) question.how = Manoeuvre::speed;
-  std::array<std::string, 2> tables{table.table, ""};
-  question.others = searched(table);
-  double newest = read_newest_t(*question.others.tree);
-  if (const auto also = call.text(in_also)) {
-    const auto second = open_table(connection, {also, tbl.schema});
-    require_one_frame(table, second);
-    question.also = searched(second);
-    tables[1] = second.table;
-    newest = std::max(newest, read_newest_t(*question.also->tree));
-  }
-  question.now = given_now.value_or(newest), question.now_given = given_now.has_value();
-  const auto own = Connection::load_object(table, id);
-  const Declaration& declaration = table.store->declaration();
-  const Offsets at = record_offsets(own->layout);
-  if (auto record = table.store->read(id)) {
-    question.record = std::move(*record);
-    if (has_plan(at, question.record.data()))
-      question.plan = std::make_shared<const Plan>(table.store->read_plan(id, question.record));
-  }
-  FormSource* const forms = table.store->forms();
-  own->take_forms(forms, connection.interrupt());
-  question.own = own;
-  const double form = question.record.empty() ? 0 : value_or(question.record.data(), at.outline, 0);
-  if (const auto number = integer_of(form); number.value_or(0) != 0) question.form = forms->form(*number);
-  question.wants_motion = reads_any(call, out_t, out_heading) || reads_any(call, out_lat, out_climb);
-  question.wants_plan = call.reads(out_plan), question.plan_has_knots = table.store->frame().knows_places();
-  question.wants_ends = reads_any(call, out_below, out_t_above);
-  std::vector<AvoidRow> rows = avoid(question, connection.interrupt());
+  const OpenTables tables = open_tables(call, question);
+  if (!question.now_given) question.now = read_newest_t_of_both(question);
+  read_object(tables.a, id, interrupt, question);
+  std::vector<AvoidRow> rows = avoid(question, interrupt);
   if (const auto clear = call.only(out_clear))
     std::erase_if(rows, [&](const AvoidRow& row) { return *clear != (row.clear ? 1 : 0); });
-  if (own->layout.has_plan && question.plan_has_knots)
-    for (AvoidRow& row : rows)
-      if (row.plan)
-        row.plan = PlanValues(declaration, connection.interrupt()).shown(*row.plan, table.store->frame());
-  return std::make_unique<AvoidRows>(std::move(rows), question.own->layout, std::move(tables),
-                                     table.store->frame(), std::move(question.record),
-                                     connection.interrupt());
+  const Layout& layout = question.own->layout;
+  if (layout.has_plan && question.plan_has_knots) show_plans(*tables.a.store, interrupt, rows);
+  std::array<std::string, 2> names{tables.a.table, tables.b ? tables.b->table : ""};
+  return std::make_unique<AvoidRows>(std::move(rows), layout, std::move(names), tables.a.store->frame(),
+                                     std::move(question.record), interrupt);
 }
 
 }  // namespace

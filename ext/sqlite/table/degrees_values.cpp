@@ -164,22 +164,31 @@ Flight Values::report_of(std::int64_t id, const Numbers& numbers, sqlite3_value*
 
 /// A place that an UPDATE leaves alone was near enough when it was stored.
 Metres Values::metres_of_row(std::int64_t id, const Flight& report, const LatLon& origin,
-                             bool same_place) const try {
+                             bool same_place) const {
   Frame frame{.kind = frame_.kind, .unit = frame_.unit};
   if (!frame.on_globe()) frame.origin = origin;
-  const Metres point = frame.to_metres(report);
-  if (!frame.on_globe() && !same_place) require_near(point, origin);
+  Metres point{};
+  try {
+    point = frame.to_metres(report);
+  } catch (const Error& error) {
+    // Opposite the origin no velocity is defined: such a place is refused for its distance, as those around it.
+    if (!frame.on_globe())
+      require_near(id, report.fix.place, frame.to_metres({{report.fix.place, {}}, 0, 0}), origin);
+    throw Refusal(SQLITE_CONSTRAINT, table_ + ": row " + std::to_string(id) + ": " + error.what());
+  }
+  if (!frame.on_globe() && !same_place) require_near(id, report.fix.place, point, origin);
   return point;
-} catch (const Error& error) {
-  throw Refusal(SQLITE_CONSTRAINT, table_ + ": row " + std::to_string(id) + ' ' + error.what());
 }
 
-void Values::require_near(const Metres& point, const LatLon& origin) const {
+void Values::require_near(std::int64_t id, const LatLon& place, const Metres& point,
+                          const LatLon& origin) const {
   const double distance = std::hypot(point.x[0], point.x[1]);
   if (distance <= max_distance_from_origin) return;
-  throw Error("is " + foresee::shown(std::ceil(distance / 1000)) + " km from the origin '" +
-              origin_text(origin) +
-              "', the limit is 1500; create a table with a nearer origin, or with origin = globe");
+  throw Refusal(SQLITE_CONSTRAINT,
+                table_ + ": lat, lon of row " + std::to_string(id) + " are " + foresee::shown(place.lat) +
+                    ", " + foresee::shown(place.lon) + ": " + foresee::shown(std::ceil(distance / 1000)) +
+                    " km from the origin '" + origin_text(origin) +
+                    "', the limit is 1500; create a table with a nearer origin, or with origin = globe");
 }
 
 void Values::store_degrees(const Metres& point) {

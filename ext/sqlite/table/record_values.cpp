@@ -236,7 +236,7 @@ void Values::refuse(const std::string& column, std::int64_t id, const std::strin
                 table_ + "." + column + " of row " + std::to_string(id) + " is " + value + ": " + rule);
 }
 
-std::optional<std::int64_t> Values::id(sqlite3_value* value) const {
+std::optional<std::int64_t> Values::id(sqlite3_value* value, std::optional<std::int64_t> updated) const {
   switch (type_as_number(value)) {
     case SQLITE_NULL:
       return std::nullopt;
@@ -248,8 +248,10 @@ std::optional<std::int64_t> Values::id(sqlite3_value* value) const {
     default:
       break;
   }
-  throw Refusal(SQLITE_MISMATCH, table_ + ".id is " + shown(value) +
-                                     ": not an integer; write an INTEGER, or NULL to have one assigned");
+  // Only a new row has an id assigned.
+  throw Refusal(SQLITE_MISMATCH, table_ + ".id" + (updated ? " of row " + std::to_string(*updated) : "") +
+                                     " is " + shown(value) + ": not an integer; write an INTEGER, " +
+                                     (updated ? "not NULL" : "or NULL to have one assigned"));
 }
 
 }  // namespace foresee

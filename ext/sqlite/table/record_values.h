@@ -79,9 +79,9 @@ class Values {
   /// The origin that the last record() needs: of the first position of a table that has none yet.
   const std::optional<LatLon>& new_origin() const { return new_origin_; }
 
-  /// The id in this value; nothing for NULL and ''. Throws Refusal (SQLITE_MISMATCH) for a value that is not
-  /// an integer.
-  std::optional<std::int64_t> id(sqlite3_value* value) const;
+  /// The id in this value; nothing for NULL and ''. `updated`: the row that an UPDATE changes. Throws Refusal
+  /// (SQLITE_MISMATCH) for a value that is not an integer.
+  std::optional<std::int64_t> id(sqlite3_value* value, std::optional<std::int64_t> updated = {}) const;
 
  private:
   struct Column {
@@ -105,7 +105,7 @@ class Values {
                                       const std::optional<double>& course, sqlite3_value* given) const;
   Flight report_of(std::int64_t id, const Numbers& numbers, sqlite3_value* course) const;
   Metres metres_of_row(std::int64_t id, const Flight& report, const LatLon& origin, bool same_place) const;
-  void require_near(const Metres& point, const LatLon& origin) const;
+  void require_near(std::int64_t id, const LatLon& place, const Metres& point, const LatLon& origin) const;
   void store_degrees(const Metres& point);
   void copy_place(const std::vector<double>& before);
   void copy_motion(const std::vector<double>& before);

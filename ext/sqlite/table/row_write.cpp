@@ -133,8 +133,8 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
     throw Error(table.name + "." + table.name + " takes commands by INSERT only; write INSERT INTO " +
                 table.name + "(" + table.name + ") VALUES('rebuild')");
   // Either of `SET id = ...` and `SET rowid = ...` changes the id.
-  std::optional<std::int64_t> id = table.values.id(row.id);
-  if (id == old_id) id = table.values.id(row.rowid);
+  std::optional<std::int64_t> id = table.values.id(row.id, old_id);
+  if (id == old_id) id = table.values.id(row.rowid, old_id);
   if (!id)
     throw Refusal(SQLITE_MISMATCH, table.name + ".id of row " + std::to_string(old_id) +
                                        " would become NULL: every object has an id; write an INTEGER");

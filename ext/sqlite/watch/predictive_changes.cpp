@@ -75,19 +75,33 @@ class ChangeRows final : public FunctionRows {
   std::size_t row_ = static_cast<std::size_t>(-1);
 };
 
-QualifiedName find_watch(sqlite3* db, const std::string& name, const std::optional<std::string>& schema) {
+/// " (watches here: 'alerts', 'storms' with schema = 'main')": each as a query must write it.
+std::string list_watches(const std::vector<VisibleTable>& tables, bool with_schemas) {
   std::string list;
-  for (const VisibleTable& table : visible_tables(db)) {
+  for (const VisibleTable& table : tables) {
     if (!table.is_watch) continue;
-    if (same_name(table.name, name) && (!schema || same_name(table.schema, *schema)))
-      return {table.schema, table.name};
     list += (list.empty() ? "" : ", ") + quoted(table.name);
-    if (schema) list += " with schema = " + quoted(table.schema);
+    if (with_schemas) list += " with schema = " + quoted(table.schema);
   }
-  throw Error("no such watch: " + quoted(name) + (schema ? " in schema " + quoted(*schema) : "") +
-              (list.empty() ? " (none here; make one with CREATE VIRTUAL TABLE alerts USING "
-                              "predictive_watch(ships, horizon = 600))"
-                            : " (watches here: " + list + ")"));
+  return list.empty() ? " (none here; make one with CREATE VIRTUAL TABLE alerts USING "
+                        "predictive_watch(ships, horizon = 600))"
+                      : " (watches here: " + list + ")";
+}
+
+QualifiedName find_watch(sqlite3* db, const std::string& name, const std::optional<std::string>& schema) {
+  const std::vector<VisibleTable> tables = visible_tables(db);
+  const VisibleTable* other = nullptr;
+  for (const VisibleTable& table : tables) {
+    if (!same_name(table.name, name) || (schema && !same_name(table.schema, *schema))) continue;
+    if (table.is_watch) return {table.schema, table.name};
+    if (!other) other = &table;
+  }
+  const std::string given = quoted(name) + (schema ? " in schema " + quoted(*schema) : ""),
+                    list = list_watches(tables, schema.has_value());
+  if (!other) throw Error("no such watch: " + given + list);
+  throw Error(given + " is not a watch" +
+              (other->holds_moving_objects ? " but a table of moving objects" : "") +
+              "; write a name of SELECT name FROM predictive_watches" + list);
 }
 
 /// The held pairs, all with the current position of the watch. Their times are those of the log and not

@@ -181,18 +181,22 @@ std::vector<std::int64_t> StoredPlans::chunks_during(double from, double until, 
 }
 
 void StoredPlans::scan(std::vector<Head>& heads, const EachRow& each, const EachStray& stray,
-                       Interrupt& interrupt) {
+                       Interrupt& interrupt, const std::vector<std::int64_t>* numbers) {
   std::sort(heads.begin(), heads.end(), [](const Head& a, const Head& b) { return a.first < b.first; });
   Steps step(interrupt);
   auto head = heads.begin();
-  rows_->read_all([&](std::int64_t number, std::span<const std::byte> blob) {
+  const auto visit = [&](std::int64_t number, std::span<const std::byte> blob) {
     step();
     while (head != heads.end() && head->last() < number) ++head;
     if (head == heads.end() || number < head->first)
       stray(number);
     else
       each(*head, number, blob);
-  });
+  };
+  if (!numbers) return rows_->read_all(visit);
+  for (const std::int64_t number : *numbers)
+    if (!rows_->read_one(number, [&](std::span<const std::byte> blob) { visit(number, blob); }))
+      damaged("chunk " + std::to_string(number) + " is missing");
 }
 
 void StoredPlans::read_all(std::vector<Head>& heads, double from, double until, const EachPlan& each,
@@ -222,35 +226,19 @@ void StoredPlans::read_all(std::vector<Head>& heads, double from, double until, 
     const std::vector<std::int64_t> wanted = chunks_during(from, until, interrupt);
     const bool are_few = 4 * static_cast<std::int64_t>(wanted.size()) < total;
     total = static_cast<std::int64_t>(wanted.size());
-    if (are_few) {
-      read_some(heads, wanted, take, stray, interrupt);
-    } else {
-      auto next = wanted.begin();
-      const auto take_wanted = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
-        if (next == wanted.end() || *next != number) return;
-        ++next;
-        take(head, number, blob);
-      };
+    auto next = wanted.begin();
+    const auto take_wanted = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
+      if (next != wanted.end() && *next == number) ++next, take(head, number, blob);
+    };
+    if (are_few)
+      scan(heads, take, stray, interrupt, &wanted);
+    else
       scan(heads, take_wanted, stray, interrupt);
-    }
   }
   hand_over();
   if (found != total)
     damaged("its objects have " + std::to_string(total) + " chunks, but " + std::to_string(found) +
             " are stored");
-}
-
-void StoredPlans::read_some(std::vector<Head>& heads, std::span<const std::int64_t> numbers,
-                            const EachRow& each, const EachStray& stray, Interrupt& interrupt) {
-  std::sort(heads.begin(), heads.end(), [](const Head& a, const Head& b) { return a.first < b.first; });
-  auto head = heads.begin();
-  Steps step(interrupt);
-  for (const std::int64_t number : numbers) {
-    step();
-    while (head != heads.end() && head->last() < number) ++head;
-    if (head == heads.end() || number < head->first) stray(number);
-    rows_->read_one(number, [&](std::span<const std::byte> blob) { each(*head, number, blob); });
-  }
 }
 
 }  // namespace foresee

@@ -97,11 +97,10 @@ class StoredPlans final : public Journal::Participant {
   void require(const char* fault, std::int64_t number) const;
   using EachRow = std::function<void(const Head&, std::int64_t number, std::span<const std::byte>)>;
   using EachStray = std::function<void(std::int64_t number)>;
-  /// Reads every row; stray() gets the numbers that no head has. Sorts the heads by number.
-  void scan(std::vector<Head>& heads, const EachRow& each, const EachStray& stray, Interrupt& interrupt);
-  /// The same for some rows, numbers ascending. Requires: stray() throws.
-  void read_some(std::vector<Head>& heads, std::span<const std::int64_t> numbers, const EachRow& each,
-                 const EachStray& stray, Interrupt& interrupt);
+  /// Reads every row, or those of `numbers`, ascending, by a look-up each; stray() gets the numbers that no head has.
+  /// Sorts the heads by number. Throws for a number without a row.
+  void scan(std::vector<Head>& heads, const EachRow& each, const EachStray& stray, Interrupt& interrupt,
+            const std::vector<std::int64_t>* numbers = nullptr);
   /// The numbers of the chunks that exist at these times, ascending.
   std::vector<std::int64_t> chunks_during(double from, double until, Interrupt& interrupt);
   /// The largest number so far.

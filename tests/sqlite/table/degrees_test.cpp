@@ -161,11 +161,15 @@ TEST_F(Degrees, RefuseWhatNoReportSays) {
               "ships.course" + row +
                   "360: unknown, as in AIS, and a speed of 0.6 needs a course; write it, or NULL for the "
                   "speed if unknown; 0 is north");
-  EXPECT_EQ(
-      error_of_row("40", "8", "1", "1"),
-      "ships: row 7 is 1546 km from the origin '53.9 7.9', the limit is 1500; create a table with a nearer "
-      "origin, or with origin = globe");
-  EXPECT_EQ(error_of_row("-53.9", "-172.1", "1", "1").substr(0, 28), "ships: row 7 lat, lon are op");
+  EXPECT_EQ(error_of_row("40", "8", "1", "1"),
+            "ships: lat, lon of row 7 are 40, 8: 1546 km from the origin '53.9 7.9', the limit is 1500; "
+            "create a table with a nearer origin, or with origin = globe");
+  const char* opposite =
+      "20004 km from the origin '53.9 7.9', the limit is 1500; create a table with a nearer origin, or with "
+      "origin = globe";
+  for (const char* speed : {"1", "0", "NULL"})
+    EXPECT_EQ(error_of_row("-53.9", "-172.1", speed, "1"),
+              std::string("ships: lat, lon of row 7 are -53.9, -172.1: ") + opposite);
   EXPECT_EQ(error_of_row("54", "8", "1.7e308", "90"),
             "ships.speed" + row +
                 "1.7e+308: more than 1e300 metres per second; write the speed in knots, or NULL if it is "

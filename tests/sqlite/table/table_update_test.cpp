@@ -86,7 +86,10 @@ TEST_F(TableUpdate, AnIdIsNeverNullNorText) {
   EXPECT_EQ(db.error_of("UPDATE ships SET id = NULL WHERE id = 1"),
             "ships.id of row 1 would become NULL: every object has an id; write an INTEGER");
   EXPECT_EQ(db.error_of("UPDATE ships SET id = 'abc' WHERE id = 1"),
-            "ships.id is 'abc': not an integer; write an INTEGER, or NULL to have one assigned");
+            "ships.id of row 1 is 'abc': not an integer; write an INTEGER, not NULL");
+  EXPECT_EQ(db.error_of("UPDATE ships SET id = id + 0.5 WHERE id = 2"),
+            "ships.id of row 2 is 2.5: not an integer; write an INTEGER, not NULL");
+  EXPECT_EQ(db.code_of("UPDATE ships SET id = 'abc' WHERE id = 1"), SQLITE_MISMATCH);
   EXPECT_EQ(db.code_of("UPDATE ships SET id = NULL WHERE id = 1"), SQLITE_MISMATCH);
 }
 

@@ -55,6 +55,17 @@ TEST_F(WatchErrors, MeaninglessStatementsGiveErrorsThatSayWhatToWrite) {
          "alerts");
   starts("SELECT * FROM predictive_changes(5)",
          "predictive_changes: watch must be the name of a watch in quotes, not 5");
+  starts("SELECT * FROM predictive_changes('boats')",
+         "predictive_changes: no such watch: 'boats' (watches here: 'alerts')");
+  const std::string named = "; write a name of SELECT name FROM predictive_watches (watches here: 'alerts'";
+  starts("SELECT * FROM predictive_changes('ships', 0)",
+         "predictive_changes: 'ships' is not a watch but a table of moving objects" + named + ")");
+  starts("SELECT * FROM predictive_changes('list', 0, 'main')",
+         "predictive_changes: 'list' in schema 'main' is not a watch" + named + " with schema = 'main')");
+  // A table of temp does not hide the watch.
+  db.exec("CREATE TEMP TABLE alerts(x)");
+  EXPECT_EQ(db.rows("SELECT a, b FROM predictive_changes('alerts')"), "1|2");
+  db.exec("DROP TABLE temp.alerts");
   const std::string known = "; known are horizon, within, within_z, other, clock, tolerance, keep, ahead";
   starts(create + "(ships, 300)", "w: \"300\": an option has a name; write horizon = 300" + known);
   starts(create + "(ships, -3)",

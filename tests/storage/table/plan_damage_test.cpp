@@ -9,9 +9,10 @@ class PlanDamage : public ThreePlans {
   std::string number(int chunk) {
     return std::to_string(static_cast<std::int64_t>(plan_number(record(1))) + chunk);
   }
-  void read_everything() {
+  void read_everything() { read_during(-no_end, no_end); }
+  void read_during(double from, double until) {
     store->read_objects(
-        -no_end, no_end, [](std::int64_t, std::span<const double>, std::span<const Leg>) {}, never);
+        from, until, [](std::int64_t, std::span<const double>, std::span<const Leg>) {}, never);
   }
   /// Expects damage in every way of reading object 1 and its second chunk.
   void expect_damage(const std::string& words, const std::string& of_plan = "") {
@@ -143,6 +144,23 @@ TEST_F(PlanDamage, ItemsThatDoNotContainTheirLegs) {
   db.run("UPDATE ships_chunknode SET data = " + other.text(sql) + " WHERE nodeno = 1");
   open_again();
   expect_fault(" is not within its box");
+}
+
+/// Few chunks exist at one time: each is looked up.
+TEST_F(PlanDamage, AReadOfOneTimeReportsTheRowsThatItReads) {
+  const std::string second = number(1);
+  Chunk chunk;
+  store->chunks()->read_chunk(std::stoll(second), {}, chunk);
+  const double t = chunk.legs[1].t;
+  const auto with = [&](const std::string& sql, const std::string& words) {
+    db.run("SAVEPOINT untouched; " + sql);
+    expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { read_during(t, t); });
+    db.run("ROLLBACK TO untouched; RELEASE untouched");
+    read_during(t, t);
+  };
+  with("DELETE FROM ships_leg WHERE number = " + second, "chunk " + second + " is missing");
+  with("UPDATE ships_leg SET number = -5 WHERE number = " + second, "chunk " + second + " is missing");
+  with("UPDATE ships_leg SET data = NULL WHERE number = " + second, "it is too short");
 }
 
 TEST_F(PlanDamage, OptimizeKeepsPlansAndPacksTheirTree) {

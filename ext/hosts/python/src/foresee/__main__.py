@@ -1,4 +1,7 @@
-"""The command line: python3 -m foresee feed | alerts | map; --help describes their options. An error is one line and status 1."""
+"""The command line: python3 -m foresee feed | alerts | map; --help describes their options.
+
+An error is one line and status 1, or 2 if an option is wrong.
+"""
 import argparse
 
 from .process import not_negative, place, positive, run_command
@@ -27,6 +30,14 @@ Serves one page on this machine. Nothing is requested from any other. For inform
 }
 
 
+class Parser(argparse.ArgumentParser):
+    """Without the usage beside an error, which is up to seven lines: --help shows it."""
+
+    def error(self, message):
+        name = self.prog.replace("python3 -m ", "")
+        self.exit(2, f"{name}: {' '.join(message.split())}; see {self.prog} --help\n")
+
+
 def command(commands, name, does):
     parser = commands.add_parser(name, help=does, description=does, epilog=EPILOG[name],
                                  formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -35,7 +46,7 @@ def command(commands, name, does):
 
 
 def arguments(given=None):
-    parser = argparse.ArgumentParser(prog="python3 -m foresee", description="From reports to alerts: feed, alerts, map.")
+    parser = Parser(prog="python3 -m foresee", description="From reports to alerts: feed, alerts, map.")
     commands = parser.add_subparsers(dest="command", required=True, metavar="feed | alerts | map")
 
     feed = command(commands, "feed", "Stores position reports of ships in a table of moving objects.")
@@ -69,7 +80,10 @@ def arguments(given=None):
     page = command(commands, "map", "Serves a map of the ships and their alerts on 127.0.0.1.")
     page.add_argument("--table", help="the table (the only one)")
     page.add_argument("--port", type=int, default=8137, help="%(default)s; 0: any that is free")
-    return parser.parse_args(given)
+    options, unknown = parser.parse_known_args(given)
+    if unknown:         # argparse would name the program and not the command
+        commands.choices[options.command].error(f"unrecognized arguments: {' '.join(unknown)}")
+    return options
 
 
 def main():

@@ -17,7 +17,7 @@ from .files import committed
 MAX_ROWS = 1000         # per transaction
 CHUNK = 1 << 16         # bytes that are read at once
 NAMED_BAD_LINES = 100   # further ones are counted
-TOO_FAR = re.compile(r"row -?\d+ is (\d+ km from the origin '[^']*')")
+TOO_FAR = re.compile(r"lat, lon of row .*: (\d+ km from the origin '[^']*')")
 
 
 class Progress:
