@@ -61,7 +61,6 @@ PRIVATE = {
     "query/avoid/intruders.h": "the interface of intruders.cpp; with avoid.cpp it would have over 400 lines",
     "index/gpcd_grid/lanes.h": "with grid.h it would have over 450 lines; the lanes of one stripe are a subject of their own",
     "index/gpcd_grid/scan_vectors.h": "with scan.kernel.cpp it would have over 340 lines; registers per instruction set, no algorithm",
-    "index/tpr_tree/update/merge.h": "with tpr_tree.cpp it would have over 480 lines",
     "index/tpr_tree/visit_cost.h": "the cost model, with tree_state.h a header of two subjects",
 }
 

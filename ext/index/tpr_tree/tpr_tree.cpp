@@ -6,8 +6,8 @@
 #include "index/tpr_tree/bulk_load/leaf_order.h"
 #include "index/tpr_tree/update/insertion.h"
 #include "index/tpr_tree/update/merge.h"
-#include "index/tpr_tree/update/removal.h"
 #include "index/tpr_tree/update/rebalance.h"
+#include "index/tpr_tree/update/removal.h"
 
 namespace foresee {
 namespace {

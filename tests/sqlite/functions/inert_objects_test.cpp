@@ -68,9 +68,8 @@ TEST(InertObjects, AreNotReadAndChangeNoRow) {
         Database db(file.path());
         for (int i = 0; i < 3; ++i) {
           const int query = (order + i) % 3;
-          if (query == 0) EXPECT_EQ(file.join(db, by), within);
-          if (query == 1) EXPECT_EQ(file.join(db, by + " AND other = 'ships'"), itself);
-          if (query == 2) EXPECT_EQ(file.join(db, by + " AND other = 'buoys'"), with_buoys);
+          const char* other = query == 0 ? "" : query == 1 ? " AND other = 'ships'" : " AND other = 'buoys'";
+          EXPECT_EQ(file.join(db, by + other), query == 0 ? within : query == 1 ? itself : with_buoys);
         }
       }
     }

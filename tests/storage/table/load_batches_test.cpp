@@ -1,4 +1,4 @@
-// Loads in many transactions: new objects become loose leaves (index/tpr_tree/update/run_merge.h) under rollbacks,
+// Loads in many transactions: new objects become loose leaves (index/tpr_tree/update/merge.h) under rollbacks,
 // snapshots, early writes and faults.
 #include "storage/table/partitioned_table.h"
 
