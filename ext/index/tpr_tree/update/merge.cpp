@@ -4,6 +4,7 @@
 #include "index/tpr_tree/update/insertion.h"
 #include "index/tpr_tree/update/rebalance.h"
 #include "index/tpr_tree/update/removal.h"
+
 namespace foresee {
 namespace {
 
