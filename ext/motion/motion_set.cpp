@@ -58,6 +58,8 @@ VectorSet<D> vectors_scaled_by_square(const Vec<D>& vector, double m, double p, 
   VectorSet<D> set =
       added_vectors<D>(Vec<D>::Zero(), vector, low + 0.5 * (high - low), 0.5 * (high - low) + 0x1p-48 * high);
   set.pad += (vector == 0).select(Vec<D>::Zero(), Vec<D>::Constant(lost_by_underflow));
+  const double half = 0.5 * (last - first);
+  set.bulge = half * half * std::sqrt((vector * vector).sum());
   return set;
 }
 

@@ -30,6 +30,7 @@ struct VectorSet {
   double sine = 0, cosine = 1;  ///< of the half width of a turn
   bool whole_circle = false;
   double radius = 0;  ///< upper bound of the turn's radius
+  double bulge = 0;   ///< without a turn: how far vectors may be from the chord of the first and the last
 
   /// The support function along n: an upper bound of n w over all vectors w of the set.
   double support(const Vec<D>& n) const {

@@ -92,7 +92,7 @@ class Course {
 
   double leaves() const { return leaves_; }          ///< or the end
   double approaches() const { return approaches_; }  ///< again, on any axes that it has left; or the end
-  double fastest_approach() const { return fastest_approach_; }  ///< before it leaves; below 0: never
+  double fastest_approach() const { return fastest_approach_; }  ///< while others touch too; below 0: never
   double first_approach() const { return first_approach_; }      ///< the first; below 0: never
   double touches_again() const { return again_; }                ///< at its deepest; below 0: never
   double farthest_before() const { return farthest_; }           ///< between leaving and touching again
@@ -184,7 +184,8 @@ class Course {
       const double last = std::min(instants[i + 1], leaves_);
       for (int part = 0; part <= 8 && instants[i] < leaves_; ++part) {
         const double tau = instants[i] + (last - instants[i]) * part / 8;
-        if (slope_.at(tau) < min_slope_) min_slope_ = slope_.at(tau), fastest_approach_ = tau;
+        const double approach = slope_.at(tau) * (leaves_ < end_ ? leaves_ - tau : 1);
+        if (approach < fastest_) fastest_ = approach, fastest_approach_ = tau;
       }
     }
   }
@@ -192,7 +193,7 @@ class Course {
   const PairExtents<D>& extents_;
   TrajectoryEstimate<D> path_;
   double end_, leaves_ = 0, approaches_ = 0;
-  double fastest_approach_ = -1, first_approach_ = -1, again_ = -1, farthest_ = 0, min_slope_ = 0;
+  double fastest_approach_ = -1, first_approach_ = -1, again_ = -1, farthest_ = 0, fastest_ = 0;
   SlopeOfDistance slope_;
   std::array<LeftTogether, D> groups_{};
   std::size_t count_ = 0;

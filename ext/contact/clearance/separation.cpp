@@ -140,7 +140,9 @@ ClearanceVerdict certify_clearance(const Encounter<D>& encounter, const Trajecto
   if (family.all.starts) {
     const SeenFromStart<D> seen = seen_from_start<D>(encounter, family);
     const ClearanceVerdict verdict = certified<D>(seen.encounter, seen.family, evaluations);
-    if (verdict != ClearanceVerdict::open) return verdict;
+    // Extents that grow are seen as large as at the last start: of the first ones too much seems to touch.
+    const bool is_sure = verdict == ClearanceVerdict::clear || !encounter.extents.grows;
+    if (verdict != ClearanceVerdict::open && is_sure) return verdict;
   }
   return certified<D>(encounter, family, evaluations);
 }

@@ -80,7 +80,7 @@ TrajectoryFamily<D> trajectory_family(const Changes& changes, double p, double q
   family.first = changes.estimate<D>(p), family.last = changes.estimate<D>(q);
   find_ends<D>(family);
   const auto off_chord = [](const VectorSet<D>& set) {
-    return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : 0;
+    return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : set.bulge;
   };
   family.turned[0] = off_chord(all.place) + all.place.pad.sum();
   family.turned[1] = off_chord(all.velocity), family.turned[2] = off_chord(all.acceleration);

@@ -52,7 +52,7 @@ struct TrajectoryFamily {
   MotionSet<D> all;
   TrajectoryEstimate<D> middle, first, last;
   Vec<D> upper[3], lower[3];   ///< of positions, velocities and accelerations on each axis
-  double turned[3]{};          ///< the height of an arc of these over its chord; 0: a segment
+  double turned[3]{};          ///< how far these are from the chord of the first and last; 0: a segment
   bool is_from_start = false;  ///< seen_from_start(): only the other object's position differs
   bool bends;                  ///< any of them is accelerated
   bool one_interval;           ///< if no path is bent, the changes that touch are one interval

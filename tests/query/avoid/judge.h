@@ -1,7 +1,7 @@
 // The reference answer of avoidance for single changes, and scenes where the last bits decide touching.
 // It is decided by exact contact or, for separation on bent paths, in long double.
 //
-//   const Judge judge(question, random);
+//   const Judge judge(question);
 //   judge.is_surely_clear(12.5)
 //
 // Every clear interval wider than 10^-6 of the range must be in a clear row, if velocities within 64 units in
@@ -106,9 +106,9 @@ class SceneOfTies {
 /// Decides single changes of a query with a given range.
 class Judge {
  public:
-  Judge(const AvoidQuestion& question, Random& random) : queried_(question) {
+  explicit Judge(const AvoidQuestion& question) : queried_(question) {
     queried_.wants_motion = queried_.wants_ends = false;
-    for (int i = 0; i < 8; ++i) aside_.push_back(aside(random));
+    for (unsigned signs = 0; signs < 1U << question.own->layout.axes; ++signs) aside_.push_back(aside(signs));
   }
 
   bool is_clear(double k) const { return is_clear_in(queried_, k); }
@@ -198,11 +198,13 @@ class Judge {
       for (int one = 0; one < layout.axes; ++one) unit = std::max(unit, std::abs(v[one]));
     return unit > 0 ? 64 * (std::nextafter(unit, HUGE_VAL) - unit) : 0;
   }
-  AvoidQuestion aside(Random& random) const {
+  /// With the own velocity off by last places, along each axis to the side that a bit says.
+  AvoidQuestion aside(unsigned signs) const {
     AvoidQuestion other = queried_;
     const Layout& layout = other.own->layout;
     double* const v = other.record.data() + record_offsets(layout).v;
-    for (int axis = 0; axis < layout.axes; ++axis) v[axis] += (random.below(2) ? 1 : -1) * last_places(axis);
+    for (int axis = 0; axis < layout.axes; ++axis)
+      v[axis] += (signs >> axis & 1 ? 1 : -1) * last_places(axis);
     std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
     row_from_record(layout, other.record.data(), row.data());
     other.own = scene_of(layout, other.own->ids, row);
