@@ -148,10 +148,10 @@ TEST(AvoidJudge, FindsEveryClearRangeAndNamesItsEnds) {
   for (int i = 0; i < scenes && !HasFatalFailure(); ++i) EXPECT_EQ(lost_in_scene(i), "");
 }
 
-// Bent paths beside another one at the start (11618, 2801), slopes that touch 0 (7265, 8938, 10524, 15396,
-// 19868), a turn back on one axis (14944), a grazing path beside an end of another object (771), speeds on the globe
-// whose paths are not on a chord (9612, 10979, 14289, 18338), and a box that approaches again as it leaves (12302). In
-// the others doubles cannot decide which of two neighbours touches.
+// Bent paths beside another one at the start (11618, 2801). Slopes that touch 0 (7265, 8938, 10524, 15396, 19868).
+// A turn back on one axis (14944). A grazing path beside an end of another object (771). Speeds on the globe, whose
+// places are not on a chord (9612, 10979, 14289, 18338). A box that approaches again as it leaves (12302). In the
+// others doubles cannot decide which of two neighbours touches.
 TEST(AvoidJudge, FindsTheRangesThatWereLost) {
   for (const int i :
        {728,   771,   850,   1017,  2801,  4752,  5291,  7265,  7913,  8833,  8938,  9612,  10263, 10524,

@@ -14,9 +14,9 @@ constexpr double min_share = 1.0 / 256;
 /// Fewer objects of a partition are inserted one by one.
 constexpr std::size_t min_objects = 8;
 /// Of loose to main objects, on average.
-constexpr double max_loose = 1.0 / 3;
+constexpr double max_loose = 1.0 / 4;
 /// Of the leaves of a packed partition: the rest is for loose ones.
-constexpr double main_fill = 0.7;
+constexpr double main_fill = 0.75;
 
 /// max_loose times 0.7 to 1.3.
 double max_loose_in(NodeNumber partition) {
