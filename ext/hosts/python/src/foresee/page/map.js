@@ -55,7 +55,8 @@ function drawGrid() {
   for (let lat = Math.ceil(lat0 / step) * step; lat < lat1; lat += step) {
     const y = screen(0, north(lat))[1];
     pen.beginPath(); pen.moveTo(0, y); pen.lineTo(w, y); pen.stroke();
-    pen.fillText(Math.abs(lat).toFixed(digits) + (lat < 0 ? ' S' : ' N'), 4, y - 4);
+    // The first line of labels is that of the longitudes.
+    if (y > 30) pen.fillText(Math.abs(lat).toFixed(digits) + (lat < 0 ? ' S' : ' N'), 4, y - 4);
   }
 }
 
