@@ -184,7 +184,7 @@ void require_distance_from_zone(const Layout& objects, bool zone_has_z) {
         "table to make prisms");
   if (objects.shape == Shape::ball && objects.axes == 3 && zone_has_z)
     throw Error(
-        "no distance is defined between balls and a zone with z0 or z1: leave these out, or declare hz "
+        "no distance is defined between balls and a zone with z0 or z1: leave z0 and z1 out, or declare hz "
         "in the table to make its balls cylinders");
   if (objects.shape == Shape::box && grows(objects))
     throw Error(

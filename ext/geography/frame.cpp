@@ -139,14 +139,14 @@ std::string frame_conflict(const std::string& table, const Frame& frame, const s
   if (a.in_degrees() != b.in_degrees()) {
     const bool first = a.in_degrees();
     const std::string &geo = first ? table : other, &plain = first ? other : table;
-    return geo + " has lat, lon, " + plain + " has x, y: their metres differ; create " + plain +
+    return geo + " has lat, lon, " + plain + " has x, y: their coordinates do not match; create " + plain +
            " with lat, lon and " + declared_origin(first ? a : b);
   }
   if (a.in_degrees()) {
     const bool one_kind = a.kind == b.kind;
     if (one_kind && (a.on_globe() || !a.origin || !b.origin || same_origin(a, b))) return "";
     return table + " has origin " + named_origin(a) + ", " + other + " has " + named_origin(b) +
-           ": their metres differ; create " + (a.chooses_origin() ? table : other) + " with " +
+           ": their coordinates do not match; create " + (a.chooses_origin() ? table : other) + " with " +
            declared_origin(a.chooses_origin() ? b : a);
   }
   if (a.text == b.text) return "";
@@ -155,7 +155,7 @@ std::string frame_conflict(const std::string& table, const Frame& frame, const s
   };
   const bool from_first = !a.text.empty();
   return table + " has frame " + described(a) + ", " + other + " has " + described(b) +
-         ": their metres differ; create " + (from_first ? other : table) +
+         ": their coordinates do not match; create " + (from_first ? other : table) +
          " with frame = " + described(from_first ? a : b);
 }
 

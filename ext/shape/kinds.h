@@ -1,6 +1,6 @@
 // Kinds of objects: collision filtering by category bits and mask bits, the rule that says which kinds may meet.
 //
-//   const Kinds moored{.category = 1, .mask = 2}, under_way{.category = 2, .mask = 3};
+//   const Kinds moored{.category = 2, .mask = 1}, under_way{.category = 1, .mask = 3};
 //   may_meet(moored, under_way);           // true: each has a category bit that the other's mask has
 //   !may_meet(moored, moored);
 //

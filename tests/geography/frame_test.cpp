@@ -178,37 +178,44 @@ TEST(Frames, ConflictUnlessTheirMetresAreTheSame) {
   EXPECT_EQ(conflict(unknown, b), "");
   EXPECT_EQ(conflict(unknown, unknown), "");
   EXPECT_EQ(conflict(a, plain),
-            "ships has lat, lon, zones has x, y: their metres differ; create zones with lat, lon and origin "
+            "ships has lat, lon, zones has x, y: their coordinates do not match; create zones with lat, lon "
+            "and origin "
             "= '53.9 7.9'");
   EXPECT_EQ(conflict(harbour, b),
-            "zones has lat, lon, ships has x, y: their metres differ; create ships with lat, lon and origin "
+            "zones has lat, lon, ships has x, y: their coordinates do not match; create ships with lat, lon "
+            "and origin "
             "= '54 8'");
-  EXPECT_EQ(
-      conflict(unknown, plain),
-      "ships has lat, lon, zones has x, y: their metres differ; create zones with lat, lon and an origin");
+  EXPECT_EQ(conflict(unknown, plain),
+            "ships has lat, lon, zones has x, y: their coordinates do not match; create zones with lat, lon "
+            "and an origin");
   EXPECT_EQ(conflict(a, b),
-            "ships has origin '53.9 7.9', zones has '54 8': their metres differ; create zones with origin = "
+            "ships has origin '53.9 7.9', zones has '54 8': their coordinates do not match; create zones "
+            "with origin = "
             "'53.9 7.9'");
   const Frame globe{.kind = FrameKind::globe},
       globe_in_knots{.kind = FrameKind::globe, .unit = SpeedUnit::knots};
   EXPECT_EQ(conflict(globe, globe_in_knots), "");
   EXPECT_EQ(conflict(globe, plain),
-            "ships has lat, lon, zones has x, y: their metres differ; create zones with lat, lon and origin "
+            "ships has lat, lon, zones has x, y: their coordinates do not match; create zones with lat, lon "
+            "and origin "
             "= globe");
   EXPECT_EQ(conflict(globe, a),
-            "ships has origin globe, zones has '53.9 7.9': their metres differ; create zones with origin = "
+            "ships has origin globe, zones has '53.9 7.9': their coordinates do not match; create zones with "
+            "origin = "
             "globe");
   EXPECT_EQ(conflict(unknown, globe),
-            "ships has origin none, zones has globe: their metres differ; create ships with origin = globe");
+            "ships has origin none, zones has globe: their coordinates do not match; create ships with "
+            "origin = globe");
   EXPECT_EQ(conflict(harbour, yard),
-            "ships has frame 'harbour', zones has 'o''yard': their metres differ; create zones with frame = "
+            "ships has frame 'harbour', zones has 'o''yard': their coordinates do not match; create zones "
+            "with frame = "
             "'harbour'");
-  EXPECT_EQ(
-      conflict(plain, yard),
-      "ships has frame none, zones has 'o''yard': their metres differ; create ships with frame = 'o''yard'");
-  EXPECT_EQ(
-      conflict(yard, plain),
-      "ships has frame 'o''yard', zones has none: their metres differ; create zones with frame = 'o''yard'");
+  EXPECT_EQ(conflict(plain, yard),
+            "ships has frame none, zones has 'o''yard': their coordinates do not match; create ships with "
+            "frame = 'o''yard'");
+  EXPECT_EQ(conflict(yard, plain),
+            "ships has frame 'o''yard', zones has none: their coordinates do not match; create zones with "
+            "frame = 'o''yard'");
 }
 
 TEST(Frames, HaveNames) {

@@ -46,7 +46,7 @@ class Refused(Fleet):
             return self.shard(name, **{table: (", ".join((columns, *options)), [(1, 54, 8, 5)])})
 
         said = self.plan(shard("a.db", "ships", "origin = '54 8'"), shard("b.db", "ships", "origin = '54.1 8'"))
-        self.assertIn("metres differ: ships of ", said)
+        self.assertIn("coordinates do not match: ships of ", said)
         self.assertIn("a.db has origin '54 8', ships of ", said)
         self.assertIn("b.db has origin '54.1 8'; create all of them with one origin or frame", said)
         said = self.plan(shard("c.db", "ships", "frame = 'a'"), self.shard("d.db", ships=("id, x, y, r", [])))

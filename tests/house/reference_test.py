@@ -86,7 +86,7 @@ class Safety(unittest.TestCase):
 
     def test_the_notice_says_what_voids_a_proof(self):
         page = " ".join((ROOT / "docs/explanation/safety.md").read_text().split())
-        for words in ("not a navigation system", "COLREGs bind", "Stale reports", "Wrong reports", "Motion that changes"):
+        for words in ("not a navigation system", "COLREGs) apply", "Stale reports", "Wrong reports", "Motion that changes"):
             self.assertIn(words, page)
 
 

@@ -245,10 +245,10 @@ TEST(OutlineQuestions, HaveNoDistanceToBallsOnThreeAxes) {
       "balls to make them cylinders");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_join(1, 'prisms', 0, 'poles')"), "");
   const std::string zone = " AND zone = 'POLYGON((0 0, 4 0, 0 3, 0 0))'";
-  EXPECT_EQ(
-      db.error_of("SELECT * FROM predictive_window WHERE h = 1 AND tbl = 'balls' AND z0 = 1" + zone),
-      "predictive_window: no distance is defined between balls and a zone with z0 or z1: leave these out, "
-      "or declare hz in the table to make its balls cylinders");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_window WHERE h = 1 AND tbl = 'balls' AND z0 = 1" + zone),
+            "predictive_window: no distance is defined between balls and a zone with z0 or z1: leave z0 and "
+            "z1 out, "
+            "or declare hz in the table to make its balls cylinders");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_window WHERE h = 1 AND tbl = 'balls'" + zone), "");
 }
 

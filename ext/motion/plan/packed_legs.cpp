@@ -92,16 +92,16 @@ PlanKind checked_kind(std::span<const std::byte> blob) {
     throw Error("a blob of " + std::to_string(blob.size()) +
                 " bytes that does not start with 'pl' is no plan: write one of plan_points");
   const auto refuse = [&](std::size_t at, const char* rule) {
-    throw Error("byte " + std::to_string(at) + ": " + std::to_string(std::to_integer<int>(blob[at])) + ' ' +
+    throw Error("byte " + std::to_string(at) + " is " + std::to_string(std::to_integer<int>(blob[at])) +
                 rule);
   };
-  if (blob[2] != format) refuse(2, "is a format that this version does not know: write 1");
+  if (blob[2] != format) refuse(2, ", a format that this version does not know; write 1");
   const auto axes = std::to_integer<std::size_t>(blob[axes_at]),
              kind = std::to_integer<std::size_t>(blob[kind_at]);
-  if (axes < 1 || axes > 3) refuse(axes_at, "axes: write 1, 2 or 3");
-  if (kind > 2) refuse(kind_at, "is no kind of plan: write 0, 1 or 2");
+  if (axes < 1 || axes > 3) refuse(axes_at, " axes; write 1, 2 or 3");
+  if (kind > 2) refuse(kind_at, ", no kind of plan; write 0, 1 or 2");
   for (std::size_t at = kind_at + 1; at < header_size; ++at)
-    if (blob[at] != std::byte{0}) refuse(at, "is not 0");
+    if (blob[at] != std::byte{0}) refuse(at, "; write 0");
   const std::size_t item = 8 * numbers_per_item(static_cast<PlanKind>(kind), axes);
   if ((blob.size() - header_size) % item != 0)
     throw Error("a blob of " + std::to_string(blob.size()) + " bytes: write 8 bytes and " +

@@ -25,7 +25,7 @@ void require_range(const AvoidQuestion& question) {
   if (!lo) return;
   if (!question.how)
     throw Error(
-        "lo and hi are those of one manoeuvre: write how, 'turn', 'speed', 'climb', 'accelerate', 'delay' or "
+        "lo and hi need one manoeuvre; write how = 'turn', 'speed', 'climb', 'accelerate', 'delay' or "
         "'wait'");
   require_finite("lo", *lo);
   require_finite("hi", *hi);
@@ -66,13 +66,13 @@ void require_columns(const AvoidQuestion& question) {
   if (*how == Manoeuvre::wait) {
     require_range_given(question, "'wait', 0, 600");
     if (*question.lo < 0)
-      throw Error("'wait' lasts for lo to hi: lo must not be less than 0; lo is " + shown(*question.lo));
+      throw Error("a 'wait' is not less than 0; write lo = 0 or more, not " + shown(*question.lo));
   }
   if (*how == Manoeuvre::delay) {
     require_range_given(question, "'delay', 0, 600");
     if (!layout.has_t) throw Error("'delay' changes t: declare t in " + name);
     if (!question.now_given)
-      throw Error("'delay' needs an explicit now, before which nothing can start; write now = ...");
+      throw Error("'delay' needs an explicit now, because nothing can start before it; write now = ...");
   }
 }
 

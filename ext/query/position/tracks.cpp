@@ -20,7 +20,7 @@ void require_valid(const TrackTimes& instants) {
   require_order("t0", instants.t0, "t1", instants.t1);
   require_positive("step", instants.step);
   if (!(instants.t1 / instants.step - instants.t0 / instants.step < max_times))
-    throw Error("step is too small: from t0 to t1 there may be fewer than 2^53 times");
+    throw Error("step is too small: a track has fewer than 2^53 times");
 }
 
 std::vector<std::size_t> objects_by_id(const Scene& scene, Interrupt& interrupt) {

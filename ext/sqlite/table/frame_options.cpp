@@ -22,7 +22,7 @@ LatLon declared_origin(const Argument& argument) {
 SpeedUnit declared_unit(const Argument& argument) {
   for (const SpeedUnit unit : {SpeedUnit::mps, SpeedUnit::knots, SpeedUnit::kmh})
     if (same_name(name_of(unit), argument.detail)) return unit;
-  refuse(argument.text, "no such unit; known are mps (the default), knots and kmh, as in speed_unit = knots");
+  refuse(argument.text, "no such unit; known: mps (the default), knots and kmh, as in speed_unit = knots");
 }
 
 std::string declared_text(const Argument& argument) {
@@ -69,7 +69,7 @@ void require_geographic(const Words& words, bool on_globe) {
   require_pair(words, "speed", "course");
   for (const auto& [word, argument] : words) {
     if (const std::string_view other = geographic_for(word); !other.empty())
-      refuse(argument, "a table with lat, lon has " + std::string(other) + " in its place, and " +
+      refuse(argument, "a table with lat, lon has " + std::string(other) + " instead, and " +
                            (on_globe ? "g" : "") + std::string(word.name) +
                            " as a hidden column to read; leave it out");
     if (word.quantity == Quantity::acceleration || word.quantity == Quantity::force ||
@@ -77,7 +77,8 @@ void require_geographic(const Words& words, bool on_globe) {
       refuse(argument,
              on_globe ? "the acceleration on the globe is its curvature; leave it out, or use x, y, z and "
                         "geo_to_globe"
-                      : "its axes would be the plane's, not east and north; leave it out, or use x, y and "
+                      : "an acceleration would follow the axes of the plane, not east and north; leave it "
+                        "out, or use x, y and "
                         "geo_to_plane");
   }
 }
@@ -90,8 +91,9 @@ void require_globe(const Words& words) {
   for (const auto& [word, argument] : words)
     if (word.quantity == Quantity::half_extent || word.quantity == Quantity::form ||
         word.quantity == Quantity::heading || (word.quantity == Quantity::growth && word.axis == 2))
-      refuse(argument, "no axis of the globe points up, so it has points and balls (r) only; leave " +
-                           std::string(word.name) + " out, or write origin = 'LAT LON'");
+      refuse(argument,
+             "no axis of the globe points up, so a table on the globe has points and balls (r) only; leave " +
+                 std::string(word.name) + " out, or write origin = 'LAT LON'");
 }
 
 /// The columns that go with `zone`: t, z and hz, r, growth and growth_z, until.

@@ -121,8 +121,9 @@ void Values::check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store
 void Values::refuse_beside_plan(const Column& column, std::int64_t id, sqlite3_value* value,
                                 const std::optional<double>& own) const {
   refuse(column.name, id, shown(value),
-         "its plan starts " + (own ? "with " + foresee::shown(*own) : std::string("at rest")) + "; leave " +
-             column.name + " out, or set plan to NULL");
+         "its plan starts " +
+             (own ? "with " + std::string(column.name) + " = " + foresee::shown(*own) : std::string("at rest")) +
+             "; leave " + column.name + " out, or set plan to NULL");
 }
 
 /// A heading that follows the course is not built yet: NULL stays free for it.
@@ -130,7 +131,7 @@ void Values::require_heading_beside_plan(std::int64_t id, sqlite3_value** motion
   if (!layout_.has_heading || record_[static_cast<std::size_t>(at_.outline)] == 0) return;
   for (std::size_t i = 0; i < columns_.size(); ++i)
     if (columns_[i].quantity == Quantity::heading && is_null_or_empty(motion[i]))
-      refuse("heading", id, "NULL", "beside a plan a shape keeps one heading; write it, 0 for none");
+      refuse("heading", id, "NULL", "a row with a plan and a shape needs a heading; write 0 for no rotation");
 }
 
 }  // namespace foresee

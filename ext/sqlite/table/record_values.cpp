@@ -216,7 +216,7 @@ void Values::require_motion_to_last(std::int64_t id) const {
   const double until = record_[static_cast<std::size_t>(at_.until)];
   if (until < t)
     refuse("until", id, shown(until),
-           "before the reference time " + shown(t) + "; write that or more, or NULL for no end");
+           "before the reference time " + shown(t) + "; write " + shown(t) + " or more, or NULL for no end");
 }
 
 void Values::require_finite_acceleration(std::int64_t id) const {

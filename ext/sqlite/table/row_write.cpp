@@ -181,7 +181,7 @@ void run_command(MovingObjectsTable& table, sqlite3_value* command) {
     require_integrity(table);
   } else {
     throw Error(table.name + ": no command " + shown(command) +
-                "; known are 'rebuild', 'optimize' and 'integrity-check'");
+                "; known: 'rebuild', 'optimize' and 'integrity-check'");
   }
 }
 

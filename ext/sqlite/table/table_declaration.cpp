@@ -43,7 +43,7 @@ const Word& motion_word(const Argument& argument) {
   const std::string_view hint = hint_for(argument.name), near = nearest_word(argument.name);
   if (!hint.empty()) refuse(argument, why + std::string(hint) + " " + own);
   if (!near.empty()) refuse(argument, why + "did you mean " + std::string(near) + "? " + own);
-  refuse(argument, why + "known are " + known_words() + "; " + own);
+  refuse(argument, why + "known: " + known_words() + "; " + own);
 }
 
 void require_type_of_plan(const Argument& argument) {
@@ -130,7 +130,7 @@ class Declarer {
   void add_option(const Argument& argument) {
     if (frame_.take(argument)) return;
     if (!same_name(argument.name, "horizon"))
-      refuse(argument, "no such option; known are horizon, origin, speed_unit and frame, as in horizon = 60");
+      refuse(argument, "no such option; known: horizon, origin, speed_unit and frame, as in horizon = 60");
     if (has_horizon_) refuse(argument, "horizon is given twice; leave one out");
     has_horizon_ = true;
     declaration_.horizon = positive_number(argument);

@@ -90,9 +90,9 @@ const Option* find_option(const std::string& name) {
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool is_number = error == std::errc() && stop == text.data() + text.size() && value >= 0;
   refuse(given,
-         "an option has a name; write " +
+         "an option needs a name; write " +
              (is_number ? "horizon = " + given.text : std::string("name = value, as in horizon = 600")) +
-             "; known are " + known_options());
+             "; known: " + known_options());
 }
 
 Argument parse_argument_of_watch(std::string_view text, bool first) try {
@@ -111,7 +111,7 @@ Argument parse_argument_of_watch(std::string_view text, bool first) try {
 
 void take_option(WatchDeclaration& declaration, std::set<std::string>& given, const Argument& argument) {
   const Option* option = find_option(argument.name);
-  if (!option) refuse(argument, "no such option; known are " + known_options() + ", as in horizon = 600");
+  if (!option) refuse(argument, "no such option; known: " + known_options() + ", as in horizon = 600");
   if (!given.insert(option->name).second)
     refuse(argument, std::string(option->name) + " is given twice; leave one out");
   option->take(declaration, argument);

@@ -80,7 +80,7 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
     if (!fault.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, name + ": " + fault);
   } else {
     throw Error(name + ": no command " + shown(command) +
-                "; known are 'advance', 'rebuild' and 'integrity-check'");
+                "; known: 'advance', 'rebuild' and 'integrity-check'");
   }
 }
 

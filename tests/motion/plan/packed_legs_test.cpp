@@ -95,12 +95,12 @@ TEST(PackedLegs, SayWhatIsWrong) {
     blob[at] = std::byte(value);
     return refusal_of_blob(blob);
   };
-  EXPECT_EQ(with(2, 2), "byte 2: 2 is a format that this version does not know: write 1");
-  EXPECT_EQ(with(3, 0), "byte 3: 0 axes: write 1, 2 or 3");
-  EXPECT_EQ(with(3, 4), "byte 3: 4 axes: write 1, 2 or 3");
-  EXPECT_EQ(with(4, 3), "byte 4: 3 is no kind of plan: write 0, 1 or 2");
+  EXPECT_EQ(with(2, 2), "byte 2 is 2, a format that this version does not know; write 1");
+  EXPECT_EQ(with(3, 0), "byte 3 is 0 axes; write 1, 2 or 3");
+  EXPECT_EQ(with(3, 4), "byte 3 is 4 axes; write 1, 2 or 3");
+  EXPECT_EQ(with(4, 3), "byte 4 is 3, no kind of plan; write 0, 1 or 2");
   EXPECT_EQ(with(4, 1), "a blob of 80 bytes: write 8 bytes and 48 per leg");
-  EXPECT_EQ(with(6, 1), "byte 6: 1 is not 0");
+  EXPECT_EQ(with(6, 1), "byte 6 is 1; write 0");
   const auto with_number = [&](std::size_t at, double value) {
     std::vector<std::byte> blob = good;
     put(blob, at, value);

@@ -142,12 +142,12 @@ TEST_F(AvoidInSql, SaysWhatToWrite) {
             name + ": hi is missing: give lo and hi together, or leave out both");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, NULL, 1, 5)"),
             name +
-                ": lo and hi are those of one manoeuvre: write how, 'turn', 'speed', 'climb', 'accelerate', "
+                ": lo and hi need one manoeuvre; write how = 'turn', 'speed', 'climb', 'accelerate', "
                 "'delay' or 'wait'");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'wait')"),
             name + ": 'wait' has no range of its own: give lo and hi, as in 'wait', 0, 600");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'wait', -5, 60)"),
-            name + ": 'wait' lasts for lo to hi: lo must not be less than 0; lo is -5");
+            name + ": a 'wait' is not less than 0; write lo = 0 or more, not -5");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'turn') WHERE resume = 0"),
             name + ": resume must be greater than 0, not 0: write a time");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'delay', 0, 1, 0) WHERE resume = 5"),
@@ -169,7 +169,7 @@ TEST_F(AvoidInSql, SaysWhatToWrite) {
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'accelerate', -1, 1)"),
             name + ": 'accelerate' changes an acceleration or a force: declare ax … or fx … with m in ships");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'delay', 0, 1)"),
-            name + ": 'delay' needs an explicit now, before which nothing can start; write now = ...");
+            name + ": 'delay' needs an explicit now, because nothing can start before it; write now = ...");
   EXPECT_EQ(
       error(name + "(60, 'ships', 1, 0, 'delay', -1, 1, 0)"),
       name +

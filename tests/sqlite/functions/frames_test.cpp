@@ -1,4 +1,4 @@
-// Frames of tables: foresee_tables lists them, and tables whose metres differ are not compared.
+// Frames of tables: foresee_tables lists them, and tables whose coordinates do not match are not compared.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -70,23 +70,28 @@ TEST_F(TableFrames, AreComparedWhereTwoTablesMeet) {
                           ", horizon = 10, other = " + b + ")"),
               "w: " + why);
   };
-  refused("ships", "plain",
-          "ships has lat, lon, plain has x, y: their metres differ; create plain with lat, lon and "
-          "origin = '53.9 7.9'");
-  refused("other", "first",
-          "first has lat, lon, other has x, y: their metres differ; create other with lat, lon and "
-          "an origin");
-  refused("ships", "far",
-          "ships has origin '53.9 7.9', far has '54 8': their metres differ; create far with origin = "
-          "'53.9 7.9'");
-  refused("dock", "yard",
-          "dock has frame 'dock 3', yard has 'yard': their metres differ; create yard with frame = "
-          "'dock 3'");
-  refused("other", "dock",
-          "other has frame none, dock has 'dock 3': their metres differ; create other with frame = "
-          "'dock 3'");
+  refused(
+      "ships", "plain",
+      "ships has lat, lon, plain has x, y: their coordinates do not match; create plain with lat, lon and "
+      "origin = '53.9 7.9'");
+  refused(
+      "other", "first",
+      "first has lat, lon, other has x, y: their coordinates do not match; create other with lat, lon and "
+      "an origin");
+  refused(
+      "ships", "far",
+      "ships has origin '53.9 7.9', far has '54 8': their coordinates do not match; create far with origin = "
+      "'53.9 7.9'");
+  refused(
+      "dock", "yard",
+      "dock has frame 'dock 3', yard has 'yard': their coordinates do not match; create yard with frame = "
+      "'dock 3'");
+  refused(
+      "other", "dock",
+      "other has frame none, dock has 'dock 3': their coordinates do not match; create other with frame = "
+      "'dock 3'");
   refused("ships", "dock",
-          "ships has lat, lon, dock has x, y: their metres differ; create dock with lat, lon and "
+          "ships has lat, lon, dock has x, y: their coordinates do not match; create dock with lat, lon and "
           "origin = '53.9 7.9'");
 }
 
@@ -110,7 +115,7 @@ TEST_F(TableFrames, OfWatchedTablesAreComparedWhenAnOriginIsChosen) {
       "CREATE VIRTUAL TABLE w USING predictive_watch(ships, horizon = 1000, within = 100, other = first);"
       "CREATE VIRTUAL TABLE alone USING predictive_watch(first, horizon = 1000)");
   const std::string error =
-      "w: ships has origin '53.9 7.9', first has '54 8': their metres differ; create first with "
+      "w: ships has origin '53.9 7.9', first has '54 8': their coordinates do not match; create first with "
       "origin = '53.9 7.9'";
   EXPECT_EQ(db.error_of("INSERT INTO first VALUES (1, 54, 8)"), error);
   EXPECT_EQ(db.code_of("INSERT INTO first VALUES (1, 54, 8)"), SQLITE_CONSTRAINT);
@@ -130,11 +135,13 @@ TEST_F(TableFrames, OfTwoWatchedTablesWithoutAnOrigin) {
       "CREATE VIRTUAL TABLE w USING predictive_watch(first, horizon = 1000, within = 100, other = zones);"
       "BEGIN; SAVEPOINT s; INSERT INTO zones VALUES (1, 10, 10, 5)");
   EXPECT_EQ(db.error_of("INSERT INTO first VALUES (1, 54, 8)"),
-            "w: zones has origin '10 10', first has '54 8': their metres differ; create first with origin = "
+            "w: zones has origin '10 10', first has '54 8': their coordinates do not match; create first "
+            "with origin = "
             "'10 10'");
   db.exec("ROLLBACK TO s; INSERT INTO first VALUES (1, 54, 8)");
   EXPECT_EQ(db.error_of("INSERT INTO zones VALUES (1, 10, 10, 5)"),
-            "w: first has origin '54 8', zones has '10 10': their metres differ; create zones with origin = "
+            "w: first has origin '54 8', zones has '10 10': their coordinates do not match; create zones "
+            "with origin = "
             "'54 8'");
   db.exec("INSERT INTO zones VALUES (1, 54.01, 8.01, 2000); COMMIT");
   EXPECT_EQ(db.rows("SELECT a, b FROM w"), "1|1");

@@ -38,7 +38,7 @@ TEST_F(TrackTest, SaysWhatIsWrong) {
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_track(2, 1, 1)"),
             "predictive_track: t0 must not be greater than t1: t0 is 2, t1 is 1");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_track(0, 1, 1e-300)"),
-            "predictive_track: step is too small: from t0 to t1 there may be fewer than 2^53 times");
+            "predictive_track: step is too small: a track has fewer than 2^53 times");
 }
 
 TEST_F(TrackTest, FeedsItsOwnTableAndEnds) {

@@ -106,7 +106,9 @@ TEST(DeclareGlobe, HasTheLayoutOfTheGlobe) {
 
 TEST(DeclareGlobe, Refuses) {
   const auto no_up = [](const std::string& word) {
-    return '"' + word + "\": no axis of the globe points up, so it has points and balls (r) only; leave " +
+    return '"' + word +
+           "\": no axis of the globe points up, so a table on the globe has points and balls (r) only; "
+           "leave " +
            word + " out, or write origin = 'LAT LON'";
   };
   const std::string_view globe = "origin = globe";
@@ -126,7 +128,7 @@ TEST(DeclareGlobe, Refuses) {
       {{"id", "lat", "lon", "frame = a", globe},
        "\"frame = a\": the frame of a table with lat, lon is its origin; leave frame out"},
       {{"id", "lat", "lon", "x", globe},
-       "\"x\": a table with lat, lon has lat in its place, and gx as a hidden column to read; leave it out"},
+       "\"x\": a table with lat, lon has lat instead, and gx as a hidden column to read; leave it out"},
       {{"id", "lat", "lon", "speed", "course", "ax", globe},
        "\"ax\": the acceleration on the globe is its curvature; leave it out, or use x, y, z and "
        "geo_to_globe"},
@@ -139,7 +141,8 @@ TEST(DeclareGlobe, Refuses) {
 
 TEST(DeclareDegreesErrors, Columns) {
   const std::string no_acceleration =
-      ": its axes would be the plane's, not east and north; leave it out, or use x, y and geo_to_plane";
+      ": an acceleration would follow the axes of the plane, not east and north; leave it out, or use x, y "
+      "and geo_to_plane";
   expect_refusals({
       {{"id", "lat"}, "\"lat\": lat, lon go together; add lon"},
       {{"id", "lon REAL", "r"}, "\"lon REAL\": lat, lon go together; add lat"},
@@ -153,11 +156,11 @@ TEST(DeclareDegreesErrors, Columns) {
        "\"course\": speed, course go with lat, lon; write lat, lon in place of x, y, or vx, vy in place of "
        "these two"},
       {{"id", "lat", "lon", "x"},
-       "\"x\": a table with lat, lon has lat in its place, and x as a hidden column to read; leave it out"},
+       "\"x\": a table with lat, lon has lat instead, and x as a hidden column to read; leave it out"},
       {{"id", "y", "lat", "lon"},
-       "\"y\": a table with lat, lon has lon in its place, and y as a hidden column to read; leave it out"},
+       "\"y\": a table with lat, lon has lon instead, and y as a hidden column to read; leave it out"},
       {{"id", "lat", "lon", "vx", "vy"},
-       "\"vx\": a table with lat, lon has speed in its place, and vx as a hidden column to read; leave it "
+       "\"vx\": a table with lat, lon has speed instead, and vx as a hidden column to read; leave it "
        "out"},
       {{"id", "lat", "lon", "speed", "course", "ax", "ay"}, "\"ax\"" + no_acceleration},
       {{"id", "lat", "lon", "speed", "course", "fx", "fy", "m"}, "\"fx\"" + no_acceleration},
@@ -189,7 +192,7 @@ TEST(DeclareDegreesErrors, Options) {
         "origin = 54 8", "origin =", "origin = '54 8 0'", "origin = 'nan 8'"})
     EXPECT_EQ(refusal_of({"id", "lat", "lon", option}), "ships: \"" + std::string(option) + "\"" + origin);
   const std::string unit =
-      ": no such unit; known are mps (the default), knots and kmh, as in speed_unit = knots";
+      ": no such unit; known: mps (the default), knots and kmh, as in speed_unit = knots";
   for (const std::string_view option : {"speed_unit = kn", "speed_unit = m/s", "speed_unit ="})
     EXPECT_EQ(refusal_of({"id", "lat", "lon", option}), "ships: \"" + std::string(option) + "\"" + unit);
   const std::string own = ": plane, degrees and globe are foresee's own frames; write another text";

@@ -170,9 +170,9 @@ TEST_F(Plans, ColumnsOfTheFirstLegFollow) {
   db.exec("INSERT INTO robots SELECT id + 1, t, x, y, vx, vy, plan, r, until, name FROM robots");
   EXPECT_EQ(row(8), expected);
   EXPECT_EQ(db.error_of(std::string("INSERT INTO robots(id, x, plan) VALUES (9, 5, ") + stops + ")"),
-            "robots.x of row 9 is 5: its plan starts with 0; leave x out, or set plan to NULL");
+            "robots.x of row 9 is 5: its plan starts with x = 0; leave x out, or set plan to NULL");
   EXPECT_EQ(db.error_of(std::string("INSERT INTO robots(id, vx, plan) VALUES (9, 2.5, ") + stops + ")"),
-            "robots.vx of row 9 is 2.5: its plan starts with 2; leave vx out, or set plan to NULL");
+            "robots.vx of row 9 is 2.5: its plan starts with vx = 2; leave vx out, or set plan to NULL");
   EXPECT_EQ(db.error_of(std::string("INSERT INTO robots(id, t, plan) VALUES (9, 'noon', ") + stops + ")"),
             "robots.t of row 9 is 'noon': not a number; write a finite number");
 }
@@ -197,7 +197,7 @@ TEST_F(Plans, UpdateOfOtherColumnsKeepsThePlan) {
   db.exec("UPDATE robots SET r = 2, name = 'B', id = 12 WHERE id = 7");
   EXPECT_EQ(row(12), "0.0|0.0|0.0|2.0|0.0|LINESTRING M(0 0 0, 10 0 5, 10 0 9, 10 20 29)|2.0|NULL|B");
   EXPECT_EQ(db.error_of("UPDATE robots SET x = 5"),
-            "robots.x of row 12 is 5: its plan starts with 0; leave x out, or set plan to NULL");
+            "robots.x of row 12 is 5: its plan starts with x = 0; leave x out, or set plan to NULL");
   db.exec("UPDATE robots SET x = 0, vx = NULL");  // just that, and NULL
   db.exec("UPDATE robots SET plan = plan, x = x, r = 3");
   EXPECT_EQ(row(12), "0.0|0.0|0.0|2.0|0.0|LINESTRING M(0 0 0, 10 0 5, 10 0 9, 10 20 29)|3.0|NULL|B");
@@ -214,9 +214,8 @@ TEST_F(Plans, UntilOnlyCuts) {
   EXPECT_EQ(db.rows("SELECT plan, until FROM robots"), text + "|0.0");
   db.exec("UPDATE robots SET until = NULL");
   EXPECT_EQ(db.rows("SELECT plan, until FROM robots"), text + "|NULL");
-  EXPECT_EQ(
-      db.error_of("UPDATE robots SET until = -1"),
-      "robots.until of row 7 is -1: before the reference time 0; write that or more, or NULL for no end");
+  EXPECT_EQ(db.error_of("UPDATE robots SET until = -1"),
+            "robots.until of row 7 is -1: before the reference time 0; write 0 or more, or NULL for no end");
 }
 
 TEST_F(Plans, ReplaceAndDelete) {
@@ -266,7 +265,8 @@ TEST_F(Plans, ShapesNeedAHeading) {
   db.exec("CREATE VIRTUAL TABLE hulls USING moving_objects(id, x, y, plan, shape, heading)");
   const std::string hull = ", 'POLYGON((-1 -1, 1 -1, 0 1, -1 -1))'";
   EXPECT_EQ(db.error_of(std::string("INSERT INTO hulls(id, plan, shape) VALUES (7, ") + stops + hull + ")"),
-            "hulls.heading of row 7 is NULL: beside a plan a shape keeps one heading; write it, 0 for none");
+            "hulls.heading of row 7 is NULL: a row with a plan and a shape needs a heading; write 0 for no "
+            "rotation");
   db.exec(std::string("INSERT INTO hulls(id, plan, shape, heading) VALUES (7, ") + stops + hull + ", 90)");
   db.exec(std::string("INSERT INTO hulls(id, plan) VALUES (8, ") + stops + ")");
   db.exec("UPDATE hulls SET plan = 'LINESTRING M(1 1 1, 2 2 2)'");

@@ -83,12 +83,12 @@ TEST_F(PlanDegrees, Errors) {
                  "lat)");
   const std::string plan = "'LINESTRING M(8 54 0, 8 55 9)'";
   EXPECT_EQ(db.error_of("INSERT INTO ships(id, lat, plan) VALUES (7, 55, " + plan + ")"),
-            "ships.lat of row 7 is 55: its plan starts with 54; leave lat out, or set plan to NULL");
+            "ships.lat of row 7 is 55: its plan starts with lat = 54; leave lat out, or set plan to NULL");
   EXPECT_EQ(db.error_of("INSERT INTO ships(id, course, plan) VALUES (7, 90, " + plan + ")"),
-            "ships.course of row 7 is 90: its plan starts with 0; leave course out, or set plan to NULL");
+            "ships.course of row 7 is 90: its plan starts with course = 0; leave course out, or set plan to NULL");
   db.exec("INSERT INTO ships(id, plan) VALUES (7, " + plan + ")");
   EXPECT_EQ(db.error_of("UPDATE ships SET lon = 9"),
-            "ships.lon of row 7 is 9: its plan starts with 8; leave lon out, or set plan to NULL");
+            "ships.lon of row 7 is 9: its plan starts with lon = 8; leave lon out, or set plan to NULL");
   EXPECT_EQ(db.error_of("UPDATE ships SET x = 9"),
             "ships.x follows from lat, lon, speed, course; write these");
   db.exec("UPDATE ships SET lon = 9, speed = 3, course = 90, plan = NULL");

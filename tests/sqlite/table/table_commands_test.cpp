@@ -39,7 +39,7 @@ TEST_F(TableCommands, ChangeNoContents) {
 }
 
 TEST_F(TableCommands, UnknownCommandsGiveAnErrorThatListsTheKnownOnes) {
-  const std::string rest = "; known are 'rebuild', 'optimize' and 'integrity-check'";
+  const std::string rest = "; known: 'rebuild', 'optimize' and 'integrity-check'";
   EXPECT_EQ(command("'vacuum'"), "ships: no command 'vacuum'" + rest);
   EXPECT_EQ(command("''"), "ships: no command ''" + rest);
   EXPECT_EQ(command("7"), "ships: no command 7" + rest);

@@ -204,7 +204,7 @@ TEST(DeclareErrors, Growth) {
 
 TEST(DeclareErrors, UnknownNamesSuggestTheNearest) {
   const std::string known =
-      "; known are id, t, x, y, z, vx, vy, vz, ax, ay, az, fx, fy, fz, m, hx, hy, hz, r, shape, heading, "
+      "; known: id, t, x, y, z, vx, vy, vz, ax, ay, az, fx, fy, fz, m, hx, hy, hz, r, shape, heading, "
       "growth, growth_z, until, category, mask, plan, lat, lon, speed, course, zone;"
       " a column of your own is written +";
   const std::string own = " a column of your own is written +";
@@ -269,7 +269,7 @@ TEST(DeclareErrors, Options) {
     EXPECT_EQ(error_of({"id", "x", option}), "ships: \"" + std::string(option) + "\"" + rule);
   expect_errors({
       {{"id", "x", "horzon = 3"},
-       "\"horzon = 3\": no such option; known are horizon, origin, speed_unit and frame, as in horizon = 60"},
+       "\"horzon = 3\": no such option; known: horizon, origin, speed_unit and frame, as in horizon = 60"},
       {{"id", "x", "horizon = 3", "horizon = 4"}, "\"horizon = 4\": horizon is given twice; leave one out"},
   });
 }

@@ -182,13 +182,11 @@ TEST_F(TableValues, AMotionDoesNotEndBeforeItsReferenceTime) {
   db.exec("INSERT INTO ships(id, t, x, y, until) VALUES(1, 10, 0, 0, 10)");
   EXPECT_EQ(
       db.error_of("INSERT INTO ships(id, t, x, y, until) VALUES(2, 10, 0, 0, 9.5)"),
-      "ships.until of row 2 is 9.5: before the reference time 10; write that or more, or NULL for no end");
-  EXPECT_EQ(
-      db.error_of("UPDATE ships SET t = 11 WHERE id = 1"),
-      "ships.until of row 1 is 10: before the reference time 11; write that or more, or NULL for no end");
-  EXPECT_EQ(
-      db.error_of("INSERT INTO guests VALUES(1, 0, -1)"),
-      "guests.until of row 1 is -1: before the reference time 0; write that or more, or NULL for no end");
+      "ships.until of row 2 is 9.5: before the reference time 10; write 10 or more, or NULL for no end");
+  EXPECT_EQ(db.error_of("UPDATE ships SET t = 11 WHERE id = 1"),
+            "ships.until of row 1 is 10: before the reference time 11; write 11 or more, or NULL for no end");
+  EXPECT_EQ(db.error_of("INSERT INTO guests VALUES(1, 0, -1)"),
+            "guests.until of row 1 is -1: before the reference time 0; write 0 or more, or NULL for no end");
 }
 
 TEST_F(TableValues, AWrongRowAmongManyChangesNothing) {

@@ -109,7 +109,8 @@ TEST_F(ZoneColumns, AreWatched) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM geofence"), "0");
   EXPECT_EQ(db.error_of("CREATE VIRTUAL TABLE bad USING moving_objects(id, zone, origin = '54 8');"
                         "SELECT * FROM predictive_join(60, 'ships', 0, 'bad')"),
-            "predictive_join: ships has origin '53.9 7.9', bad has '54 8': their metres differ; create bad "
+            "predictive_join: ships has origin '53.9 7.9', bad has '54 8': their coordinates do not match; "
+            "create bad "
             "with origin = "
             "'53.9 7.9'");
 }

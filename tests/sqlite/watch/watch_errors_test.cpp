@@ -29,7 +29,7 @@ TEST_F(WatchErrors, MeaninglessStatementsGiveErrorsThatSayWhatToWrite) {
     starts(clock,
            "alerts: the clock moves by a command; write INSERT INTO alerts(alerts, now) VALUES('advance', 9");
   starts("INSERT INTO alerts(alerts) VALUES('advance')", "alerts: 'advance' needs a time");
-  starts("INSERT INTO alerts(alerts) VALUES('retreat')", "alerts: no command 'retreat'; known are 'advance'");
+  starts("INSERT INTO alerts(alerts) VALUES('retreat')", "alerts: no command 'retreat'; known: 'advance'");
   const std::string create = "CREATE VIRTUAL TABLE w USING predictive_watch";
   starts(create, "w: no table is named");
   starts(create + "(ships)", "w: horizon is missing: write predictive_watch(ships, horizon = 600)");
@@ -37,7 +37,7 @@ TEST_F(WatchErrors, MeaninglessStatementsGiveErrorsThatSayWhatToWrite) {
          "w: no such table: 'boats' in schema 'main' (moving_objects tables here:");
   starts(create + "(ships, horizon = -1)", "w: \"horizon = -1\": horizon must be a finite number >= 0");
   starts(create + "(ships, horizon = 1, horizon = 2)", "w: \"horizon = 2\": horizon is given twice");
-  starts(create + "(ships, horizon = 1, colour = 2)", "w: \"colour = 2\": no such option; known are horizon");
+  starts(create + "(ships, horizon = 1, colour = 2)", "w: \"colour = 2\": no such option; known: horizon");
   starts(create + "(ships, horizon = 1, within_z = 2)", "w: ");
   db.exec("CREATE TABLE list(x)");
   starts(create + "(boats, horizon = 5)",
@@ -66,11 +66,12 @@ TEST_F(WatchErrors, MeaninglessStatementsGiveErrorsThatSayWhatToWrite) {
   db.exec("CREATE TEMP TABLE alerts(x)");
   EXPECT_EQ(db.rows("SELECT a, b FROM predictive_changes('alerts')"), "1|2");
   db.exec("DROP TABLE temp.alerts");
-  const std::string known = "; known are horizon, within, within_z, other, clock, tolerance, keep, ahead";
-  starts(create + "(ships, 300)", "w: \"300\": an option has a name; write horizon = 300" + known);
+  const std::string known = "; known: horizon, within, within_z, other, clock, tolerance, keep, ahead";
+  starts(create + "(ships, 300)", "w: \"300\": an option needs a name; write horizon = 300" + known);
   starts(create + "(ships, -3)",
-         "w: \"-3\": an option has a name; write name = value, as in horizon = 600" + known);
-  starts(create + "(ships, horizon > 300)", "w: \"horizon > 300\": an option has a name; write name = value");
+         "w: \"-3\": an option needs a name; write name = value, as in horizon = 600" + known);
+  starts(create + "(ships, horizon > 300)",
+         "w: \"horizon > 300\": an option needs a name; write name = value");
   starts(create + "(ships, horizon 300)",
          "w: \"horizon 300\": an option is written name = value; write horizon = 300");
   starts(create + "(ships, horizon)",

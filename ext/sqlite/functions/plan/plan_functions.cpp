@@ -54,7 +54,7 @@ void plan_cut(sqlite3_context* context, int, sqlite3_value** values) {
     const double to = plan_number(values[2], "to").value_or(no_end);
     if (!plan) return;
     if (from > to)
-      throw Error("from is " + shown(from) + ", after to, which is " + shown(to) + ": exchange them");
+      throw Error("from is " + shown(from) + ", later than to, which is " + shown(to) + ": exchange them");
     if (const std::optional<Plan> part = cut_plan(*plan, from, to))
       result_plan(context, *part, sqlite3_value_type(values[0]) == SQLITE_TEXT, interrupt);
   });

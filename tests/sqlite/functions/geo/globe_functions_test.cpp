@@ -161,16 +161,18 @@ TEST_F(GlobeFunctions, RefuseOtherFrames) {
       "CREATE VIRTUAL TABLE islands USING moving_objects(id, lat, lon, r, origin = globe);"
       "INSERT INTO islands VALUES (1, 90, 0, 500)");
   const std::string plain =
-      ": ships has lat, lon, plain has x, y: their metres differ; create plain with lat, lon and origin = "
+      ": ships has lat, lon, plain has x, y: their coordinates do not match; create plain with lat, lon and "
+      "origin = "
       "globe";
   EXPECT_EQ(error("predictive_join(60, 'ships', 5, 'plain')"), "predictive_join" + plain);
   EXPECT_EQ(error("predictive_explain(60, 'plain', 5, 'ships')"), "predictive_explain" + plain);
   EXPECT_EQ(error("predictive_avoid WHERE h = 60 AND tbl = 'ships' AND id = 1 AND also = 'buoys'"),
-            "predictive_avoid: ships has origin globe, buoys has '54 8': their metres differ; create buoys "
+            "predictive_avoid: ships has origin globe, buoys has '54 8': their coordinates do not match; "
+            "create buoys "
             "with origin = globe");
-  EXPECT_EQ(
-      db.error_of("CREATE VIRTUAL TABLE w USING predictive_watch(buoys, horizon = 60, other = ships)"),
-      "w: buoys has origin '54 8', ships has globe: their metres differ; create ships with origin = '54 8'");
+  EXPECT_EQ(db.error_of("CREATE VIRTUAL TABLE w USING predictive_watch(buoys, horizon = 60, other = ships)"),
+            "w: buoys has origin '54 8', ships has globe: their coordinates do not match; create ships with "
+            "origin = '54 8'");
   EXPECT_EQ(db.rows("SELECT count(*) > 5 FROM predictive_join(600, 'ships', 0, 'islands')"), "1");
 }
 

@@ -150,7 +150,7 @@ TEST_F(PlanFunctions, SayWhichNumberIsWrong) {
   EXPECT_EQ(error(std::string("plan_shift(") + plan + ", 9e999)"),
             "plan_shift: seconds is infinite: write a finite number");
   EXPECT_EQ(error(std::string("plan_cut(") + plan + ", 5, 4)"),
-            "plan_cut: from is 5, after to, which is 4: exchange them");
+            "plan_cut: from is 5, later than to, which is 4: exchange them");
   EXPECT_EQ(error("plan_turn(0, 0, 0, 0, NULL, 3, 30, 120, 1)"), "plan_turn: vy is NULL: write a number");
   EXPECT_EQ(error("plan_turn(0, 0, 0, 0, 9e999, 3, 30, 120, 1)"),
             "plan_turn: vy is infinite: write a finite number");

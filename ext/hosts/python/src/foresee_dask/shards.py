@@ -150,7 +150,7 @@ def refuse_other_frames(shards):
             if first is None:
                 first = named, table, shard["path"]
             elif named != first[0]:
-                raise Refusal(f"metres differ: {first[1]} of {first[2]} has {first[0]}, {table} of {shard['path']} has {named}; "
+                raise Refusal(f"coordinates do not match: {first[1]} of {first[2]} has {first[0]}, {table} of {shard['path']} has {named}; "
                               "create all of them with one origin or frame")
 
 
