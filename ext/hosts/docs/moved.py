@@ -108,7 +108,7 @@ ANCHORS = {
     },
     "unexpected": {
         "after-dump-and-read-no-such-table": "faq#why-is-a-table-missing-after-dump-and-read",
-        "no-rows-an-input-by-its-name": "faq#why-does-an-input-by-its-name-return-no-rows",
+        "no-rows-an-input-by-its-name": "faq#why-does-a-query-return-no-rows-when-i-pass-an-input-by-name",
         "no-such-module-moving_objects": "faq#why-does-sqlite-say-no-such-module-moving_objects",
         "the-wrong-order-of-magnitude-units": "faq#why-are-the-distances-wrong-by-orders-of-magnitude",
         "too-few-rows-now-is-later-than-it-seems": "faq#why-are-there-too-few-rows",
