@@ -105,7 +105,7 @@ def compare_table(figures):
 def numbers_table(figures):
     """The three figures of the README."""
     rivals = [name for name in ("R*Tree in SQL", "DuckDB cells") if figures.known(name)]
-    names = {"R*Tree in SQL": "R\\*Tree in SQL", "DuckDB cells": "DuckDB, a grid by hand"}
+    names = {"R*Tree in SQL": "R\\*Tree in SQL", "DuckDB cells": "DuckDB, hand-written grid join"}
     yield "| | foresee | " + " | ".join(names[name] for name in rivals) + " |"
     yield "|---" * (len(rivals) + 2) + "|"
 
