@@ -56,7 +56,7 @@ class Progress:
         rate = self.lines / max(now - self.started, 1e-3)
         more = "".join(f", {count} {what}" for count, what in ((self.far, "too far from the origin"), (self.repeated, "sent again")) if count)
         self.say(f"{self.lines} lines, {self.stored} reports stored, {self.older} older than what is stored, {self.left_out() + self.without_position} without "
-                 f"position or speed, {self.bad} bad{more}; {rate:.0f} lines per second")
+                 f"position, speed or course, {self.bad} bad{more}; {rate:.0f} lines per second")
 
 
 class Batches:
