@@ -52,7 +52,8 @@ std::string shown(const Flaw& flaw, const Outline& outline) {
     case Flaw::Kind::self_touch:
       return ring(flaw.a) + " touches itself at " + place + ": write a ring for each loop";
     case Flaw::Kind::edge_touch:
-      return both_edges(flaw, outline) + " touch at " + place + ": write it as a corner of both rings";
+      return both_edges(flaw, outline) + " touch at " + place +
+             ": write this point as a corner of both rings";
     case Flaw::Kind::hole_outside:
       return ring(flaw.a) + " is a hole but lies outside its part";
     case Flaw::Kind::hole_inside:
@@ -66,7 +67,8 @@ std::string shown(const Flaw& flaw, const Outline& outline) {
 std::string shown_turned(const Flaw& flaw, const Outline& outline, double heading) {
   const std::string turned = "turned by " + shown(heading) + " degrees ";
   if (flaw.kind == Flaw::Kind::edge_touch)
-    return turned + "its rings part at (" + shown(flaw.place) + "): write it as a corner of both rings";
+    return turned + "its rings no longer touch at (" + shown(flaw.place) +
+           "): write this point as a corner of both rings";
   if (flaw.kind == Flaw::Kind::few_corners || flaw.kind == Flaw::Kind::no_area)
     return turned + name_of_ring(outline, ring_of(outline, flaw.a)) +
            " encloses no area: its corners are closer than doubles resolve";

@@ -98,9 +98,9 @@ std::optional<Course> Values::course_of_row(std::int64_t id, const std::optional
   if (course) return Course{*speed, *course};
   if (to_mps(*speed, frame_.unit) <= half_a_knot) return std::nullopt;  // it is at rest
   const std::string needs =
-      "a speed of " + foresee::shown(*speed) + " needs a course; write it, or NULL for the speed if ";
-  if (is_null_or_empty(given)) refuse("course", id, "NULL", needs + "it is unknown");
-  refuse("course", id, shown(given), "unknown, as in AIS, and " + needs + "unknown; 0 is north");
+      "a speed of " + foresee::shown(*speed) + " needs a course; write the course, or NULL for the speed";
+  if (is_null_or_empty(given)) refuse("course", id, "NULL", needs);
+  refuse("course", id, shown(given), "unknown, as in AIS, and " + needs + "; 0 is north");
 }
 
 /// An UPDATE that leaves place or motion as they are, or writes what the columns show, keeps the stored bits. Where it

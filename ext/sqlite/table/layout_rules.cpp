@@ -161,8 +161,8 @@ class WordTable {
     const DeclaredWord* const declared = growth != nullptr ? growth : growth_z;
     if (layout.shape == Shape::mesh)
       refuse(declared,
-             "no distance is defined to a mesh that grows; declare hz to make prisms, or leave shape "
-             "out and write r around each");
+             "no distance is defined to a mesh that grows; declare hz to make prisms, or leave shape out and "
+             "declare r, a ball around each mesh");
     if (growth_z != nullptr && axes_ < 3) refuse(growth_z, "there is no axis z; add z or leave growth_z out");
     if (growth_z != nullptr && layout.shape == Shape::ball)
       refuse(growth_z,

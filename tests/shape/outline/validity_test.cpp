@@ -176,7 +176,8 @@ TEST(Validity, TurningByRightAnglesKeepsEveryTouch) {
 
 TEST(Validity, ATurnPartsACornerFromAnEdge) {
   EXPECT_EQ(flaw_turned(read_outline("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (2 0, 3 1, 1 1, 2 0))"), 37.5),
-            "turned by 37.5 degrees its rings part at (2 0): write it as a corner of both rings");
+            "turned by 37.5 degrees its rings no longer touch at (2 0): write this point as a corner of both "
+            "rings");
   EXPECT_EQ(flaw_turned(read_outline("POLYGON((0 0, 2 0, 4 0, 4 4, 0 4, 0 0), (2 0, 3 1, 1 1, 2 0))"), 37.5),
             "");
 }

@@ -155,12 +155,12 @@ TEST_F(Degrees, RefuseWhatNoReportSays) {
   for (const char* course : {"NULL", "''"})
     EXPECT_EQ(error_of_row("54", "8", "0.6", course),
               "ships.course" + row +
-                  "NULL: a speed of 0.6 needs a course; write it, or NULL for the speed if it is unknown");
+                  "NULL: a speed of 0.6 needs a course; write the course, or NULL for the speed");
   for (const char* course : {"360", "'360'"})
     EXPECT_EQ(error_of_row("54", "8", "0.6", course),
               "ships.course" + row +
-                  "360: unknown, as in AIS, and a speed of 0.6 needs a course; write it, or NULL for the "
-                  "speed if unknown; 0 is north");
+                  "360: unknown, as in AIS, and a speed of 0.6 needs a course; write the course, or NULL for "
+                  "the speed; 0 is north");
   EXPECT_EQ(error_of_row("40", "8", "1", "1"),
             "ships: lat, lon of row 7 are 40, 8: 1546 km from the origin '53.9 7.9', the limit is 1500; "
             "create a table with a nearer origin, or with origin = globe");

@@ -82,9 +82,9 @@ TEST_F(DegreesUpdate, OfTheMotionKeepsThePlace) {
 }
 
 TEST_F(DegreesUpdate, ThatGivesASpeedAloneNeedsACourse) {
-  EXPECT_EQ(db.error_of("UPDATE ships SET speed = 3 WHERE id = 5"),
-            "ships.course of row 5 is NULL: a speed of 3 needs a course; write it, or NULL for the speed if "
-            "it is unknown");
+  EXPECT_EQ(
+      db.error_of("UPDATE ships SET speed = 3 WHERE id = 5"),
+      "ships.course of row 5 is NULL: a speed of 3 needs a course; write the course, or NULL for the speed");
   EXPECT_EQ(db.error_of("UPDATE ships SET course = NULL WHERE id = 1").substr(0, 30),
             "ships.course of row 1 is NULL:");
   EXPECT_EQ(db.error_of("UPDATE ships SET lat = 91 WHERE id = 5"),

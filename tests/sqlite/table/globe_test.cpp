@@ -163,10 +163,9 @@ TEST_F(Globe, RefusesWhatNoReportSays) {
   EXPECT_EQ(error_of_flight("50, 8, 0, 1e151, 1, 0"),
             "flights.speed of row 7 is 1e+151: more than 1e150 metres per second; write the speed in mps, or "
             "NULL if it is unknown");
-  EXPECT_EQ(
-      error_of_flight("50, 8, 0, 5, NULL, 0"),
-      "flights.course of row 7 is NULL: a speed of 5 needs a course; write it, or NULL for the speed if "
-      "it is unknown");
+  EXPECT_EQ(error_of_flight("50, 8, 0, 5, NULL, 0"),
+            "flights.course of row 7 is NULL: a speed of 5 needs a course; write the course, or NULL for the "
+            "speed");
   EXPECT_EQ(error_of_flight("50, 8, 0, 5, 1, -1e301"),
             "flights.vz of row 7 is -1e+301: more than 1e300; write metres, or metres per second");
   EXPECT_EQ(db.error_of("INSERT INTO ships(id, t, lat, lon, gx) VALUES (1, 0, 1, 1, 5)"),

@@ -188,8 +188,7 @@ TEST(DeclareErrors, Growth) {
   expect_errors({
       {{"id", "x", "y", "z", "shape", "growth"},
        "\"growth\": no distance is defined to a mesh that grows; declare hz to make prisms, or leave shape "
-       "out and "
-       "write r around each"},
+       "out and declare r, a ball around each mesh"},
       {{"id", "x", "y", "growth", "growth_z"},
        "\"growth_z\": there is no axis z; add z or leave growth_z out"},
       {{"id", "x", "y", "z", "r", "growth_z"},
