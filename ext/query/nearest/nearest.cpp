@@ -63,10 +63,12 @@ class Search {
     NearestWalk<D> walk(tree, place(), velocity(), horizon_, interrupt_, test_);
     NearestWalk<D> chunk_walk(chunks.tree(), place(), velocity(), horizon_, interrupt_, test_,
                               DistanceTo::boxes);
+    // The nearer one first; next_distance() is a bound, so after a walk that has nothing the other one goes on.
+    const auto offer_object = [&] { return offer_leaf(tree.layout(), walk); };
+    const auto offer_chunk = [&] { return offer_chunks(chunks, chunk_walk); };
     for (bool more = true; more;)
-      more = chunk_walk.next_distance() < walk.next_distance()
-                 ? offer_chunks(chunks, chunk_walk)
-                 : offer_leaf(tree.layout(), walk) || offer_chunks(chunks, chunk_walk);
+      more = chunk_walk.next_distance() < walk.next_distance() ? offer_chunk() || offer_object()
+                                                               : offer_object() || offer_chunk();
     return std::move(movers_).ranked();
   }
 

@@ -50,7 +50,7 @@ Plan Store::read_plan(std::int64_t id, std::span<const double> record) {
 
 void Store::read_legs(std::int64_t id, std::span<const double> record, double from, double until,
                       std::vector<Leg>& legs) {
-  shadow_rows();
+  revalidate_cache();  // under another stamp the same number may be a chunk of another plan
   plans_->read_legs(plans_->head_of(id, record.data()), from, until, committed_stamp(), legs);
 }
 

@@ -3,6 +3,7 @@
 
 #include "sqlite/database.h"
 #include "sqlite/lives/old_statements.h"
+#include "sqlite/random_numbers.h"
 
 namespace foresee::testing {
 namespace {
@@ -81,6 +82,87 @@ TEST_F(PlanLives, TwoConnections) {
   db.exec("COMMIT");
   other.exec(insert(2, 1));
   expect_sound(row(1, 9) + "\n" + row(2, 1));
+}
+
+// Connection 1 has the chunk of the first plan in memory; the new plan gets the same number.
+TEST_F(PlanLives, AChunkNumberIsUsedAgainByAnotherConnection) {
+  const std::string position = "SELECT x, y FROM predictive_position(5, 'robots') WHERE id = 1";
+  db.exec("INSERT INTO robots(id, plan) VALUES (1, 'LINESTRING M(0 0 0, 10 0 10)')");
+  Database reader(file.path());
+  EXPECT_EQ(reader.rows("SELECT id FROM predictive_window(100, 'robots') WHERE now = 0"), "1");
+  EXPECT_EQ(reader.rows(position), "5.0|0.0");
+  Database(file.path()).exec("DELETE FROM robots");
+  Database(file.path())
+      .exec("INSERT INTO robots(id, plan) VALUES (1, 'LINESTRING M(0 0 0, 0 1000 10)'), (2, '" +
+            plan_text(2, 3) + "')");
+  EXPECT_EQ(reader.rows(position), "0.0|500.0");
+  EXPECT_EQ(reader.rows("SELECT x, y FROM predictive_track(5, 5, 1, 'robots') WHERE id = 1"), "0.0|500.0");
+}
+
+// The tree of chunks has nothing within reach here, and the other tree still has.
+TEST_F(PlanLives, NearestOfPlainRowsBesideAFarPlan) {
+  db.exec(
+      "WITH n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < 1599) "
+      "INSERT INTO robots(id, x, y, r) SELECT i, i % 40 * 10, i / 40 * 10, 0 FROM n;"
+      "INSERT INTO robots(id, plan, r) VALUES (9999, 'LINESTRING M(5000 5000 0, 5001 5000 100)', 0)");
+  for (int x = 0; x < 400; x += 39)
+    for (int y = 0; y < 400; y += 26) {
+      const auto nearest = [&](const std::string& method) {
+        return db.rows(
+            "SELECT id, distance FROM predictive_nearest WHERE h = 0 AND tbl = 'robots' AND k = 5 AND now = "
+            "10 "
+            "AND x = " +
+            std::to_string(x) + " AND y = " + std::to_string(y) + " AND method = '" + method + "'");
+      };
+      EXPECT_EQ(nearest("tree"), nearest("scan")) << x << ' ' << y;
+    }
+}
+
+// After each change every connection must answer by plain rows and by plans as the scan does.
+TEST_F(PlanLives, RandomChangesOfTwoConnections) {
+  Engine random(71);
+  Database other(file.path());
+  const auto change = [&](Database& writer) {
+    const int id = drawn(random, 1, 60), kind = drawn(random, 0, 9);
+    const std::string place =
+        std::to_string(drawn(random, 0, 300)) + ", " + std::to_string(drawn(random, 0, 300));
+    if (kind < 4) {
+      writer.exec(insert(id, drawn(random, 1, 40)));
+    } else if (kind < 7) {
+      for (int i = 0; i < 30; ++i)
+        writer.exec("INSERT OR REPLACE INTO robots(id, x, y, r) VALUES (" +
+                    std::to_string(drawn(random, 1, 900)) + ", " + place + " + " + std::to_string(10 * i) +
+                    ", 0)");
+    } else if (kind < 9) {
+      writer.exec("DELETE FROM robots WHERE id BETWEEN " + std::to_string(id) + " AND " +
+                  std::to_string(id + 3));
+    } else {
+      writer.exec("BEGIN;" + insert(id, 9) + insert(id + 1, 30) + "ROLLBACK");
+    }
+  };
+  for (int step = 0; step < 60; ++step) {
+    change(drawn(random, 0, 1) ? db : other);
+    for (Database* reader : {&db, &other}) {
+      const std::string id = std::to_string(drawn(random, 1, 60)), t = std::to_string(drawn(random, 0, 30));
+      const std::string position = "SELECT id, x, y FROM predictive_position(" + t + ", 'robots') WHERE id ";
+      EXPECT_EQ(reader->rows(position + "= " + id), reader->rows(position + "+ 0 = " + id)) << step;
+      const auto nearest = [&](const char* method) {
+        return reader->rows(
+            "SELECT id, distance, t FROM predictive_nearest WHERE h = 5 AND tbl = 'robots' AND k = 7 "
+            "AND x = 40 AND y = 50 AND now = " +
+            t + " AND method = '" + method + "' ORDER BY rank");
+      };
+      EXPECT_EQ(nearest("tree"), nearest("scan")) << step;
+      const auto window = [&](const char* method) {
+        return reader->rows(
+            "SELECT id, t FROM predictive_window WHERE h = 5 AND tbl = 'robots' AND x0 = 0 AND "
+            "x1 = 40 AND now = " +
+            t + " AND method = '" + method + "' ORDER BY id");
+      };
+      EXPECT_EQ(window("tree"), window("scan")) << step;
+    }
+  }
+  EXPECT_EQ(db.error_of(check), "");
 }
 
 TEST_F(PlanLives, VacuumRenameAttachAndDrop) {
