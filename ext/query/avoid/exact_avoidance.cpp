@@ -6,7 +6,10 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "base/axes.h"
+#include "index/tpr_tree/moving_box.h"
 #include "query/join/question.h"
+#include "query/sweep_margin.h"
 #include "shape/shapes.h"
 
 namespace foresee {
@@ -34,6 +37,23 @@ void grow_row(const Layout& layout, const double* row, double age, Layout out_la
     for (int axis = 0; axis < layout.axes; ++axis) grow(to.half + axis, axis);
   if (to.r != Offsets::absent) grow(to.r, 0);
   if (to.hz != Offsets::absent) grow(to.hz, 2);
+}
+
+/// Leaves the pairs whose moving boxes meet. Outlines alone are worth it: the first test of one turns it.
+void keep_near_outlines(const Bodies& a, const Bodies& b, const Horizon& horizon, const Contact::Reach& reach,
+                        std::vector<Pair>& pairs) {
+  if (a.layout.shape != Shape::outline && b.layout.shape != Shape::outline) return;
+  with_axes(a.layout.axes, [&]<int D>(Axes<D>) {
+    const Vec<D> margin = margin_of<D>(reach);
+    MovingBox<D> own;
+    std::uint32_t known = std::numeric_limits<std::uint32_t>::max();
+    std::erase_if(pairs, [&](const Pair& pair) {
+      if (pair.a != known) own = moving_box<D>(a, pair.a, horizon, margin), known = pair.a;
+      const MovingBox<D> other = moving_box<D>(b, pair.b, horizon, margin);
+      SharedInterval span = shared_span(own, other);
+      return span.is_empty() || !narrow_to_contact(own, other, span);
+    });
+  });
 }
 
 /// The form of the object that changes.
@@ -123,6 +143,7 @@ bool ExactAvoidance::may_meet(std::uint32_t leg, std::size_t table, std::uint32_
 }
 
 std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contact>>& contacts,
+                                              const Horizon& horizon,
                                               const std::vector<std::vector<std::uint8_t>>& left_out) {
   std::vector<Intruder> touching;
   for (std::size_t table = 0; table < near_.size(); ++table) {
@@ -135,6 +156,7 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
         for (; row < count && pairs.size() < pairs_at_once; ++row)
           if ((left_out.empty() || !left_out[table][row]) && may_meet(leg, table, row))
             pairs.push_back({leg, row});
+        keep_near_outlines(own_.bodies(), near_[table]->bodies(), horizon, contacts[table]->reach(), pairs);
         contacts[table]->decide(pairs, hits);
       }
     std::vector<std::uint8_t> known(legs_ > 1 ? count : 0);
@@ -165,7 +187,7 @@ std::vector<Intruder> ExactAvoidance::touching_at_start(const Records& legs) {
   if (!(start_ - question_.now <= question_.h)) return {};
   for (std::size_t table = 0; table < near_.size(); ++table)
     if (!at_first_[table]) at_first_[table] = contact(table, {start_, 0});
-  std::vector<Intruder> touching = decided(at_first_, {});
+  std::vector<Intruder> touching = decided(at_first_, {start_, 0}, {});
   if (question_.touching == Touching::ignore) complete(touching);
   return touching;
 }
@@ -187,7 +209,7 @@ std::vector<Intruder> ExactAvoidance::touching(const Records& legs, const std::v
   for (const auto& near : near_) left_out.emplace_back(near->size());
   for (const Intruder& intruder : *first)
     left_out[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
-  std::vector<Intruder> touching = decided(contacts_, left_out);
+  std::vector<Intruder> touching = decided(contacts_, {question_.now, question_.h}, left_out);
   if (question_.touching == Touching::part)
     for (const Intruder& intruder : *first)
       if (!all_separate(intruder)) touching.push_back(intruder);

@@ -68,7 +68,8 @@ class ExactAvoidance {
   std::unique_ptr<Contact> contact(std::size_t table, const Horizon& horizon) const;
   /// Whether the leg and the intruder's row exist at one time; true where this is not worth a test.
   bool may_meet(std::uint32_t leg, std::size_t table, std::uint32_t row) const;
-  std::vector<Intruder> decided(std::vector<std::unique_ptr<Contact>>& contacts,
+  /// The intruders that these contacts find during the horizon.
+  std::vector<Intruder> decided(std::vector<std::unique_ptr<Contact>>& contacts, const Horizon& horizon,
                                 const std::vector<std::vector<std::uint8_t>>& left_out);
   /// Appends all legs of the objects of which one leg is in the list.
   void complete(std::vector<Intruder>& touching) const;
