@@ -30,16 +30,19 @@ struct PairExtents {
 
   /// Upper bound of the support function along n.
   double support(const Vec<D>& n) const {
+    double along = 0;
+    if constexpr (D > 1)
+      if (sum) along = sum->support(n[0], n[1]);
+    return support_with(n, along);
+  }
+  /// The same for a sum whose support is `along`.
+  double support_with(const Vec<D>& n, double along) const {
     const Vec<D> size = n.abs();
     double square = 0;
     for (int axis = 0; axis < round_axes; ++axis) square += n[axis] * n[axis];
-    double reach = (half * size).sum() + radius * std::sqrt(square);
-    double magnitude = (half.abs() * size).sum() + std::abs(radius) * std::sqrt(square);
-    if constexpr (D > 1)
-      if (sum) {
-        const double along = sum->support(n[0], n[1]);
-        reach += along, magnitude += std::abs(along);
-      }
+    const double reach = (half * size).sum() + radius * std::sqrt(square) + along;
+    const double magnitude =
+        (half.abs() * size).sum() + std::abs(radius) * std::sqrt(square) + std::abs(along);
     return reach + (magnitude * 0x1p-49 + 0x1p-1000);
   }
 

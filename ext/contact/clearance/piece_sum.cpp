@@ -32,6 +32,12 @@ double farthest_along(std::span<const Corner> corners, double x, double y) {
   return support;
 }
 
+/// Increases with the angle of a direction from 0 to a whole turn, from 0 to 4.
+double angle_number(double x, double y) {
+  const double across = y / (std::abs(x) + std::abs(y));
+  return x < 0 ? 2 - across : across < 0 ? 4 + across : across;
+}
+
 const Corner& farthest_corner(std::span<const Corner> corners, double x, double y) {
   const Corner* found = corners.data();
   double support = -std::numeric_limits<double>::infinity();
@@ -57,7 +63,11 @@ PieceSum::PieceSum(const ConvexPiece& own, std::shared_ptr<const ObjectPieces> o
 }
 
 void PieceSum::turn(double degrees) {
-  const SineCosine<double> at = quick_sine_cosine(degrees);
+  turn(quick_sine_cosine(degrees));
+}
+
+void PieceSum::turn(const SineCosine<double>& at) {
+  pose_ = at;
   for (std::size_t i = 0; i < given_.size(); ++i) {
     const Corner& corner = given_[i];
     own_[i] = {corner.x * at.cosine + corner.y * at.sine, corner.y * at.cosine - corner.x * at.sine};
@@ -79,6 +89,137 @@ void PieceSum::make_ring(const Corner* along) const {
     const double travelled = length_of(edge.p_end->x - edge.q_end->x - x, edge.p_end->y - edge.q_end->y - y);
     if (length > 0) ring_.push_back({x, y, run_y / length, -run_x / length, travelled, length});
   }
+}
+
+/// The sides of a piece, or of its reflection for the sign -1.
+std::vector<PieceSum::Side> PieceSum::sides_of(const ConvexPiece& piece, double sign) {
+  std::vector<Side> sides;
+  const auto count = static_cast<std::size_t>(piece.edges());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = i + 1 < count ? i + 1 : 0;
+    const double x = sign * (piece.along[next].x - piece.along[i].x),
+                 y = sign * (piece.along[next].y - piece.along[i].y), run = length_of(x, y);
+    const Corner &from = piece.corners[i], &to = piece.corners[next];
+    sides.push_back({angle_number(x, y), y / run, -x / run, length_of(to.x - from.x, to.y - from.y), run});
+  }
+  return sides;
+}
+
+void PieceSum::make_sides() const {
+  if (!own_sides_.empty() || !other_sides_.empty()) return;
+  own_sides_ = sides_of({given_, given_.data(), nullptr}, 1), other_sides_ = sides_of(other_, -1);
+  angles_.resize(own_sides_.size());
+}
+
+/// As make_ring(), but merged by rounded directions: a ring for guesses.
+void PieceSum::make_turned_ring() const {
+  is_turned_ = false;
+  ring_.clear();
+  make_sides();
+  point_ = {own_[0].x - other_.corners[0].x, own_[0].y - other_.corners[0].y};
+  const std::size_t own_count = own_sides_.size(), other_count = other_sides_.size();
+  std::size_t own = 0, other = 0;
+  for (std::size_t i = 0; i < own_count; ++i) {
+    const Side& side = own_sides_[i];
+    const double x = side.normal_x * pose_.cosine + side.normal_y * pose_.sine,
+                 y = side.normal_y * pose_.cosine - side.normal_x * pose_.sine;
+    angles_[i] = angle_number(-y, x);
+    if (angles_[i] < angles_[own]) own = i;
+  }
+  for (std::size_t i = 1; i < other_count; ++i)
+    if (other_sides_[i].angle < other_sides_[other].angle) other = i;
+  for (std::size_t own_left = own_count, other_left = other_count; own_left + other_left > 0;) {
+    const bool of_own = other_left == 0 || (own_left > 0 && angles_[own] <= other_sides_[other].angle);
+    const Side& side = of_own ? own_sides_[own] : other_sides_[other];
+    const double x = own_[own].x - other_.corners[other].x, y = own_[own].y - other_.corners[other].y;
+    Edge edge{x, y, side.normal_x, side.normal_y, side.length, side.run};
+    if (of_own) {
+      edge.normal_x = side.normal_x * pose_.cosine + side.normal_y * pose_.sine;
+      edge.normal_y = side.normal_y * pose_.cosine - side.normal_x * pose_.sine;
+      own = own + 1 < own_count ? own + 1 : 0, --own_left;
+    } else {
+      other = other + 1 < other_count ? other + 1 : 0, --other_left;
+    }
+    if (side.run > 0) ring_.push_back(edge);
+  }
+}
+
+/// A vector that is rotated by up to a half width in both directions.
+struct PieceSum::Arc {
+  Arc(double x, double y, const SineCosine<double>& half) : x(x), y(y), length(length_of(x, y)), half(half) {}
+
+  /// The farthest of them along n, of this length.
+  double farthest(double nx, double ny, double n) const {
+    const double along = nx * x + ny * y, across = nx * y - ny * x, all = n * length;
+    return along >= half.cosine * all ? all : half.cosine * along + half.sine * std::abs(across);
+  }
+
+  double x, y, length;
+  SineCosine<double> half;
+};
+
+/// A piece in a place. `pose`: of the normals of its sides.
+struct PieceSum::Placed {
+  std::span<const Corner> corners;
+  const std::vector<Side>& sides;
+  SineCosine<double> pose;
+  Corner place;
+
+  Corner corner(std::size_t i) const { return {corners[i].x + place.x, corners[i].y + place.y}; }
+  Corner normal(std::size_t i) const {
+    const Side& side = sides[i];
+    return {side.normal_x * pose.cosine + side.normal_y * pose.sine,
+            side.normal_y * pose.cosine - side.normal_x * pose.sine};
+  }
+};
+
+bool PieceSum::is_inside(const Arc& arc, const Placed& piece, double radius, double slack) {
+  const double near = radius + slack;
+  std::size_t beyond = 0, edge = 0;  // the edges that it crosses
+  for (std::size_t i = 0; i < piece.sides.size(); ++i) {
+    const Corner n = piece.normal(i), from = piece.corner(i);
+    const double over = arc.farthest(n.x, n.y, 1) - (n.x * from.x + n.y * from.y);
+    if (over > near) return false;
+    if (over > slack) ++beyond, edge = i;
+  }
+  if (!piece.sides.empty() && beyond == 0) return true;
+  if (!(radius > 0)) return false;
+  if (beyond == 1) {
+    const Corner n = piece.normal(edge), from = piece.corner(edge);
+    const double start = n.x * from.y - n.y * from.x;
+    if (arc.farthest(n.y, -n.x, 1) <= -start &&
+        arc.farthest(-n.y, n.x, 1) <= start + piece.sides[edge].length)
+      return true;
+  }
+  for (std::size_t i = 0; i < piece.corners.size(); ++i) {
+    const Corner c = piece.corner(i);
+    const double square = c.x * c.x + c.y * c.y;
+    if (square + arc.length * arc.length + 2 * arc.farthest(-c.x, -c.y, std::sqrt(square)) <= near * near)
+      return true;
+  }
+  return false;
+}
+
+bool PieceSum::has_corner_inside(const Corner& other_place, const Corner& own_place,
+                                 const SineCosine<double>& half, double radius, double slack) const {
+  make_sides();
+  const Placed own{own_, own_sides_, pose_, own_place},
+      other{other_.corners, other_sides_, {0, -1}, other_place};
+  for (std::size_t i = 0; i < own_.size(); ++i)
+    if (is_inside({own.corner(i).x, own.corner(i).y, half}, other, radius, slack)) return true;
+  for (std::size_t i = 0; i < other_.corners.size(); ++i)
+    if (is_inside({other.corner(i).x, other.corner(i).y, half}, own, radius, slack)) return true;
+  return false;
+}
+
+std::array<double, 2> PieceSum::supports(double x, double y,
+                                         const std::array<SineCosine<double>, 2>& at) const {
+  const double other =
+      farthest_along(other_.corners, -x, -y) + size_ * (pad_of_sum * (std::abs(x) + std::abs(y)));
+  const auto turned = [&](const SineCosine<double>& by) {
+    return farthest_along(given_, x * by.cosine - y * by.sine, x * by.sine + y * by.cosine) + other;
+  };
+  return {turned(at[0]), turned(at[1])};
 }
 
 double PieceSum::support(double x, double y) const {

@@ -10,12 +10,14 @@
 // Cost: linear in the corners of both, some nanoseconds each.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "contact/outline/convex_sum.h"
 #include "contact/outline/object_pieces.h"
+#include "numbers/sine_cosine.h"
 
 namespace foresee {
 
@@ -31,10 +33,13 @@ class PieceSum {
   /// Rotates the own piece clockwise by so many degrees from its given pose.
   /// Requires: |degrees| <= 720; the own piece is not a box of no width.
   void turn(double degrees);
+  void turn(const SineCosine<double>& at);
 
   /// Upper bound of the support function along (x, y), in lengths of that vector. It also holds for the
   /// corners that a rotated outline is stored with, at a rounded heading.
   double support(double x, double y) const;
+  /// The same for two rotations from the given pose, whatever the present pose is.
+  std::array<double, 2> supports(double x, double y, const std::array<SineCosine<double>, 2>& at) const;
   /// Approximate signed distance of a point, below 0 inside, and its gradient, of length 1.
   double signed_distance(double x, double y, double& normal_x, double& normal_y) const;
   /// The point of the sum that is farthest along (x, y): a corner.
@@ -42,6 +47,10 @@ class PieceSum {
   /// Approximately the times from `begin` to `end` at which (x, y) + tau (vx, vy) is inside; first > second: none.
   std::pair<double, double> crossing(double x, double y, double vx, double vy, double begin,
                                      double end) const;
+  /// Whether one corner of either piece remains inside the other, or within `radius` of it, while both rotate with the
+  /// vector `own_place` by up to a half width from the present pose. `half`: its sine and cosine. Approximate.
+  bool has_corner_inside(const Corner& other_place, const Corner& own_place, const SineCosine<double>& half,
+                         double radius, double slack) const;
   /// Calls use(normal_x, normal_y, error) for each edge that a point is beyond, or inside by less than
   /// `near`. The normal points outward; `error` is an upper bound of its error.
   template <class Use>
@@ -66,13 +75,27 @@ class PieceSum {
     double run;  ///< the length of the vector that gives its direction, also for boxes of no width
   };
   void make_ring(const Corner* along) const;
+  void make_turned_ring() const;
   /// After a rotation it is made when it is read: a path that passes the sum needs no more than corners.
   const std::vector<Edge>& ring() const {
-    if (is_turned_) make_ring(own_.data());
+    if (is_turned_) make_turned_ring();
     return ring_;
   }
 
+  /// The direction of an edge of one piece, as a number that increases with its angle, and its outward normal.
+  struct Side {
+    double angle, normal_x, normal_y, length, run;
+  };
+  static std::vector<Side> sides_of(const ConvexPiece& piece, double sign);
+  void make_sides() const;
+  struct Arc;
+  struct Placed;
+  static bool is_inside(const Arc& arc, const Placed& piece, double radius, double slack);
+
   std::vector<Corner> given_, own_;
+  mutable std::vector<Side> own_sides_, other_sides_;  ///< made with the first turned ring
+  SineCosine<double> pose_{0, 1};
+  mutable std::vector<double> angles_;  ///< of the own sides, rotated
   std::shared_ptr<const ObjectPieces> kept_;
   ConvexPiece other_;
   mutable std::vector<Edge> ring_;

@@ -34,11 +34,69 @@ double min_of(const Vec<D>& n, const Vec<D>& other, const Vec<D>& error, const V
           4 * unit_roundoff * std::abs(support));
 }
 
+/// What an arc adds to the farther of its ends, as from + rate tau + bend tau^2 for tau of [begin, end].
+struct BesideEnds {
+  double from, rate, bend;
+};
+
+/// An own corner c of a range of turns is in R(k) w, w = v tau + a tau^2 / 2 + c: on an arc of radius |w|. Along n that
+/// is at most the farther end, and the height of the arc. Without a it is at most the farther end alone once
+/// v tau outweighs c, so that R(k) w turns away from n throughout, or towards n.
+template <int D>
+BesideEnds beside_ends(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
+                       double begin, double end) {
+  const double chord = encounter.rotation_chord, size = std::abs(n[0]) + std::abs(n[D > 1]);
+  const double height = 0.5 * chord * chord * size * (1 + 0x1p-48);
+  const VectorSet<D>&velocity = family.all.velocity, &acceleration = family.all.acceleration;
+  const double reach = encounter.turning->own_reach();
+  BesideEnds all{height * reach, height * velocity.radius, 0.5 * height * acceleration.radius};
+  if (acceleration.turns) return all;
+  const auto across = [&](const Vec<D>& v) { return n[0] * v[D > 1] - n[D > 1] * v[0]; };
+  const double first = across(family.first.v), last = across(family.last.v);
+  if ((first > 0) != (last > 0)) return all;
+  const double slowest =
+      std::min(std::abs(first), std::abs(last)) - size * (velocity.pad.sum() + 0x1p-47 * velocity.radius);
+  const double until = size * reach * (1 + 0x1p-40) / slowest;
+  if (!(slowest > 0) || until <= begin) return slowest > 0 ? BesideEnds{0, 0, 0} : all;
+  if (!(2 * (until - begin) < end - begin)) return all;
+  const double rate = (all.from + until * all.rate) / (end - until) * (1 + 0x1p-40);
+  return {rate * end, -rate, 0};
+}
+
+/// plane_proves() for a sum that rotates with the motions.
+template <int D>
+bool plane_proves_of_turns(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
+                           double begin, double end) {
+  const BesideEnds beside = beside_ends<D>(encounter, family, n, begin, end);
+  const MotionSet<D>& all = family.all;
+  const std::array<double, 2> along = encounter.turning->supports(n[0], n[D > 1], family.turns->ends);
+  const double growth = encounter.extents.grows ? encounter.extents.growth.support(n) : 0;
+  const double place = min_of<D>(n, encounter.x, encounter.ex, all.place);
+  for (int i = 0; i < 2; ++i) {
+    const TrajectoryEstimate<D>& own = i == 0 ? family.first : family.last;
+    const auto one = [](const Vec<D>& centre, const VectorSet<D>& of) {
+      return VectorSet<D>{.centre = centre, .pad = of.pad};
+    };
+    const double reach = encounter.extents.support_with(n, along[static_cast<std::size_t>(i)]) + beside.from;
+    const double c0 = place - reach;
+    const double v = min_of<D>(n, encounter.v, encounter.ev, one(own.v, all.velocity)),
+                 c1 = v - growth - beside.rate -
+                      4 * unit_roundoff * (std::abs(v) + growth + std::abs(beside.rate));
+    const double c2 = 0.5 * min_of<D>(n, encounter.a, Vec<D>(Vec<D>::Zero()), one(own.a, all.acceleration)) -
+                      beside.bend * (1 + 0x1p-48);
+    if (!surely_positive(c0 - 4 * unit_roundoff * (std::abs(c0) + std::abs(reach)), c1, c2, begin, end))
+      return false;
+  }
+  return true;
+}
+
 /// Whether a plane of normal n separates the two throughout [begin, end], for every change: a proof.
 template <int D>
-bool plane_proves(const Encounter<D>& encounter, const MotionSet<D>& all, const Vec<D>& n, double begin,
-                  double end) {
+bool plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
+                  double begin, double end) {
   if (!(n.abs().maxCoeff() >= min_normal)) return false;
+  if (D > 1 && encounter.turning) return plane_proves_of_turns<D>(encounter, family, n, begin, end);
+  const MotionSet<D>& all = family.all;
   double inflation = 0;  // in x and y
   if constexpr (D > 1)
     if (encounter.inflation > 0)
@@ -50,6 +108,32 @@ bool plane_proves(const Encounter<D>& encounter, const MotionSet<D>& all, const 
   const double c1 = growth == 0 ? v : v - growth - 4 * unit_roundoff * (std::abs(v) + growth);
   const double c2 = 0.5 * min_of<D>(n, encounter.a, Vec<D>(Vec<D>::Zero()), all.acceleration);
   return surely_positive(c0 - 4 * unit_roundoff * (std::abs(c0) + std::abs(reach)), c1, c2, begin, end);
+}
+
+/// Near touching, a plane may fail only because the rounding of velocities crosses it at a late time. A plane tilted
+/// by that error along v, the velocity of the other object relative to one motion, then separates the two.
+template <int D>
+bool tilted_plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
+                         const Vec<D>& v, double begin, double end) {
+  const double square = (v * v).sum();
+  if (!(square > 0)) return false;
+  const Vec<D> unsure = family.all.velocity.pad + encounter.ev + 0x1p-50 * encounter.v.abs();
+  const Vec<D> tilted = n + (2 * (n.abs() * unsure).sum() / square) * v;
+  return plane_proves<D>(encounter, family, tilted, begin, end);
+}
+
+/// The same for a sum that rotates, by a plane until the nearest approach at tau and one after it. `v`: the velocity of
+/// the other object relative to one motion, across n. Far from the nearest approach a plane tilted along v gives
+/// the room that the rotation needs there; near it the rotation is outweighed by the turn of the velocity.
+template <int D>
+bool two_planes_prove(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
+                      const Vec<D>& v, double tau, double begin, double end) {
+  const double square = (v * v).sum();
+  if (!(begin < tau && tau < end && square > 0) || !plane_proves<D>(encounter, family, n, tau, end))
+    return false;
+  const double chord = encounter.rotation_chord,
+               room = 2.5 * encounter.turning->own_reach() * chord * (1 + chord);
+  return plane_proves<D>(encounter, family, Vec<D>(n - (room / (square * (tau - begin))) * v), begin, tau);
 }
 
 }  // namespace foresee

@@ -123,11 +123,59 @@ ClearanceVerdict certified(SeparationCase<D>& separation, const Encounter<D>& en
   return ClearanceVerdict::open;
 }
 
+/// For a sum that rotates: whether all motions bring one corner into the other piece at tau. Approximate.
+template <int D>
+bool has_corner_inside(const SeparationCase<D>& separation, const Encounter<D>& encounter,
+                       const TrajectoryFamily<D>& family, double tau) {
+  const PairExtents<D> extents = encounter.extents.after(tau);
+  const double slack = separation.slack_at(tau);
+  const Vec<D> other = place_at<D>({encounter.x, encounter.v, encounter.a}, tau),
+               own = place_at<D>(family.middle, tau);
+  for (int axis = 2; axis < D; ++axis)
+    if (!(std::abs(other[axis] - own[axis]) - extents.half[axis] <= slack)) return false;
+  const VectorSet<D>& turned = family.all.velocity;
+  return encounter.turning->has_corner_inside({other[0], other[D > 1]}, {own[0], own[D > 1]},
+                                              {turned.sine, turned.cosine}, extents.radius, slack);
+}
+
+/// The same for a sum that rotates, on paths that are not bent: the pose of each motion is its own.
+template <int D>
+ClearanceVerdict certified_turns(const SeparationCase<D>& separation, const Encounter<D>& encounter,
+                                 const TrajectoryFamily<D>& family) {
+  if (separation.never_together()) return ClearanceVerdict::clear;
+  if (!separation.is_finite()) return ClearanceVerdict::blocked;
+  const RangeOfTurns& turns = *family.turns;
+  const TrajectoryEstimate<D>* const motions[] = {&family.middle, &family.first, &family.last};
+  const SineCosine<double>* const poses[] = {&turns.middle, &turns.ends[0], &turns.ends[1]};
+  StraightApproach<D> near[3];
+  bool touch = false;
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) encounter.turning->turn(*poses[i]);
+    const TrajectoryEstimate<D> path = relative(encounter, *motions[i]);
+    near[i] = separation.approach_of(path);
+    const bool touches = separation.touches(near[i]);
+    if (i > 0 && touches != touch) return ClearanceVerdict::open;
+    touch = touches;
+    if (near[i].gap > 0 && separation.is_proven_beside(path, near[i])) return ClearanceVerdict::clear;
+  }
+  if (!touch) return ClearanceVerdict::open;
+  encounter.turning->turn(turns.middle);
+  const int shallow = near[1].gap > near[2].gap ? 1 : 2;
+  const auto is_inside = [&](int i) {
+    return has_corner_inside<D>(separation, encounter, family, near[i].tau);
+  };
+  const bool all_touch =
+      is_inside(shallow) || separation.all_touch_about(near[0].tau) || is_inside(0) || is_inside(3 - shallow);
+  return all_touch ? ClearanceVerdict::blocked : ClearanceVerdict::open;
+}
+
 template <int D>
 ClearanceVerdict certified(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
                            std::uint64_t& evaluations) {
   SeparationCase<D> separation(encounter, family);
-  const ClearanceVerdict verdict = certified<D>(separation, encounter, family);
+  const ClearanceVerdict verdict = encounter.turning && !separation.bends()
+                                       ? certified_turns<D>(separation, encounter, family)
+                                       : certified<D>(separation, encounter, family);
   evaluations += 1 + separation.parts();
   return verdict;
 }

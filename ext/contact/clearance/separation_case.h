@@ -61,10 +61,19 @@ class SeparationCase {
 
   bool touches(const TrajectoryEstimate<D>& own) const {
     const TrajectoryEstimate<D> path = relative(encounter_, own);
-    if (!(path.begin <= path.end)) return false;
-    const auto near = straight_approach<D>(encounter_.extents, path.x, path.v, path.begin, path.end);
-    return near.gap <= slack_at(near.tau);
+    return path.begin <= path.end && touches(approach_of(path));
   }
+  bool touches(const StraightApproach<D>& near) const { return near.gap <= slack_at(near.tau); }
+  StraightApproach<D> approach_of(const TrajectoryEstimate<D>& path) const {
+    return straight_approach<D>(encounter_.extents, path.x, path.v, path.begin, path.end);
+  }
+  /// Whether there is a plane, or two, beside the nearest approach of one path that is not bent.
+  bool is_proven_beside(const TrajectoryEstimate<D>& path, const StraightApproach<D>& near) const {
+    return is_proven_beside(path, near, begin_);
+  }
+
+  /// A smaller distance counts as touching.
+  double slack_at(double tau) const { return slack_ * scale_at(tau); }
 
   /// Whether all motions of the range touch at tau, or at the time nearest to it at which all exist. On one
   /// axis also whether all pass the other object. Approximate.
@@ -122,8 +131,7 @@ class SeparationCase {
   /// When one of the motions is nearest, if its path is not bent.
   double nearest_time(const TrajectoryEstimate<D>& own) const {
     const TrajectoryEstimate<D> path = relative(encounter_, own);
-    if (!(path.begin <= path.end)) return begin_;
-    return straight_approach<D>(encounter_.extents, path.x, path.v, path.begin, path.end).tau;
+    return path.begin <= path.end ? approach_of(path).tau : begin_;
   }
 
  private:
@@ -212,7 +220,6 @@ class SeparationCase {
   double last_begin() const { return std::max({begin_, family_.first.begin, family_.last.begin}); }
   double first_end() const { return std::min({end_, family_.first.end, family_.last.end}); }
 
-  double slack_at(double tau) const { return slack_ * scale_at(tau); }
   double scale_at(double tau) const {
     const Vec<D> v = family_.upper[1].abs().max(family_.lower[1].abs()) + encounter_.v.abs();
     const PairExtents<D> extents = encounter_.extents.after(tau);
@@ -224,19 +231,16 @@ class SeparationCase {
     const auto near = straight_approach<D>(encounter_.extents, path.x, path.v, begin, end_);
     tau = near.tau;
     if (!(near.gap > 0)) return ProbeResult::overlapping;
-    if (plane_proves<D>(encounter_, family_.all, near.normal, begin, end_)) return ProbeResult::separated;
-    return is_proven_by_tilt(path, near, begin) ? ProbeResult::separated : ProbeResult::inconclusive;
+    return is_proven_beside(path, near, begin) ? ProbeResult::separated : ProbeResult::inconclusive;
   }
-
-  /// Near touching, a plane may fail only because the rounding of velocities crosses it at a late time. A
-  /// plane tilted along the path by that error then separates the two.
-  bool is_proven_by_tilt(const TrajectoryEstimate<D>& path, const StraightApproach<D>& near,
-                         double begin) const {
-    const double square = (path.v * path.v).sum(), size = scale_at(near.tau);
-    if (near.gap > 0x1p-30 * size || !(square > 0)) return false;
-    const Vec<D> unsure = family_.all.velocity.pad + encounter_.ev + 0x1p-50 * encounter_.v.abs();
-    const Vec<D> tilted = near.normal + (2 * (near.normal.abs() * unsure).sum() / square) * path.v;
-    return plane_proves<D>(encounter_, family_.all, tilted, begin, end_);
+  bool is_proven_beside(const TrajectoryEstimate<D>& path, const StraightApproach<D>& near,
+                        double begin) const {
+    if (plane_proves<D>(encounter_, family_, near.normal, begin, end_)) return true;
+    if (encounter_.turning &&
+        two_planes_prove<D>(encounter_, family_, near.normal, path.v, near.tau, begin, end_))
+      return true;
+    return near.gap <= 0x1p-30 * scale_at(near.tau) &&
+           tilted_plane_proves<D>(encounter_, family_, near.normal, path.v, begin, end_);
   }
 
   /// Splits the time into intervals, in each of which the path is approximated by a straight one.
@@ -253,8 +257,7 @@ class SeparationCase {
       const Vec<D> v = path.v + middle * path.a, x = place_at<D>(path, middle) - middle * v;
       const auto near = straight_approach<D>(encounter_.extents, x, v, part.begin, part.end);
       tau = near.tau;
-      if (near.gap > 0 && plane_proves<D>(encounter_, family_.all, near.normal, part.begin, part.end))
-        continue;
+      if (near.gap > 0 && plane_proves<D>(encounter_, family_, near.normal, part.begin, part.end)) continue;
       // The nearest place of the bent path, not of its tangent: along its normal the path may bend away.
       Vec<D> normal;
       if (!(signed_distance<D>(encounter_.extents.after(tau), place_at<D>(path, tau), normal) >
@@ -263,7 +266,7 @@ class SeparationCase {
         tau = deepest_time<D>(encounter_.extents, path, begin_, end_, tau);
         return ProbeResult::overlapping;
       }
-      if (plane_proves<D>(encounter_, family_.all, normal, part.begin, part.end)) continue;
+      if (plane_proves<D>(encounter_, family_, normal, part.begin, part.end)) continue;
       // Compares what a shorter time gains with what only a narrower range gains.
       const Vec<D> along = family_.is_from_start ? near.normal : Vec<D>(Vec<D>::Ones());
       const double bend = 0.125 * length * length * (along * path.a).abs().sum();

@@ -65,6 +65,16 @@ Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const B
   return encounter;
 }
 
+RangeOfTurns range_of_turns(double p, double q) {
+  const double middle = p + 0.5 * (q - p), half = std::max(middle - p, q - middle) * (1 + 0x1p-50);
+  RangeOfTurns turns;
+  turns.middle = quick_sine_cosine(middle);
+  if (!(half > 0)) return {{turns.middle, turns.middle}, turns.middle, 0};
+  turns.ends = {quick_sine_cosine(p), quick_sine_cosine(q)};
+  turns.chord = half >= 180 ? 2 : 2 * (quick_sine_cosine(0.5 * half).sine * (1 + 0x1p-40) + 0x1p-1000);
+  return turns;
+}
+
 template <int D>
 void find_ends(TrajectoryFamily<D>& family) {
   const VectorSet<D>* const parts[] = {&family.all.place, &family.all.velocity, &family.all.acceleration};
@@ -91,6 +101,7 @@ TrajectoryFamily<D> trajectory_family(const Changes& changes, double p, double q
   shorten(all.velocity, family.middle.v), shorten(all.place, family.middle.x);
   family.bends = (family.upper[2] != 0).any() || (family.lower[2] != 0).any();
   family.one_interval = changes.touches_in_one_interval() && p < q;
+  if (changes.turns()) family.turns = range_of_turns(p, q);
   return family;
 }
 

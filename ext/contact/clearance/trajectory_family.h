@@ -15,6 +15,9 @@
 // Cost: some tens of nanoseconds per encounter, some hundreds per family.
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "contact/clearance/pair_extents.h"
 #include "motion/changes.h"
 #include "shape/bodies.h"
@@ -35,8 +38,10 @@ struct Encounter {
   double begin, end;          ///< both exist in the horizon, in seconds after the change, rounded outward
   double inflation = 0;       ///< upper bound of the change of the set's support by its rotation …
   double rotation_chord = 0;  ///< … whose chord this is, relative to the length that rotates
-  double square_gap = 0;      ///< lower bound of squared distance - squared reach, of discs and balls beside
-  bool beside = false;        ///< apart at the change by exact contact, but doubles may not decide it
+  PieceSum* turning =
+      nullptr;            ///< the sum, if it rotates with the motions of the range: in the pose of the middle
+  double square_gap = 0;  ///< lower bound of squared distance - squared reach, of discs and balls beside
+  bool beside = false;    ///< apart at the change by exact contact, but doubles may not decide it
 
   bool bends() const { return (a != 0).any(); }
 };
@@ -45,6 +50,14 @@ struct Encounter {
 template <int D>
 Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
                           const double* row, const GrowingExtents<D>& extents);
+
+/// The rotations of a range of turns.
+struct RangeOfTurns {
+  std::array<SineCosine<double>, 2> ends;
+  SineCosine<double> middle;
+  double chord;  ///< upper bound of the chord from the middle to an end, relative to the radius
+};
+RangeOfTurns range_of_turns(double p, double q);
 
 /// The changed motions of a range, and estimates of three of them.
 template <int D>
@@ -55,7 +68,8 @@ struct TrajectoryFamily {
   double turned[3]{};          ///< how far these are from the chord of the first and last; 0: a segment
   bool is_from_start = false;  ///< seen_from_start(): only the other object's position differs
   bool bends;                  ///< any of them is accelerated
-  bool one_interval;           ///< if no path is bent, the changes that touch are one interval
+  std::optional<RangeOfTurns> turns = {};  ///< `first` and `last` are within the pads of `all` then
+  bool one_interval;                       ///< if no path is bent, the changes that touch are one interval
 };
 
 template <int D>

@@ -76,8 +76,7 @@ template <int D>
 ClearanceVerdict ClearRanges<D>::certify(const IntruderCertificate<D>& intruder, std::uint32_t whole,
                                          const Range& range) {
   std::uint64_t evaluations = 0;
-  const ClearanceVerdict verdict =
-      intruder.certify(range.family(intruder), range.from, range.to, evaluations);
+  const ClearanceVerdict verdict = intruder.certify(range.family(intruder), evaluations);
   step_.costly(static_cast<unsigned>((16 + intruder.corners()) * (1 + evaluations)));
   if (!range.is_first) evaluations_[whole] += evaluations, all_evaluations_ += evaluations;
   return verdict;
@@ -153,8 +152,14 @@ void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t 
   double middle = from + 0.5 * (to - from);
   const double first = std::max(std::abs(from - near), min_width),
                last = std::max(std::abs(to - near), min_width);
-  if (near <= from && last > 8 * first) middle = near + std::sqrt(first) * std::sqrt(last);
-  if (near >= to && first > 8 * last) middle = near - std::sqrt(first) * std::sqrt(last);
+  const auto between_distances = [&](double nearer, double farther) {
+    const double mean = std::sqrt(nearer) * std::sqrt(farther);
+    return intruders_[open_[begin]].turns()
+               ? std::sqrt(std::sqrt(mean) * std::sqrt(farther)) * std::sqrt(farther)
+               : mean;
+  };
+  if (near <= from && last > 8 * first) middle = near + between_distances(first, last);
+  if (near >= to && first > 8 * last) middle = near - between_distances(last, first);
   if (!(from < middle && middle < to)) return;
   search(from, middle, begin, end, near);
   search(middle, to, begin, end, near);

@@ -122,7 +122,7 @@ bool ExactAvoidance::separates(std::uint32_t leg, const Intruder& intruder) {
       outlines =
           std::make_shared<OutlinePair>(std::make_shared<OwnOutline>(own, leg, false), others, intruder.row);
     return is_clear_of<D>({encounter, IntruderCertificate<D>::AtFirst::touches, outlines},
-                          trajectory_family<D>(*no_changes_of(base), 0, 0), 0);
+                          trajectory_family<D>(*no_changes_of(base), 0, 0));
   });
 }
 

@@ -6,16 +6,6 @@
 #include "contact/clearance/separation.h"
 
 namespace foresee {
-namespace {
-
-/// Upper bound of the chord of a rotation by at most `degrees`, relative to the radius: twice the sine of
-/// half the angle.
-double chord_of(double degrees) {
-  if (degrees >= 180) return 2;
-  return 2 * (quick_sine_cosine(0.5 * degrees).sine * (1 + 0x1p-40) + 0x1p-1000);
-}
-
-}  // namespace
 
 template <int D>
 IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& encounter, AtFirst at_first,
@@ -33,18 +23,18 @@ IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& encounter, AtFir
 }
 
 template <int D>
-ClearanceVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& family, double p, double q,
+ClearanceVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& family,
                                                  std::uint64_t& evaluations) const {
   if (touches_first()) ++evaluations;
   if (stage_ == Stage::simple)
     return touches_first() ? certify_separation_increases<D>(encounter_, family, evaluations)
                            : certify_clearance<D>(encounter_, family, evaluations);
   if (has_parts())
-    return certify_clearance<D>(turning_ ? encounter_between(p, q) : encounter_, family, evaluations) ==
-                   ClearanceVerdict::clear
+    return certify_clearance<D>(turning_ ? turned_encounter(*family.turns) : encounter_, family,
+                                evaluations) == ClearanceVerdict::clear
                ? ClearanceVerdict::clear
                : ClearanceVerdict::open;
-  const Encounter<D> turned = turning_ ? encounter_between(p, q) : encounter_;
+  const Encounter<D> turned = turning_ ? turned_encounter(*family.turns) : encounter_;
   if (!touches_first()) return certify_clearance<D>(turned, family, evaluations);
   const bool surely_first = outlines_->is_sole() && !outlines_->turns();
   return surely_first ? certify_separation_increases<D>(turned, family, evaluations)
@@ -52,15 +42,15 @@ ClearanceVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& fami
 }
 
 template <int D>
-Encounter<D> IntruderCertificate<D>::encounter_between(double p, double q) const {
+Encounter<D> IntruderCertificate<D>::turned_encounter(const RangeOfTurns& turns) const {
+  // Wider ranges have no two ends that bound them.
+  constexpr double widest_chord = 1;
   Encounter<D> encounter = encounter_;
-  if (!turning_) return encounter;
-  const double middle = p + 0.5 * (q - p), half = std::max(middle - p, q - middle);
-  const double chord = half > 0 ? chord_of(half * (1 + 0x1p-50)) : 0;
-  if (stage_ == Stage::boxes && chord > 0.5) return encounter;
-  turning_->turn(middle);
+  if (stage_ == Stage::boxes && turns.chord > 0.5) return encounter;
+  turning_->turn(turns.middle);
   encounter.extents.sum = turning_.get(), encounter.extents.radius = round_;
-  encounter.rotation_chord = chord, encounter.inflation = turning_->own_reach() * chord;
+  encounter.rotation_chord = turns.chord, encounter.inflation = turning_->own_reach() * turns.chord;
+  if (turns.chord <= widest_chord) encounter.turning = turning_.get();
   return encounter;
 }
 
@@ -95,20 +85,20 @@ std::vector<IntruderCertificate<D>> IntruderCertificate<D>::parts() const {
 }
 
 template <int D>
-bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family, double k) {
+bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family) {
   std::uint64_t evaluations = 0;
-  const ClearanceVerdict verdict = intruder.certify(family, k, k, evaluations);
+  const ClearanceVerdict verdict = intruder.certify(family, evaluations);
   if (verdict != ClearanceVerdict::open || !intruder.has_parts()) return verdict == ClearanceVerdict::clear;
   const std::vector<IntruderCertificate<D>> parts = intruder.parts();
   return std::all_of(parts.begin(), parts.end(),
-                     [&](const IntruderCertificate<D>& part) { return is_clear_of<D>(part, family, k); });
+                     [&](const IntruderCertificate<D>& part) { return is_clear_of<D>(part, family); });
 }
 
 template class IntruderCertificate<1>;
 template class IntruderCertificate<2>;
 template class IntruderCertificate<3>;
-template bool is_clear_of<1>(const IntruderCertificate<1>&, const TrajectoryFamily<1>&, double);
-template bool is_clear_of<2>(const IntruderCertificate<2>&, const TrajectoryFamily<2>&, double);
-template bool is_clear_of<3>(const IntruderCertificate<3>&, const TrajectoryFamily<3>&, double);
+template bool is_clear_of<1>(const IntruderCertificate<1>&, const TrajectoryFamily<1>&);
+template bool is_clear_of<2>(const IntruderCertificate<2>&, const TrajectoryFamily<2>&);
+template bool is_clear_of<3>(const IntruderCertificate<3>&, const TrajectoryFamily<3>&);
 
 }  // namespace foresee

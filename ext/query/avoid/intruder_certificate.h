@@ -1,7 +1,7 @@
 // The clearance certificate of one intruder for a range of changes, refined from bounds to convex pieces.
 //
 //   IntruderCertificate<2> ship(encounter, IntruderCertificate<2>::AtFirst::apart);
-//   ship.certify(trajectory_family<2>(*changes, 10, 20), 10, 20, evaluations)
+//   ship.certify(trajectory_family<2>(*changes, 10, 20), evaluations)
 //
 // Guarantee: a range certified clear is so for every change of it (contact/clearance/separation.h). An
 // intruder of several parts is clear if all of them are. An outline starts as the disc around both objects.
@@ -33,11 +33,15 @@ class IntruderCertificate {
   const Encounter<D>& encounter() const { return encounter_; }
   std::size_t leg() const { return leg_; }
   bool touches_first() const { return at_first_ == AtFirst::touches; }
-  ClearanceVerdict certify(const TrajectoryFamily<D>& family, double p, double q,
-                           std::uint64_t& evaluations) const;
+  ClearanceVerdict certify(const TrajectoryFamily<D>& family, std::uint64_t& evaluations) const;
+
+  /// Whether a convex set rotates with the change: then ranges beside a known end are proven up to large widths.
+  bool turns() const { return turning_ && !has_parts(); }
 
   /// The encounter of one change, for guesses.
-  Encounter<D> encounter_at(double k) const { return encounter_between(k, k); }
+  Encounter<D> encounter_at(double k) const {
+    return turning_ ? turned_encounter(range_of_turns(k, k)) : encounter_;
+  }
 
   /// Of the sum that an evaluation reads; 0 without outlines.
   std::size_t corners() const { return sum_ ? sum_->corners() : 0; }
@@ -53,7 +57,7 @@ class IntruderCertificate {
 
   /// If the outline rotates with the change: its pose in the middle of the range, inflated by the rotation to
   /// the ends. For boxes and a wide range the disc around them instead.
-  Encounter<D> encounter_between(double p, double q) const;
+  Encounter<D> turned_encounter(const RangeOfTurns& turns) const;
 
   Encounter<D> encounter_;
   AtFirst at_first_;
@@ -65,8 +69,8 @@ class IntruderCertificate {
   double round_ = 0;  ///< the radius without discs around rotating boxes
 };
 
-/// Whether one single change is proven clear.
+/// Whether one single change is proven clear. `family`: of this change alone.
 template <int D>
-bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family, double k);
+bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family);
 
 }  // namespace foresee
