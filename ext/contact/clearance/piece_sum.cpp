@@ -32,12 +32,6 @@ double farthest_along(std::span<const Corner> corners, double x, double y) {
   return support;
 }
 
-/// Increases with the angle of a direction from 0 to a whole turn, from 0 to 4.
-double angle_number(double x, double y) {
-  const double across = y / (std::abs(x) + std::abs(y));
-  return x < 0 ? 2 - across : across < 0 ? 4 + across : across;
-}
-
 const Corner& farthest_corner(std::span<const Corner> corners, double x, double y) {
   const Corner* found = corners.data();
   double support = -std::numeric_limits<double>::infinity();
@@ -53,7 +47,7 @@ const Corner& farthest_corner(std::span<const Corner> corners, double x, double 
 PieceSum::PieceSum(const ConvexPiece& own, const ConvexPiece& other)
     : given_(own.corners.begin(), own.corners.end()), own_(given_), other_(other) {
   own_reach_ = reach_of(given_);
-  size_ = own_reach_ + reach_of(other.corners);
+  other_reach_ = reach_of(other.corners), size_ = own_reach_ + other_reach_;
   make_ring(own.along == own.corners.data() ? own_.data() : own.along);
 }
 
@@ -100,7 +94,7 @@ std::vector<PieceSum::Side> PieceSum::sides_of(const ConvexPiece& piece, double 
     const double x = sign * (piece.along[next].x - piece.along[i].x),
                  y = sign * (piece.along[next].y - piece.along[i].y), run = length_of(x, y);
     const Corner &from = piece.corners[i], &to = piece.corners[next];
-    sides.push_back({angle_number(x, y), y / run, -x / run, length_of(to.x - from.x, to.y - from.y), run});
+    sides.push_back({y / run, -x / run, length_of(to.x - from.x, to.y - from.y), run});
   }
   return sides;
 }
@@ -108,39 +102,47 @@ std::vector<PieceSum::Side> PieceSum::sides_of(const ConvexPiece& piece, double 
 void PieceSum::make_sides() const {
   if (!own_sides_.empty() || !other_sides_.empty()) return;
   own_sides_ = sides_of({given_, given_.data(), nullptr}, 1), other_sides_ = sides_of(other_, -1);
-  angles_.resize(own_sides_.size());
+  turned_sides_ = own_sides_, first_other_ = first_of(other_sides_);
+}
+
+/// The first side counterclockwise from the lowest corner.
+std::size_t PieceSum::first_of(const std::vector<Side>& sides) {
+  for (std::size_t i = 1; i < sides.size(); ++i)
+    if (sides[i - 1].is_late() && !sides[i].is_late()) return i;
+  return 0;
 }
 
 /// As make_ring(), but merged by rounded directions: a ring for guesses.
 void PieceSum::make_turned_ring() const {
   is_turned_ = false;
-  ring_.clear();
   make_sides();
   point_ = {own_[0].x - other_.corners[0].x, own_[0].y - other_.corners[0].y};
   const std::size_t own_count = own_sides_.size(), other_count = other_sides_.size();
-  std::size_t own = 0, other = 0;
   for (std::size_t i = 0; i < own_count; ++i) {
     const Side& side = own_sides_[i];
-    const double x = side.normal_x * pose_.cosine + side.normal_y * pose_.sine,
-                 y = side.normal_y * pose_.cosine - side.normal_x * pose_.sine;
-    angles_[i] = angle_number(-y, x);
-    if (angles_[i] < angles_[own]) own = i;
+    turned_sides_[i].normal_x = side.normal_x * pose_.cosine + side.normal_y * pose_.sine;
+    turned_sides_[i].normal_y = side.normal_y * pose_.cosine - side.normal_x * pose_.sine;
   }
-  for (std::size_t i = 1; i < other_count; ++i)
-    if (other_sides_[i].angle < other_sides_[other].angle) other = i;
-  for (std::size_t own_left = own_count, other_left = other_count; own_left + other_left > 0;) {
-    const bool of_own = other_left == 0 || (own_left > 0 && angles_[own] <= other_sides_[other].angle);
-    const Side& side = of_own ? own_sides_[own] : other_sides_[other];
-    const double x = own_[own].x - other_.corners[other].x, y = own_[own].y - other_.corners[other].y;
-    Edge edge{x, y, side.normal_x, side.normal_y, side.length, side.run};
-    if (of_own) {
-      edge.normal_x = side.normal_x * pose_.cosine + side.normal_y * pose_.sine;
-      edge.normal_y = side.normal_y * pose_.cosine - side.normal_x * pose_.sine;
+  const auto is_before = [](const Side& a, const Side& b) {
+    return a.is_late() == b.is_late() ? a.normal_x * b.normal_y - a.normal_y * b.normal_x >= 0 : b.is_late();
+  };
+  std::size_t own = first_of(turned_sides_), other = first_other_;
+  ring_.resize(own_count + other_count);
+  Edge* edge = ring_.data();
+  for (std::size_t own_left = own_count, other_left = other_count; own_left + other_left > 0; ++edge) {
+    const bool of_own =
+        other_left == 0 || (own_left > 0 && is_before(turned_sides_[own], other_sides_[other]));
+    const Side& side = of_own ? turned_sides_[own] : other_sides_[other];
+    *edge = {own_[own].x - other_.corners[other].x,
+             own_[own].y - other_.corners[other].y,
+             side.normal_x,
+             side.normal_y,
+             side.length,
+             side.run};
+    if (of_own)
       own = own + 1 < own_count ? own + 1 : 0, --own_left;
-    } else {
+    else
       other = other + 1 < other_count ? other + 1 : 0, --other_left;
-    }
-    if (side.run > 0) ring_.push_back(edge);
   }
 }
 
@@ -212,14 +214,9 @@ bool PieceSum::has_corner_inside(const Corner& other_place, const Corner& own_pl
   return false;
 }
 
-std::array<double, 2> PieceSum::supports(double x, double y,
-                                         const std::array<SineCosine<double>, 2>& at) const {
-  const double other =
-      farthest_along(other_.corners, -x, -y) + size_ * (pad_of_sum * (std::abs(x) + std::abs(y)));
-  const auto turned = [&](const SineCosine<double>& by) {
-    return farthest_along(given_, x * by.cosine - y * by.sine, x * by.sine + y * by.cosine) + other;
-  };
-  return {turned(at[0]), turned(at[1])};
+double PieceSum::support(double x, double y, const SineCosine<double>& pose) const {
+  return farthest_along(given_, x * pose.cosine - y * pose.sine, x * pose.sine + y * pose.cosine) +
+         farthest_along(other_.corners, -x, -y) + size_ * (pad_of_sum * (std::abs(x) + std::abs(y)));
 }
 
 double PieceSum::support(double x, double y) const {

@@ -38,8 +38,8 @@ class PieceSum {
   /// Upper bound of the support function along (x, y), in lengths of that vector. It also holds for the
   /// corners that a rotated outline is stored with, at a rounded heading.
   double support(double x, double y) const;
-  /// The same for two rotations from the given pose, whatever the present pose is.
-  std::array<double, 2> supports(double x, double y, const std::array<SineCosine<double>, 2>& at) const;
+  /// The same for a rotation from the given pose, whatever the present pose is.
+  double support(double x, double y, const SineCosine<double>& pose) const;
   /// Approximate signed distance of a point, below 0 inside, and its gradient, of length 1.
   double signed_distance(double x, double y, double& normal_x, double& normal_y) const;
   /// The point of the sum that is farthest along (x, y): a corner.
@@ -59,10 +59,13 @@ class PieceSum {
       if (!((x - edge.x) * edge.normal_x + (y - edge.y) * edge.normal_y < -near))
         use(edge.normal_x, edge.normal_y, size_ * 0x1p-45 / edge.run);
   }
+  const SineCosine<double>& pose() const { return pose_; }
   /// About the cost of an evaluation.
   std::size_t corners() const { return own_.size() + other_.corners.size(); }
   /// Upper bound of the distance from the origin on each axis.
   double size() const { return size_; }
+  /// Upper bound of the distance of the other corners from their position.
+  double other_reach() const { return other_reach_; }
   /// Upper bound of the distance of the own corners from their position.
   double own_reach() const { return own_reach_; }
 
@@ -82,26 +85,31 @@ class PieceSum {
     return ring_;
   }
 
-  /// The direction of an edge of one piece, as a number that increases with its angle, and its outward normal.
+  /// An edge of one piece: its outward normal.
   struct Side {
-    double angle, normal_x, normal_y, length, run;
+    double normal_x, normal_y, length, run;
+
+    /// Whether it runs downward, or to the left: counterclockwise from the lowest corner, these come last.
+    bool is_late() const { return normal_x < 0 || (normal_x == 0 && normal_y > 0); }
   };
   static std::vector<Side> sides_of(const ConvexPiece& piece, double sign);
   void make_sides() const;
+  static std::size_t first_of(const std::vector<Side>& sides);
   struct Arc;
   struct Placed;
   static bool is_inside(const Arc& arc, const Placed& piece, double radius, double slack);
 
   std::vector<Corner> given_, own_;
   mutable std::vector<Side> own_sides_, other_sides_;  ///< made with the first turned ring
+  mutable std::vector<Side> turned_sides_;             ///< the own ones in the present pose
+  mutable std::size_t first_other_ = 0;
   SineCosine<double> pose_{0, 1};
-  mutable std::vector<double> angles_;  ///< of the own sides, rotated
   std::shared_ptr<const ObjectPieces> kept_;
   ConvexPiece other_;
   mutable std::vector<Edge> ring_;
   mutable Corner point_;            ///< the sum, if it has no edges
   mutable bool is_turned_ = false;  ///< since the ring was made
-  double size_ = 0, own_reach_ = 0;
+  double size_ = 0, own_reach_ = 0, other_reach_ = 0;
 };
 
 }  // namespace foresee

@@ -63,25 +63,25 @@ BesideEnds beside_ends(const Encounter<D>& encounter, const TrajectoryFamily<D>&
   return {rate * end, -rate, 0};
 }
 
-/// plane_proves() for a sum that rotates with the motions.
+/// plane_proves() for a sum that rotates with the motions, by one normal for each end of the range.
 template <int D>
-bool plane_proves_of_turns(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
-                           double begin, double end) {
-  const BesideEnds beside = beside_ends<D>(encounter, family, n, begin, end);
+bool planes_prove_of_turns(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
+                           const std::array<Vec<D>, 2>& normals, const BesideEnds& beside, double begin,
+                           double end) {
   const MotionSet<D>& all = family.all;
-  const std::array<double, 2> along = encounter.turning->supports(n[0], n[D > 1], family.turns->ends);
-  const double growth = encounter.extents.grows ? encounter.extents.growth.support(n) : 0;
-  const double place = min_of<D>(n, encounter.x, encounter.ex, all.place);
-  for (int i = 0; i < 2; ++i) {
+  const auto one = [](const Vec<D>& centre, const VectorSet<D>& of) {
+    return VectorSet<D>{.centre = centre, .pad = of.pad};
+  };
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec<D>& n = normals[i];
     const TrajectoryEstimate<D>& own = i == 0 ? family.first : family.last;
-    const auto one = [](const Vec<D>& centre, const VectorSet<D>& of) {
-      return VectorSet<D>{.centre = centre, .pad = of.pad};
-    };
-    const double reach = encounter.extents.support_with(n, along[static_cast<std::size_t>(i)]) + beside.from;
-    const double c0 = place - reach;
-    const double v = min_of<D>(n, encounter.v, encounter.ev, one(own.v, all.velocity)),
-                 c1 = v - growth - beside.rate -
-                      4 * unit_roundoff * (std::abs(v) + growth + std::abs(beside.rate));
+    const double along = encounter.turning->support(n[0], n[D > 1], family.turns->ends[i]);
+    const double growth = encounter.extents.grows ? encounter.extents.growth.support(n) : 0;
+    const double reach = encounter.extents.support_with(n, along) + beside.from;
+    const double c0 = min_of<D>(n, encounter.x, encounter.ex, all.place) - reach;
+    const double v = min_of<D>(n, encounter.v, encounter.ev, one(own.v, all.velocity));
+    const double c1 =
+        v - growth - beside.rate - 4 * unit_roundoff * (std::abs(v) + growth + std::abs(beside.rate));
     const double c2 = 0.5 * min_of<D>(n, encounter.a, Vec<D>(Vec<D>::Zero()), one(own.a, all.acceleration)) -
                       beside.bend * (1 + 0x1p-48);
     if (!surely_positive(c0 - 4 * unit_roundoff * (std::abs(c0) + std::abs(reach)), c1, c2, begin, end))
@@ -90,12 +90,43 @@ bool plane_proves_of_turns(const Encounter<D>& encounter, const TrajectoryFamily
   return true;
 }
 
+/// A plane that turns with the own outline, as beside an edge of it: its normal is n in the present pose of the sum. The
+/// corners of the other piece rotate about the position of the change then, by as much to the other side. Rotated
+/// normals have an error, by which own and other corners reach farther.
+template <int D>
+bool turning_plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
+                          double begin, double end) {
+  if (encounter.extents.grows || (family.upper[0] != 0).any() || (family.lower[0] != 0).any()) return false;
+  const double chord = encounter.rotation_chord, size = std::abs(n[0]) + std::abs(n[D > 1]);
+  const double height = (0.5 * chord * chord + 0x1p-46) * size * (1 + 0x1p-48);
+  const auto far = [&](const Vec<D>& vector) {
+    return height * ((std::abs(vector[0]) + std::abs(vector[D > 1])) * (1 + 0x1p-48));
+  };
+  const auto own = [&](const VectorSet<D>& set) { return 0x1p-46 * size * set.radius; };
+  const BesideEnds beside{far(encounter.x.abs() + encounter.ex) +
+                              height * (encounter.turning->size() + std::abs(encounter.extents.radius)),
+                          far(encounter.v.abs() + encounter.ev) + own(family.all.velocity),
+                          0.5 * (far(encounter.a) + own(family.all.acceleration))};
+  const SineCosine<double>& pose = encounter.turning->pose();
+  std::array<Vec<D>, 2> normals{n, n};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const SineCosine<double>& at = family.turns->ends[i];
+    const double cosine = at.cosine * pose.cosine + at.sine * pose.sine,
+                 sine = at.sine * pose.cosine - at.cosine * pose.sine;
+    normals[i][0] = n[0] * cosine + n[D > 1] * sine;
+    normals[i][D > 1] = n[D > 1] * cosine - n[0] * sine;
+  }
+  return planes_prove_of_turns<D>(encounter, family, normals, beside, begin, end);
+}
+
 /// Whether a plane of normal n separates the two throughout [begin, end], for every change: a proof.
 template <int D>
 bool plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
                   double begin, double end) {
   if (!(n.abs().maxCoeff() >= min_normal)) return false;
-  if (D > 1 && encounter.turning) return plane_proves_of_turns<D>(encounter, family, n, begin, end);
+  if (D > 1 && encounter.turning)
+    return planes_prove_of_turns<D>(encounter, family, {n, n},
+                                    beside_ends<D>(encounter, family, n, begin, end), begin, end);
   const MotionSet<D>& all = family.all;
   double inflation = 0;  // in x and y
   if constexpr (D > 1)

@@ -148,15 +148,14 @@ ClearanceVerdict certified_turns(const SeparationCase<D>& separation, const Enco
   const TrajectoryEstimate<D>* const motions[] = {&family.middle, &family.first, &family.last};
   const SineCosine<double>* const poses[] = {&turns.middle, &turns.ends[0], &turns.ends[1]};
   StraightApproach<D> near[3];
-  bool touch = false;
+  bool touch = true, apart = true;  // all so far; nearly touching is both
   for (int i = 0; i < 3; ++i) {
     if (i > 0) encounter.turning->turn(*poses[i]);
     const TrajectoryEstimate<D> path = relative(encounter, *motions[i]);
     near[i] = separation.approach_of(path);
-    const bool touches = separation.touches(near[i]);
-    if (i > 0 && touches != touch) return ClearanceVerdict::open;
-    touch = touches;
-    if (near[i].gap > 0 && separation.is_proven_beside(path, near[i])) return ClearanceVerdict::clear;
+    touch = touch && separation.touches(near[i]), apart = apart && near[i].gap > 0;
+    if (apart && separation.is_proven_beside(path, near[i])) return ClearanceVerdict::clear;
+    if (!touch && !apart) return ClearanceVerdict::open;
   }
   if (!touch) return ClearanceVerdict::open;
   encounter.turning->turn(turns.middle);

@@ -236,9 +236,12 @@ class SeparationCase {
   bool is_proven_beside(const TrajectoryEstimate<D>& path, const StraightApproach<D>& near,
                         double begin) const {
     if (plane_proves<D>(encounter_, family_, near.normal, begin, end_)) return true;
-    if (encounter_.turning &&
-        two_planes_prove<D>(encounter_, family_, near.normal, path.v, near.tau, begin, end_))
-      return true;
+    if (encounter_.turning) {
+      const bool passes = begin < near.tau && near.tau < end_;
+      if (passes ? two_planes_prove<D>(encounter_, family_, near.normal, path.v, near.tau, begin, end_)
+                 : turning_plane_proves<D>(encounter_, family_, near.normal, begin, end_))
+        return true;
+    }
     return near.gap <= 0x1p-30 * scale_at(near.tau) &&
            tilted_plane_proves<D>(encounter_, family_, near.normal, path.v, begin, end_);
   }

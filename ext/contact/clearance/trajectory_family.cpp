@@ -71,7 +71,7 @@ RangeOfTurns range_of_turns(double p, double q) {
   turns.middle = quick_sine_cosine(middle);
   if (!(half > 0)) return {{turns.middle, turns.middle}, turns.middle, 0};
   turns.ends = {quick_sine_cosine(p), quick_sine_cosine(q)};
-  turns.chord = half >= 180 ? 2 : 2 * (quick_sine_cosine(0.5 * half).sine * (1 + 0x1p-40) + 0x1p-1000);
+  turns.chord = std::min(2.0, half * (radians_per_degree * (1 + 0x1p-40)));  // not above the arc
   return turns;
 }
 
