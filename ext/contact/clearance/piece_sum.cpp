@@ -229,6 +229,14 @@ Corner PieceSum::farthest(double x, double y) const {
   return {own.x - other.x, own.y - other.y};
 }
 
+Corner PieceSum::farthest(double x, double y, const SineCosine<double>& pose) const {
+  const Corner& own =
+      farthest_corner(given_, x * pose.cosine - y * pose.sine, x * pose.sine + y * pose.cosine);
+  const Corner& other = farthest_corner(other_.corners, -x, -y);
+  return {own.x * pose.cosine + own.y * pose.sine - other.x,
+          own.y * pose.cosine - own.x * pose.sine - other.y};
+}
+
 std::pair<double, double> PieceSum::crossing(double x, double y, double vx, double vy, double begin,
                                              double end) const {
   for (const Edge& edge : ring()) {

@@ -44,6 +44,8 @@ class PieceSum {
   double signed_distance(double x, double y, double& normal_x, double& normal_y) const;
   /// The point of the sum that is farthest along (x, y): a corner.
   Corner farthest(double x, double y) const;
+  /// The same after a rotation from the given pose.
+  Corner farthest(double x, double y, const SineCosine<double>& pose) const;
   /// Approximately the times from `begin` to `end` at which (x, y) + tau (vx, vy) is inside; first > second: none.
   std::pair<double, double> crossing(double x, double y, double vx, double vy, double begin,
                                      double end) const;

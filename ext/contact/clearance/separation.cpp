@@ -138,6 +138,26 @@ bool has_corner_inside(const SeparationCase<D>& separation, const Encounter<D>& 
                                               {turned.sine, turned.cosine}, extents.radius, slack);
 }
 
+/// Whether one of these motions certainly passes beside the sum and another one certainly crosses it, by corners alone.
+/// Then the range is open. Approximate.
+template <int D>
+bool passes_on_some(const Encounter<D>& encounter, const TrajectoryEstimate<D>* const (&motions)[3],
+                    const SineCosine<double>* const (&poses)[3], const SeparationCase<D>& separation) {
+  if constexpr (D != 2) {
+    return false;
+  } else {
+    if (encounter.extents.grows) return false;
+    bool passes = false, crosses = false;
+    for (int i = 0; i < 3 && !(passes && crosses); ++i) {
+      const TrajectoryEstimate<D> path = relative(encounter, *motions[i]);
+      const double beside =
+          gap_beside_line(encounter.extents, *poses[i], path.x, path.v, separation.begin(), separation.end());
+      passes = passes || beside > 4 * separation.slack_at(separation.end()), crosses = crosses || beside < 0;
+    }
+    return passes && crosses;
+  }
+}
+
 /// The same for a sum that rotates, on paths that are not bent: the pose of each motion is its own.
 template <int D>
 ClearanceVerdict certified_turns(const SeparationCase<D>& separation, const Encounter<D>& encounter,
@@ -147,7 +167,11 @@ ClearanceVerdict certified_turns(const SeparationCase<D>& separation, const Enco
   const RangeOfTurns& turns = *family.turns;
   const TrajectoryEstimate<D>* const motions[] = {&family.middle, &family.first, &family.last};
   const SineCosine<double>* const poses[] = {&turns.middle, &turns.ends[0], &turns.ends[1]};
+  if (passes_on_some<D>(encounter, motions, poses, separation)) return ClearanceVerdict::open;
   StraightApproach<D> near[3];
+  const auto is_inside = [&](int i) {
+    return has_corner_inside<D>(separation, encounter, family, near[i].tau);
+  };
   bool touch = true, apart = true;  // all so far; nearly touching is both
   for (int i = 0; i < 3; ++i) {
     if (i > 0) encounter.turning->turn(*poses[i]);
@@ -156,15 +180,13 @@ ClearanceVerdict certified_turns(const SeparationCase<D>& separation, const Enco
     touch = touch && separation.touches(near[i]), apart = apart && near[i].gap > 0;
     if (apart && separation.is_proven_beside(path, near[i])) return ClearanceVerdict::clear;
     if (!touch && !apart) return ClearanceVerdict::open;
+    if (i == 0 && touch && is_inside(0)) return ClearanceVerdict::blocked;
   }
   if (!touch) return ClearanceVerdict::open;
   encounter.turning->turn(turns.middle);
   const int shallow = near[1].gap > near[2].gap ? 1 : 2;
-  const auto is_inside = [&](int i) {
-    return has_corner_inside<D>(separation, encounter, family, near[i].tau);
-  };
   const bool all_touch =
-      is_inside(shallow) || separation.all_touch_about(near[0].tau) || is_inside(0) || is_inside(3 - shallow);
+      is_inside(shallow) || separation.all_touch_about(near[0].tau) || is_inside(3 - shallow);
   return all_touch ? ClearanceVerdict::blocked : ClearanceVerdict::open;
 }
 
@@ -194,6 +216,25 @@ ClearanceVerdict certify_clearance(const Encounter<D>& encounter, const Trajecto
   return certified<D>(encounter, family, evaluations);
 }
 
+template <int D>
+bool is_certified_clear(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
+                        std::uint64_t& evaluations) {
+  const SeparationCase<D> separation(encounter, family);
+  if (separation.bends() || encounter.beside || encounter.turning || family.all.starts)
+    return certify_clearance<D>(encounter, family, evaluations) == ClearanceVerdict::clear;
+  ++evaluations;
+  if (separation.never_together()) return true;
+  if (!separation.is_finite()) return false;
+  double ignored = 0;
+  const ProbeResult middle = separation.probe(family.middle, ignored);
+  if (middle != ProbeResult::inconclusive) return middle == ProbeResult::separated;
+  return separation.probe(family.first, ignored) == ProbeResult::separated ||
+         separation.probe(family.last, ignored) == ProbeResult::separated;
+}
+
+template bool is_certified_clear<1>(const Encounter<1>&, const TrajectoryFamily<1>&, std::uint64_t&);
+template bool is_certified_clear<2>(const Encounter<2>&, const TrajectoryFamily<2>&, std::uint64_t&);
+template bool is_certified_clear<3>(const Encounter<3>&, const TrajectoryFamily<3>&, std::uint64_t&);
 template ClearanceVerdict certify_clearance<1>(const Encounter<1>&, const TrajectoryFamily<1>&,
                                                std::uint64_t&);
 template ClearanceVerdict certify_clearance<2>(const Encounter<2>&, const TrajectoryFamily<2>&,

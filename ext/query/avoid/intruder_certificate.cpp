@@ -30,8 +30,7 @@ ClearanceVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& fami
     return touches_first() ? certify_separation_increases<D>(encounter_, family, evaluations)
                            : certify_clearance<D>(encounter_, family, evaluations);
   if (has_parts())
-    return certify_clearance<D>(turning_ ? turned_encounter(*family.turns) : encounter_, family,
-                                evaluations) == ClearanceVerdict::clear
+    return is_certified_clear<D>(turning_ ? turned_encounter(*family.turns) : encounter_, family, evaluations)
                ? ClearanceVerdict::clear
                : ClearanceVerdict::open;
   const Encounter<D> turned = turning_ ? turned_encounter(*family.turns) : encounter_;
