@@ -101,7 +101,7 @@ TrajectoryFamily<D> trajectory_family(const Changes& changes, double p, double q
   shorten(all.velocity, family.middle.v), shorten(all.place, family.middle.x);
   family.bends = (family.upper[2] != 0).any() || (family.lower[2] != 0).any();
   family.one_interval = changes.touches_in_one_interval() && p < q;
-  if (changes.turns()) family.turns = range_of_turns(p, q);
+  family.from = p, family.to = q;
   return family;
 }
 

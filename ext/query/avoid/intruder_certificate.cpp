@@ -30,10 +30,11 @@ ClearanceVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& fami
     return touches_first() ? certify_separation_increases<D>(encounter_, family, evaluations)
                            : certify_clearance<D>(encounter_, family, evaluations);
   if (has_parts())
-    return is_certified_clear<D>(turning_ ? turned_encounter(*family.turns) : encounter_, family, evaluations)
+    return is_certified_clear<D>(turning_ ? turned_encounter(family.known_turns()) : encounter_, family,
+                                 evaluations)
                ? ClearanceVerdict::clear
                : ClearanceVerdict::open;
-  const Encounter<D> turned = turning_ ? turned_encounter(*family.turns) : encounter_;
+  const Encounter<D> turned = turning_ ? turned_encounter(family.known_turns()) : encounter_;
   if (!touches_first()) return certify_clearance<D>(turned, family, evaluations);
   const bool surely_first = outlines_->is_sole() && !outlines_->turns();
   return surely_first ? certify_separation_increases<D>(turned, family, evaluations)
