@@ -49,8 +49,9 @@ class PieceSum {
   /// Approximately the times from `begin` to `end` at which (x, y) + tau (vx, vy) is inside; first > second: none.
   std::pair<double, double> crossing(double x, double y, double vx, double vy, double begin,
                                      double end) const;
-  /// Whether one corner of either piece remains inside the other, or within `radius` of it, while both rotate with the
-  /// vector `own_place` by up to a half width from the present pose. `half`: its sine and cosine. Approximate.
+  /// Whether one corner of either piece remains inside the other, or within `radius` of it, while both rotate. They
+  /// rotate with the vector `own_place`, by up to a half width from the present pose. `half`: the sine and cosine of
+  /// the half width. Approximate.
   bool has_corner_inside(const Corner& other_place, const Corner& own_place, const SineCosine<double>& half,
                          double radius, double slack) const;
   /// Calls use(normal_x, normal_y, error) for each edge that a point is beyond, or inside by less than

@@ -90,9 +90,9 @@ bool planes_prove_of_turns(const Encounter<D>& encounter, const TrajectoryFamily
   return true;
 }
 
-/// A plane that turns with the own outline, as beside an edge of it: its normal is n in the present pose of the sum. The
-/// corners of the other piece rotate about the position of the change then, by as much to the other side. Rotated
-/// normals have an error, by which own and other corners reach farther.
+/// A plane that turns with the own outline, as beside an edge of it: its normal is n in the present pose of the sum.
+/// The corners of the other piece then rotate about the position of the change, by as much in the other direction.
+/// Rotated normals have an error, by which own and other corners reach farther.
 template <int D>
 bool turning_plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
                           double begin, double end) {

@@ -35,7 +35,7 @@ template <int D>
 ClearanceVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
                                    std::uint64_t& evaluations);
 
-/// Whether certify_clearance() is `clear`; cheaper, as it does not ask what touches.
+/// Whether certify_clearance() is `clear`; cheaper, as it does not look for contact.
 template <int D>
 bool is_certified_clear(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
                         std::uint64_t& evaluations);

@@ -92,7 +92,7 @@ inline std::optional<StraightApproach<2>> passing_line(const PairExtents<2>& ext
   return middle;
 }
 
-/// The gap beside a line that passes a sum in this pose during the time; below 0: the line crosses it then; 0: neither is
+/// The gap beside a line that passes a sum in this pose during the time. Below 0: the line crosses it; 0: neither is
 /// certain.
 inline double gap_beside_line(const PairExtents<2>& extents, const SineCosine<double>& pose, const Vec<2>& x,
                               const Vec<2>& v, double begin, double end) {

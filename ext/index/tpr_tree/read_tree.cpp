@@ -121,4 +121,30 @@ WantedLeaves find_leaves(NodeSource& source, const KindTest& wanted, Interrupt& 
   return leaves;
 }
 
+namespace {
+
+/// Without bias if each child is as likely as the others.
+double estimate_by_path(NodeSource& source, std::uint64_t seed) {
+  double objects = 1;
+  for (Unread next = unread_root(source);;) {
+    const auto node = read(source, next);
+    objects *= static_cast<double>(node->size());
+    if (node->is_leaf() || node->size() == 0) return objects;
+    seed = seed * 6364136223846793005 + 1442695040888963407;
+    next = unread_child(next.number, *node, (seed >> 32) % node->size());
+  }
+}
+
+}  // namespace
+
+double estimate_objects(NodeSource& source, double compared) {
+  if (source.find_root() == 0) return 0;
+  const double first = estimate_by_path(source, 1);
+  if (first > 1000 * compared) return first;
+  constexpr unsigned paths = 32;
+  double sum = first;
+  for (unsigned path = 2; path <= paths; ++path) sum += estimate_by_path(source, path);
+  return sum / paths;
+}
+
 }  // namespace foresee

@@ -262,17 +262,6 @@ double read_newest_t(NodeSource& source) {
                    [&]<int D>(Axes<D>) { return newest_in(*root, LeafReader<D>(source.layout())); });
 }
 
-double estimate_objects(NodeSource& source) {
-  if (source.find_root() == 0) return 0;
-  double objects = 1;
-  for (Unread next = unread_root(source);;) {
-    const auto node = read(source, next);
-    objects *= static_cast<double>(node->size());
-    if (node->is_leaf() || node->size() == 0) return objects;
-    next = unread_child(next.number, *node, 0);
-  }
-}
-
 void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::vector<double>& records,
                      Interrupt& interrupt) {
   std::vector<Unread> open;

@@ -120,10 +120,11 @@ void Values::check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store
 
 void Values::refuse_beside_plan(const Column& column, std::int64_t id, sqlite3_value* value,
                                 const std::optional<double>& own) const {
-  refuse(column.name, id, shown(value),
-         "its plan starts " +
-             (own ? "with " + std::string(column.name) + " = " + foresee::shown(*own) : std::string("at rest")) +
-             "; leave " + column.name + " out, or set plan to NULL");
+  refuse(
+      column.name, id, shown(value),
+      "its plan starts " +
+          (own ? "with " + std::string(column.name) + " = " + foresee::shown(*own) : std::string("at rest")) +
+          "; leave " + column.name + " out, or set plan to NULL");
 }
 
 /// A heading that follows the course is not built yet: NULL stays free for it.

@@ -63,7 +63,7 @@ bool TreeStore::erase(std::int64_t id) {
 
 void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
   with_sound_tree([&] {
-    const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_);
+    const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
     const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
     const bool packs_runs = reason == Reason::commit && has_runs_.get();
     const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());

@@ -178,5 +178,29 @@ TEST(TprTreeUpdates, RemainTightAndFullWhileObjectsDrift) {
   EXPECT_LT(leaves, 2.0 * static_cast<double>(leaves_in_windows(model, side, duration)));
 }
 
+TEST(TprTreeUpdates, EstimatesTheNumberOfObjectsOfUnevenTrees) {
+  Random random(5);
+  double lowest = 1, highest = 1;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    TreeModel model(boats, 60);
+    model.load(random_scene({.layout = boats, .count = 3000, .seed = seed}));
+    for (int round = 0; round < 4; ++round) {
+      model.merge_new(random_scene({.layout = boats, .count = 300 + random.below(1500), .seed = seed + 99}));
+      std::vector<std::int64_t> gone;  // of one half of the places, three quarters
+      for (const auto& [id, record] : model.objects)
+        if (record[1] < 0 && random.below(4) > 0) gone.push_back(id);
+      for (const std::int64_t id : gone) model.erase(id);
+      const auto count = static_cast<double>(model.objects.size());
+      const double estimate = estimate_objects(model.pages, count / 8);
+      lowest = std::min(lowest, estimate / count), highest = std::max(highest, estimate / count);
+      EXPECT_EQ(estimate_objects(model.pages, count / 8), estimate);
+    }
+  }
+  EXPECT_GT(lowest, 0.6);
+  EXPECT_LT(highest, 1.7);
+  TreeModel empty(boats, 60);
+  EXPECT_EQ(estimate_objects(empty.pages, 5), 0);
+}
+
 }  // namespace
 }  // namespace foresee

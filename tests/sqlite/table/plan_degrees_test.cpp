@@ -84,8 +84,9 @@ TEST_F(PlanDegrees, Errors) {
   const std::string plan = "'LINESTRING M(8 54 0, 8 55 9)'";
   EXPECT_EQ(db.error_of("INSERT INTO ships(id, lat, plan) VALUES (7, 55, " + plan + ")"),
             "ships.lat of row 7 is 55: its plan starts with lat = 54; leave lat out, or set plan to NULL");
-  EXPECT_EQ(db.error_of("INSERT INTO ships(id, course, plan) VALUES (7, 90, " + plan + ")"),
-            "ships.course of row 7 is 90: its plan starts with course = 0; leave course out, or set plan to NULL");
+  EXPECT_EQ(
+      db.error_of("INSERT INTO ships(id, course, plan) VALUES (7, 90, " + plan + ")"),
+      "ships.course of row 7 is 90: its plan starts with course = 0; leave course out, or set plan to NULL");
   db.exec("INSERT INTO ships(id, plan) VALUES (7, " + plan + ")");
   EXPECT_EQ(db.error_of("UPDATE ships SET lon = 9"),
             "ships.lon of row 7 is 9: its plan starts with lon = 8; leave lon out, or set plan to NULL");

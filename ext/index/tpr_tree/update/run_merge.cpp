@@ -145,7 +145,8 @@ template <int D>
 bool takes_runs(const TreeState<D>& state, std::size_t objects) {
   const NodeNumber root = state.pages.find_root();
   return root != 0 && state.pages.read(root)->level > 1 &&
-         static_cast<double>(objects) >= min_share * estimate_objects(state.pages);
+         static_cast<double>(objects) >=
+             min_share * estimate_objects(state.pages, static_cast<double>(objects));
 }
 
 template <int D>
