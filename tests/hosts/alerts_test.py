@@ -151,7 +151,8 @@ class Alerts(Live):
     def test_errors_are_one_line(self):
         for arguments, message in (((self.file, "nowhere"), "there is no watch nowhere; watches here: alerts"),
                                    ((self.folder / "gone.db", "alerts"), "there is no file"),
-                                   ((self.file, "alerts", "--webhook", "ftp://x"), "--webhook is no web address")):
+                                   ((self.file, "alerts", "--webhook", "ftp://x"), "--webhook is no web address"),
+                                   ((self.file, "alerts", "--webhook", "http://a:b/"), "--webhook is no web address")):
             with self.subTest(message):
                 errors = self.command("alerts", *arguments, fails=True)[1]
                 self.assertEqual(errors.count("\n"), 1, errors)

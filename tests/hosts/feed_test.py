@@ -93,6 +93,21 @@ class StandardInput(Live):
         self.assertEqual(totals(errors), (10, 3, 0, 1, 5))
         self.assert_holds(good)
 
+    def test_hostile_lines_are_bad_lines(self):
+        good = [made_up_report(i, 3) for i in range(3)]
+        text = csv_of(good).splitlines()
+        text[2:2] = ["4,1641168000,53,7,5,5\r6", "4,1641168000,53,7,5," + "5" * 200_000, "1" * 400 + ",1641168000,53,7,5,5"]
+        errors = self.feed("\n".join(text))
+        self.assertEqual(totals(errors), (7, 3, 0, 0, 3))
+        self.assert_holds(good)
+        start = '{"mmsi": 4, "t": 1641168000, "lat": 53, "lon": 7, "sog": 5, "cog": 5'
+        lines = [json_of(good[0]), "[" * 100_000, '{"a":' * 100_000, start.replace("53", "1" + "0" * 400) + "}",
+                 start.replace("1641168000", '"0001-01-01T00:00:00+14:00"') + "}", start + ', "name": "\\ud800 ANNA"}', json_of(good[1])]
+        self.command("feed", self.folder / "other.db", "--table", "ships", text="\n".join(lines))
+        self.file = self.folder / "other.db"
+        names = dict(self.database().execute("SELECT id, name FROM ships").fetchall())
+        self.assertEqual((names[4], len(names)), ("? ANNA", 3))
+
     def test_what_the_table_refuses_is_a_bad_line(self):
         self.database().execute("CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy)")
         good = (1, START, 54.0, 8.0, 10.0, 90.0)
@@ -136,7 +151,8 @@ class StandardInput(Live):
     def test_errors_are_one_line(self):
         for options, text, message in ((("--table", "ships"), "a,b\n", "the first line has no column for the ship (mmsi), the time"),
                                        (("--table", "foresee_feed"), "", "foresee_feed is not a table of moving objects"),
-                                       (("--table", "ships", "--mqtt", "http://x/"), "", "http: no address of a broker")):
+                                       (("--table", "ships", "--mqtt", "http://x/"), "", "http: no address of a broker"),
+                                       (("--table", "ships", "--mqtt", "mqtt://127.0.0.1:99999/x"), "", "mqtt: no address of a broker")):
             with self.subTest(message):
                 errors = self.command("feed", self.file, *options, text=text, fails=True)[1]
                 self.assertEqual(errors.count("\n"), 1, errors)
@@ -148,7 +164,8 @@ class StandardInput(Live):
                                    (("feed", "a.db", "--table", "ships", "--a\nb"), "foresee feed: unrecognized arguments: --a b; see "),
                                    (("alerts", "a.db", "alerts", "--poll", "0"), "foresee alerts: argument --poll: invalid "),
                                    (("map", "a.db", "--zoom"), "foresee map: unrecognized arguments: --zoom; see python3 -m foresee map --help"),
-                                   (("map", "a.db", "--port", "y"), "foresee map: argument --port: invalid int value: 'y'; see ")):
+                                   (("map", "a.db", "--port", "65536"), "foresee map: argument --port: invalid port value: '65536'; see "),
+                                   (("map", "a.db", "--port", "y"), "foresee map: argument --port: invalid port value: 'y'; see ")):
             with self.subTest(arguments):
                 command = Command(self, *arguments)
                 self.assertEqual((command.finish(), len(command.errors)), (2, 1), command.errors)

@@ -4,7 +4,7 @@ An error is one line and status 1, or 2 if an option is wrong.
 """
 import argparse
 
-from .process import not_negative, place, positive, run_command
+from .process import not_negative, place, port, positive, run_command
 
 EPILOG = {
     "feed": """\
@@ -79,7 +79,7 @@ def arguments(given=None):
 
     page = command(commands, "map", "Serves a map of the ships and their alerts on 127.0.0.1.")
     page.add_argument("--table", help="the table (the only one)")
-    page.add_argument("--port", type=int, default=8137, help="%(default)s; 0: any that is free")
+    page.add_argument("--port", type=port, default=8137, help="%(default)s; 0: any that is free")
     options, unknown = parser.parse_known_args(given)
     if unknown:         # argparse would name the program and not the command
         commands.choices[options.command].error(f"unrecognized arguments: {' '.join(unknown)}")

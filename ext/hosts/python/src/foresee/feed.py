@@ -19,7 +19,7 @@ from .layouts import MissingColumns, decoder_of
 from .mqtt_source import Address, MqttSource, number_in
 from .nmea import NoDecoder, Sentences
 from .process import Refusal, Stop
-from .reports import BadReport, by_quantity, json_object, report_of
+from .reports import UNREADABLE, by_quantity, json_object, report_of
 from .tables import Table, create
 
 
@@ -88,7 +88,7 @@ class Payloads:
                     continue
                 try:
                     report = report_of(by_quantity(json_object(line)), now, number_in(topic))
-                except BadReport as reason:
+                except UNREADABLE as reason:
                     bad.append((topic, str(reason)))
                 else:
                     self.left_out += report is None

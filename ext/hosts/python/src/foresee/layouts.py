@@ -9,7 +9,7 @@ import csv
 import time
 
 from .nmea import Sentences
-from .reports import FIELDS, NEEDED, QUANTITY, BadReport, by_quantity, json_object, report_of
+from .reports import FIELDS, NEEDED, QUANTITY, UNREADABLE, BadReport, by_quantity, json_object, report_of
 
 
 CALLED = {"id": "the ship (mmsi)", "t": "the time (t, BaseDateTime or # Timestamp)", "lat": "the latitude (lat)",
@@ -32,7 +32,7 @@ class Lines:
                 continue
             try:
                 report = self.report(line)
-            except BadReport as reason:
+            except UNREADABLE as reason:
                 bad.append((number, str(reason)))
             else:
                 if report is not None:

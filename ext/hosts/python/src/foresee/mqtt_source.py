@@ -40,13 +40,17 @@ class Address:
     """mqtt://[user[:password]@]host[:port]/topic, mqtts for TLS."""
 
     def __init__(self, url):
-        parts = urlsplit(url)
-        if parts.scheme not in ("mqtt", "mqtts") or not parts.hostname:
-            raise Refusal(f"{parts.scheme or url}: no address of a broker; write mqtt://host:1883/topic/#")
+        try:
+            parts = urlsplit(url)
+            is_address, port = parts.scheme in ("mqtt", "mqtts") and bool(parts.hostname), parts.port
+        except ValueError:          # a port that is none, or half of an IPv6 address
+            is_address = False
+        if not is_address:
+            raise Refusal(f"{url.split(':', 1)[0]}: no address of a broker; write mqtt://host:1883/topic/#")
         # A topic may hold # and +, which urlsplit takes for a fragment.
         self.topic = unquote(re.sub(r"^mqtts?://[^/]*/?", "", url)) or "#"
         self.tls = parts.scheme == "mqtts"
-        self.host, self.port = parts.hostname, parts.port or (8883 if self.tls else 1883)
+        self.host, self.port = parts.hostname, port or (8883 if self.tls else 1883)
         self.user, self.password = parts.username and unquote(parts.username), parts.password and unquote(parts.password)
 
 

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import time
 
-from .reports import BadReport, by_quantity, json_object, report_of
+from .reports import UNREADABLE, BadReport, by_quantity, json_object, report_of
 
 FIELDS = ("mmsi", "lat", "lon", "speed", "course", "shipname")
 POSITIONS_AND_NAMES = (1, 2, 3, 5, 9, 18, 19, 24, 27)
@@ -55,7 +55,7 @@ class Sentences:
             if line.strip():
                 try:
                     self.take(line.strip(), now, sent, times)
-                except BadReport as reason:
+                except UNREADABLE as reason:
                     bad.append((number, str(reason)))
         return self.reports(self.decoded(sent), times), bad
 
@@ -105,7 +105,7 @@ class Sentences:
                     continue
                 place = match + 1
                 report = report_of({**by_quantity({key: fields[key] for key in FIELDS if key in fields}), "t": times[match][1]})
-            except BadReport:
+            except UNREADABLE:
                 continue                    # numbers that a transmitter sends wrong, such as a latitude of 100 degrees
             if report is None:
                 self.left_out += 1

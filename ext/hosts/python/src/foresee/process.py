@@ -56,6 +56,13 @@ def not_negative(text):
     return value
 
 
+def port(text):
+    value = int(text)
+    if not 0 <= value < 65536:
+        raise ValueError
+    return value
+
+
 def place(text):
     """'53.9 7.9' or '53.9,7.9'."""
     lat, lon = (float(part) for part in text.replace(",", " ").split())

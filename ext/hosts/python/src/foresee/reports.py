@@ -6,6 +6,7 @@
 The rules are those of sql/import_ais.sql: latitude 91, longitude 181, speed 102.3, course 360 and nothing are "not available". A ship
 slower than half a knot lies still. A value that cannot be is a BadReport, which names field and value.
 """
+import csv
 import json
 import re
 from datetime import datetime, timezone
@@ -32,6 +33,10 @@ NEEDED = ("id", "t", "lat", "lon", "speed", "course")
 
 class BadReport(ValueError):
     """A line that is no report, in words for people."""
+
+
+# What a hostile line may raise: csv's own errors, numbers beyond all doubles and dates, objects in objects a thousand deep.
+UNREADABLE = (BadReport, csv.Error, OverflowError, RecursionError)
 
 
 class Report(NamedTuple):
@@ -63,7 +68,7 @@ def number(what, value):
         return None
     try:
         result = float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise BadReport(f"{what} is {shortened(value)}, not a number") from None
     if not isfinite(result):
         raise BadReport(f"{what} is {shortened(value)}, not finite")
@@ -81,7 +86,10 @@ def seconds(value):
     if re.fullmatch(r"(19|20)\d{12}", text):
         text = f"{text[:4]}-{text[4:6]}-{text[6:8]}T{text[8:10]}:{text[10:12]}:{text[12:]}"
     if ":" not in text:
-        result = number("the time", value)
+        try:
+            result = number("the time", value)
+        except BadReport:
+            raise BadReport(f"the time is {shortened(value)}, not a date or Unix seconds") from None
         return result / 1000 if abs(result) > 1e11 else result
     danish = re.fullmatch(r"(\d\d)/(\d\d)/(\d{4}) (.*)", text)
     if danish:
@@ -115,7 +123,7 @@ def report_of(value, now=None, id=None):
         raise BadReport("the ship's number (mmsi) is missing")
     if ship != int(ship) or abs(ship) > 2**53:
         raise BadReport(f"the ship's number is {ship:g}, not a whole one")
-    name = str(value.get("name", "")).replace("\0", "").strip(" @") or None
+    name = str(value.get("name", "")).encode("utf-8", "replace").decode().replace("\0", "").strip(" @") or None
     lat, lon = angle("the latitude", value.get("lat"), 90, 91), angle("the longitude", value.get("lon"), 180, 181)
     speed, course = number("the speed", value.get("speed")), number("the course", value.get("course"))
     if speed is not None and speed < 0:

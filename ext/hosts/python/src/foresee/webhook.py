@@ -26,8 +26,12 @@ LONGEST_RETRY_AFTER = 300.0
 
 class Webhook:
     def __init__(self, url, say, stop):
-        parts = urlsplit(url)
-        if parts.scheme not in ("http", "https") or not parts.hostname:
+        try:
+            parts = urlsplit(url)
+            is_address = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
+        except ValueError:          # a port that is none, or half of an IPv6 address
+            is_address = False
+        if not is_address:
             raise Refusal("--webhook is no web address; write http://host/path or https://host/path")
         # Tokens are often in path or query: messages name the host alone.
         self.host, self.say, self.stop = parts.hostname, say, stop
