@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "numbers/correct_rounding.h"
-
 namespace foresee {
 namespace {
 
@@ -47,17 +45,13 @@ const Corner& farthest_corner(std::span<const Corner> corners, double x, double 
 PieceSum::PieceSum(const ConvexPiece& own, const ConvexPiece& other)
     : given_(own.corners.begin(), own.corners.end()), own_(given_), other_(other) {
   own_reach_ = reach_of(given_);
-  other_reach_ = reach_of(other.corners), size_ = own_reach_ + other_reach_;
+  size_ = own_reach_ + reach_of(other.corners);
   make_ring(own.along == own.corners.data() ? own_.data() : own.along);
 }
 
 PieceSum::PieceSum(const ConvexPiece& own, std::shared_ptr<const ObjectPieces> other)
     : PieceSum(own, other->piece(0)) {
   kept_ = std::move(other);
-}
-
-void PieceSum::turn(double degrees) {
-  turn(quick_sine_cosine(degrees));
 }
 
 void PieceSum::turn(const SineCosine<double>& at) {
@@ -133,12 +127,8 @@ void PieceSum::make_turned_ring() const {
     const bool of_own =
         other_left == 0 || (own_left > 0 && is_before(turned_sides_[own], other_sides_[other]));
     const Side& side = of_own ? turned_sides_[own] : other_sides_[other];
-    *edge = {own_[own].x - other_.corners[other].x,
-             own_[own].y - other_.corners[other].y,
-             side.normal_x,
-             side.normal_y,
-             side.length,
-             side.run};
+    const Corner &p = own_[own], &q = other_.corners[other];
+    *edge = {p.x - q.x, p.y - q.y, side.normal_x, side.normal_y, side.length, side.run};
     if (of_own)
       own = own + 1 < own_count ? own + 1 : 0, --own_left;
     else
@@ -173,15 +163,24 @@ struct PieceSum::Placed {
     return {side.normal_x * pose.cosine + side.normal_y * pose.sine,
             side.normal_y * pose.cosine - side.normal_x * pose.sine};
   }
+  /// How far an arc reaches beyond a side.
+  double over(std::size_t i, const Arc& arc) const {
+    const Corner n = normal(i), from = corner(i);
+    return arc.farthest(n.x, n.y, 1) - (n.x * from.x + n.y * from.y);
+  }
 };
 
-bool PieceSum::is_inside(const Arc& arc, const Placed& piece, double radius, double slack) {
+/// `side`: where the last corner was rejected, and its neighbours mostly are. `left`: the tests of sides that remain.
+bool PieceSum::is_inside(const Arc& arc, const Placed& piece, double radius, double slack, std::size_t& side,
+                         std::size_t& left) {
   const double near = radius + slack;
+  const std::size_t sides = piece.sides.size();
+  if (left < sides) return false;
   std::size_t beyond = 0, edge = 0;  // the edges that it crosses
-  for (std::size_t i = 0; i < piece.sides.size(); ++i) {
-    const Corner n = piece.normal(i), from = piece.corner(i);
-    const double over = arc.farthest(n.x, n.y, 1) - (n.x * from.x + n.y * from.y);
-    if (over > near) return false;
+  for (std::size_t tested = 0, i = side; tested < sides; ++tested, i = i + 1 < sides ? i + 1 : 0) {
+    --left;
+    const double over = piece.over(i, arc);
+    if (over > near) return side = i, false;
     if (over > slack) ++beyond, edge = i;
   }
   if (!piece.sides.empty() && beyond == 0) return true;
@@ -207,11 +206,15 @@ bool PieceSum::has_corner_inside(const Corner& other_place, const Corner& own_pl
   make_sides();
   const Placed own{own_, own_sides_, pose_, own_place},
       other{other_.corners, other_sides_, {0, -1}, other_place};
-  for (std::size_t i = 0; i < own_.size(); ++i)
-    if (is_inside({own.corner(i).x, own.corner(i).y, half}, other, radius, slack)) return true;
-  for (std::size_t i = 0; i < other_.corners.size(); ++i)
-    if (is_inside({other.corner(i).x, other.corner(i).y, half}, own, radius, slack)) return true;
-  return false;
+  // Linear in the corners, as all of this class: of many corners beside many sides not all are tested.
+  std::size_t left = 32 * (own_.size() + other_.corners.size());
+  const auto has_inside = [&](const Placed& from, const Placed& in) {
+    std::size_t side = 0;
+    for (std::size_t i = 0; i < from.corners.size(); ++i)
+      if (is_inside({from.corner(i).x, from.corner(i).y, half}, in, radius, slack, side, left)) return true;
+    return false;
+  };
+  return has_inside(own, other) || has_inside(other, own);
 }
 
 double PieceSum::support(double x, double y, const SineCosine<double>& pose) const {

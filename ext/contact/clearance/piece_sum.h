@@ -17,7 +17,7 @@
 
 #include "contact/outline/convex_sum.h"
 #include "contact/outline/object_pieces.h"
-#include "numbers/sine_cosine.h"
+#include "numbers/correct_rounding.h"
 
 namespace foresee {
 
@@ -32,7 +32,7 @@ class PieceSum {
 
   /// Rotates the own piece clockwise by so many degrees from its given pose.
   /// Requires: |degrees| <= 720; the own piece is not a box of no width.
-  void turn(double degrees);
+  void turn(double degrees) { turn(quick_sine_cosine(degrees)); }
   void turn(const SineCosine<double>& at);
 
   /// Upper bound of the support function along (x, y), in lengths of that vector. It also holds for the
@@ -51,7 +51,7 @@ class PieceSum {
                                      double end) const;
   /// Whether one corner of either piece remains inside the other, or within `radius` of it, while both rotate. They
   /// rotate with the vector `own_place`, by up to a half width from the present pose. `half`: the sine and cosine of
-  /// the half width. Approximate.
+  /// the half width. Approximate; of many corners beside many sides not all are tested.
   bool has_corner_inside(const Corner& other_place, const Corner& own_place, const SineCosine<double>& half,
                          double radius, double slack) const;
   /// Calls use(normal_x, normal_y, error) for each edge that a point is beyond, or inside by less than
@@ -67,8 +67,6 @@ class PieceSum {
   std::size_t corners() const { return own_.size() + other_.corners.size(); }
   /// Upper bound of the distance from the origin on each axis.
   double size() const { return size_; }
-  /// Upper bound of the distance of the other corners from their position.
-  double other_reach() const { return other_reach_; }
   /// Upper bound of the distance of the own corners from their position.
   double own_reach() const { return own_reach_; }
 
@@ -100,7 +98,8 @@ class PieceSum {
   static std::size_t first_of(const std::vector<Side>& sides);
   struct Arc;
   struct Placed;
-  static bool is_inside(const Arc& arc, const Placed& piece, double radius, double slack);
+  static bool is_inside(const Arc& arc, const Placed& piece, double radius, double slack, std::size_t& side,
+                        std::size_t& left);
 
   std::vector<Corner> given_, own_;
   mutable std::vector<Side> own_sides_, other_sides_;  ///< made with the first turned ring
@@ -112,7 +111,7 @@ class PieceSum {
   mutable std::vector<Edge> ring_;
   mutable Corner point_;            ///< the sum, if it has no edges
   mutable bool is_turned_ = false;  ///< since the ring was made
-  double size_ = 0, own_reach_ = 0, other_reach_ = 0;
+  double size_ = 0, own_reach_ = 0;
 };
 
 }  // namespace foresee

@@ -68,6 +68,7 @@ struct TrajectoryFamily {
   double turned[3]{};          ///< how far these are from the chord of the first and last; 0: a segment
   bool is_from_start = false;  ///< seen_from_start(): only the other object's position differs
   bool bends;                  ///< any of them is accelerated
+  bool one_interval;           ///< if no path is bent, the changes that touch are one interval
   double from = 0, to = 0;     ///< the range
   /// Once known. `first` and `last` are within the pads of `all` then.
   mutable std::optional<RangeOfTurns> turns = {};
@@ -77,7 +78,6 @@ struct TrajectoryFamily {
     if (!turns) turns = range_of_turns(from, to);
     return *turns;
   }
-  bool one_interval;  ///< if no path is bent, the changes that touch are one interval
 };
 
 template <int D>

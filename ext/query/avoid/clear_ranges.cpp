@@ -77,7 +77,7 @@ ClearanceVerdict ClearRanges<D>::certify(const IntruderCertificate<D>& intruder,
                                          const Range& range) {
   std::uint64_t evaluations = 0;
   const ClearanceVerdict verdict = intruder.certify(range.family(intruder), evaluations);
-  step_.costly(static_cast<unsigned>((4 + intruder.corners() / 4) * (1 + evaluations)));
+  step_.costly(static_cast<unsigned>((16 + intruder.corners()) * (1 + evaluations)));
   if (!range.is_first) evaluations_[whole] += evaluations, all_evaluations_ += evaluations;
   return verdict;
 }
@@ -152,6 +152,8 @@ void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t 
   double middle = from + 0.5 * (to - from);
   const double first = std::max(std::abs(from - near), min_width),
                last = std::max(std::abs(to - near), min_width);
+  // The geometric mean of the distances from the end that is known. Ranges of a set that rotates are proven up to larger
+  // widths (IntruderCertificate::turns()), so there the farther part is smaller.
   const auto between_distances = [&](double nearer, double farther) {
     const double mean = std::sqrt(nearer) * std::sqrt(farther);
     return intruders_[open_[begin]].turns()

@@ -48,10 +48,25 @@ double plain_outside(const std::vector<Corner>& corners, double x, double y) {
   return outside;
 }
 
+/// `sum`: as it was made, whatever pose is asked for.
+void expect_support_in_pose(const PieceSum& sum, const std::vector<Corner>& all, Random& random,
+                            double degrees) {
+  const SineCosine<double> pose = quick_sine_cosine(degrees);
+  const double size = sum.size() + 1e-9;
+  for (int i = 0; i < 20; ++i) {
+    const double x = random.in(-3, 3), y = i % 4 ? random.in(-3, 3) : 0, support = support_of(all, x, y);
+    ASSERT_GE(sum.support(x, y, pose), support);
+    ASSERT_LE(sum.support(x, y, pose), support + 1e-12 * 6 * size);
+    const Corner farthest = sum.farthest(x, y, pose);
+    ASSERT_NEAR(x * farthest.x + y * farthest.y, support, 1e-12 * 6 * size);
+  }
+}
+
 void expect_sum(const ConvexPiece& own, const ConvexPiece& other, Random& random, double degrees) {
   PieceSum sum(own, other);
-  if (degrees != 0) sum.turn(degrees);
   const std::vector<Corner> all = differences(own, other, degrees);
+  ASSERT_NO_FATAL_FAILURE(expect_support_in_pose(sum, all, random, degrees));
+  if (degrees != 0) sum.turn(degrees);
   const double size = sum.size() + 1e-9;
   for (int i = 0; i < 20; ++i) {
     const double x = random.in(-3, 3), y = i % 4 ? random.in(-3, 3) : 0, support = support_of(all, x, y);
@@ -103,6 +118,47 @@ TEST(PieceSum, HasTheNormalOfTheNearestEdgeRightBesideIt) {
   EXPECT_EQ(ny, 0);
   EXPECT_EQ(sum.signed_distance(0, 0.25, nx, ny), -0.75);
   EXPECT_EQ(ny, 1);
+}
+
+/// A corner that stays inside means contact in every pose of the range. Own piece and place rotate about the origin.
+void expect_corner_inside(const ConvexPiece& own, const ConvexPiece& other, Random& random, int& found) {
+  PieceSum sum(own, other);
+  const double size = sum.size() + 1e-9, radius = random.below(2) ? 0 : random.in(0, 0.3) * size;
+  const double degrees = random.in(-180, 180), half = random.in(0, 20);
+  const Corner own_place{random.in(-2, 2) * size, random.in(-2, 2) * size};
+  const Corner other_place{own_place.x + random.in(-0.6, 0.6) * size,
+                           own_place.y + random.in(-0.6, 0.6) * size};
+  sum.turn(degrees);
+  if (!sum.has_corner_inside(other_place, own_place, quick_sine_cosine(half), radius, 1e-12 * size)) return;
+  ++found;
+  for (int i = 0; i <= 8; ++i) {
+    const double by = half * (i / 4.0 - 1);
+    const SineCosine<double> turned = quick_sine_cosine(by);
+    PieceSum there(own, other);
+    there.turn(degrees + by);
+    double nx = 0, ny = 0;
+    const double x = own_place.x * turned.cosine + own_place.y * turned.sine;
+    const double y = own_place.y * turned.cosine - own_place.x * turned.sine;
+    ASSERT_LE(there.signed_distance(other_place.x - x, other_place.y - y, nx, ny), radius + 1e-9 * size)
+        << by;
+  }
+}
+
+TEST(PieceSum, FindsOnlyCornersThatStayInsideInEveryPose) {
+  Random random(7);
+  int found = 0;
+  for (const OutlineFamily& family : outline_families())
+    for (std::uint64_t seed = 0; seed < 4 && family.scale == 0; ++seed) {
+      const OutlineScene scene = draw_scene(family, OutlinePairing::outlines, seed);
+      const ConvexPieces cut_a = convex_pieces(scene.a.outline), cut_b = convex_pieces(scene.b.outline);
+      ObjectPieces a, b;
+      a.take(cut_a), b.take(cut_b);
+      for (int i = 0; i < 60; ++i)
+        ASSERT_NO_FATAL_FAILURE(expect_corner_inside(a.piece(random.below(cut_a.count())),
+                                                     b.piece(random.below(cut_b.count())), random, found))
+            << family.name << ' ' << seed << ' ' << i;
+    }
+  EXPECT_GT(found, 100);
 }
 
 }  // namespace

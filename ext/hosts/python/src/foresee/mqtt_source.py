@@ -43,7 +43,7 @@ class Address:
         try:
             parts = urlsplit(url)
             is_address, port = parts.scheme in ("mqtt", "mqtts") and bool(parts.hostname), parts.port
-        except ValueError:          # a port that is none, or half of an IPv6 address
+        except ValueError:          # an invalid port or IPv6 address
             is_address = False
         if not is_address:
             raise Refusal(f"{url.split(':', 1)[0]}: no address of a broker; write mqtt://host:1883/topic/#")

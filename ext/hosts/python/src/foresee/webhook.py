@@ -29,7 +29,7 @@ class Webhook:
         try:
             parts = urlsplit(url)
             is_address = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
-        except ValueError:          # a port that is none, or half of an IPv6 address
+        except ValueError:          # an invalid port or IPv6 address
             is_address = False
         if not is_address:
             raise Refusal("--webhook is no web address; write http://host/path or https://host/path")
