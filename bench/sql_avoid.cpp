@@ -4,6 +4,7 @@
 //
 //   uniform  one disc of radius 10 for each (100 m)^2, |v| <= 10 per axis, 60 s: 10^3 to 10^5 objects
 //   hulls    the same with 10^4 hulls of 8 by 20 for discs, turned to their course
+//   round    the same with 400 hulls of 1,000 corners
 //   crowd    10^4 discs in one spot
 //   FILE     ships: id, t, x, y, vx, vy of a CSV file, those that would come within 200 m of another in 600 s
 //
@@ -37,6 +38,19 @@ const ShipShape disc{"r", "10", "r"};
 const ShipShape hull{"shape, heading",
                      "'POLYGON((-4 -10, 4 -10, 4 6, 0 10, -4 6, -4 -10))', degrees(atan2(?4, ?5))",
                      "shape, mod(heading + k + 540, 360) - 180"};
+
+/// An ellipse of 8 by 20.
+ShipShape round_hull(int corners) {
+  std::string text;
+  for (int i = 0; i <= corners; ++i) {
+    const double angle = 2 * 3.14159265358979 * (i % corners) / corners;
+    char corner[64];
+    std::snprintf(corner, sizeof corner, "%s%.17g %.17g", i ? ", " : "", 4 * std::cos(angle),
+                  10 * std::sin(angle));
+    text += corner;
+  }
+  return {hull.columns, "'POLYGON((" + text + "))', degrees(atan2(?4, ?5))", hull.turned};
+}
 
 void make_table(Database& db, const ShipShape& ship_shape) {
   register_foresee(db);
@@ -161,6 +175,7 @@ int main_of(const Options& options) {
   };
   for (const std::size_t count : {1000, 10000, 100000}) measure_uniform(disc, count, "uniform");
   measure_uniform(hull, 10000, "hulls");
+  measure_uniform(round_hull(1000), 400, "round");
   {
     Database db(":memory:");
     make_table(db, disc);

@@ -152,7 +152,7 @@ void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t 
   double middle = from + 0.5 * (to - from);
   const double first = std::max(std::abs(from - near), min_width),
                last = std::max(std::abs(to - near), min_width);
-  // The geometric mean of the distances from the end that is known. Ranges of a set that rotates are proven up to larger
+  // The geometric mean of the distances from the known end. Ranges of a set that rotates are proven up to larger
   // widths (IntruderCertificate::turns()), so there the farther part is smaller.
   const auto between_distances = [&](double nearer, double farther) {
     const double mean = std::sqrt(nearer) * std::sqrt(farther);
