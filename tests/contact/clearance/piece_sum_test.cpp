@@ -48,7 +48,7 @@ double plain_outside(const std::vector<Corner>& corners, double x, double y) {
   return outside;
 }
 
-/// `sum`: as it was made, whatever pose is asked for.
+/// `sum`: as it was made. Its own pose does not matter.
 void expect_support_in_pose(const PieceSum& sum, const std::vector<Corner>& all, Random& random,
                             double degrees) {
   const SineCosine<double> pose = quick_sine_cosine(degrees);
@@ -144,7 +144,7 @@ void expect_corner_inside(const ConvexPiece& own, const ConvexPiece& other, Rand
   }
 }
 
-TEST(PieceSum, FindsOnlyCornersThatStayInsideInEveryPose) {
+TEST(PieceSum, FindsOnlyCornersInsideInEveryPose) {
   Random random(7);
   int found = 0;
   for (const OutlineFamily& family : outline_families())
