@@ -32,7 +32,7 @@ CREATE TEMP TABLE ais_missing AS
     GROUP BY place, quantity HAVING max(lower(name) IN present) = 0;
 CREATE TEMP TRIGGER ais_refused BEFORE UPDATE ON ais_missing BEGIN
   SELECT RAISE(ABORT, 'ais_reports: there is no such table; .import --csv FILE ais_reports first')
-    WHERE (SELECT count(*) FROM ais_missing) = 6;
+    WHERE NOT EXISTS (SELECT 1 FROM pragma_table_info('ais_reports'));
   SELECT RAISE(ABORT, 'ais_reports: no column for the ship; .import a file with a column mmsi') WHERE NEW.place = 1;
   SELECT RAISE(ABORT, 'ais_reports: no column for the time; .import a file with t, BaseDateTime or # Timestamp') WHERE NEW.place = 2;
   SELECT RAISE(ABORT, 'ais_reports: no column for the latitude; .import a file with lat or Latitude') WHERE NEW.place = 3;
@@ -40,7 +40,8 @@ CREATE TEMP TRIGGER ais_refused BEFORE UPDATE ON ais_missing BEGIN
   SELECT RAISE(ABORT, 'ais_reports: no column for the speed; .import a file with sog_kn or SOG') WHERE NEW.place = 5;
   SELECT RAISE(ABORT, 'ais_reports: no column for the course; .import a file with cog_deg or COG') WHERE NEW.place = 6;
 END;
-SELECT 'ais_reports has no column for the ' || quantity || ': ' || names AS missing FROM ais_missing ORDER BY place;
+SELECT 'ais_reports has no column for the ' || quantity || ': ' || names AS missing FROM ais_missing
+  WHERE EXISTS (SELECT 1 FROM pragma_table_info('ais_reports')) ORDER BY place;
 UPDATE ais_missing SET place = place;                             -- an error where a column is missing
 
 -- A column that the file does not have is found in `absent`, one level further out, where it is NULL.
@@ -61,7 +62,8 @@ CREATE TEMP VIEW ais_read AS
 
 -- .import delivers text; numbers from here on. A report without a position or a speed says nothing about the future.
 DROP TABLE IF EXISTS temp.ais_numbers;
-CREATE TEMP TABLE ais_numbers AS
+CREATE TEMP TABLE ais_numbers(place, mmsi INTEGER, t REAL, lat REAL, lon REAL, sog REAL, cog REAL, name);
+INSERT INTO ais_numbers                                           -- the last statement that fails without ais_reports
   SELECT place, CAST(mmsi AS INTEGER) AS mmsi,
          CASE WHEN time LIKE '__/__/____ %'
               THEN CAST(strftime('%s', substr(time, 7, 4) || '-' || substr(time, 4, 2) || '-' || substr(time, 1, 2) || substr(time, 11)) AS REAL)

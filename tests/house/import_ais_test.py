@@ -219,6 +219,11 @@ class Layouts(unittest.TestCase):
         status, output = shell(".load build/release/foresee\n.read sql/import_ais.sql\n", "-bail")
         self.assertEqual(status, 1)
         self.assertIn("ais_reports: there is no such table; .import --csv FILE ais_reports first", output)
+        _, output = shell(".load build/release/foresee\n.read sql/import_ais.sql\nSELECT 7;\n")
+        first, second, last = output.splitlines()
+        self.assertIn("ais_reports: there is no such table; .import --csv FILE ais_reports first", first)
+        self.assertIn("no such table: ais_reports", second)
+        self.assertEqual(last, "7")
 
 
 class BundledReports(unittest.TestCase):
