@@ -158,7 +158,7 @@ def run_text(figures, folder):
     """Which machine, and whether its figures can be trusted."""
     machine = dict(line.split(": ", 1) for line in (folder / "compare_machine.txt").read_text().splitlines() if ": " in line)
     loads = [machine[f"Load average at the {when}"] for when in ("start", "end")]
-    yield f"The published run: {machine['CPU'].split(';')[0]}; up to {count(figures.largest('foresee grid'))} objects. The load average was"
+    yield f"{'The published' if folder == FOLDER else 'This'} run: {machine['CPU'].split(';')[0]}; up to {count(figures.largest('foresee grid'))} objects. The load average was"
     yield f"{loads[0].split()[0]} at the start and {loads[1].split()[0]} at the end."
     if max(float(load.split()[0]) for load in loads) > 1.5:
         yield "**The machine was busy: trust the ratios more than the times.**"

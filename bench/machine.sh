@@ -9,8 +9,13 @@ marked_load() {
   echo "$1" | awk '{ print $0 ($1 >= 0.3 ? " (a busy machine: times are too long)" : "") }'
 }
 
+# "1 core", "8 cores": those that this process may use. OMP_NUM_THREADS, which nproc follows, is of other programs.
+shown_cores() {
+  env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc | awk '{ print $1 ($1 == 1 ? " core" : " cores") }'
+}
+
 describe_machine() {
-  echo "CPU: $(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores; processor time of one thread"
+  echo "CPU: $(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1), $(shown_cores); processor time of one thread"
   echo "Compiler: $(g++ --version | head -n 1)"
   echo "Flags: -O3 -march=x86-64-v2 -ffp-contract=off -fno-math-errno -fno-trapping-math"
   echo "Library: $(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' build/release/CMakeCache.txt), commit $(git rev-parse --short=12 HEAD)"

@@ -6,6 +6,7 @@ this machine lacks is passed over."""
 import concurrent.futures
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -68,6 +69,22 @@ class Figures(unittest.TestCase):
         self.assertEqual(grid, "| **foresee: production grid** | 62 µs | 49 µs | 560 µs | – | – | 610 µs | 2.2 MB |")
         self.assertEqual(boost, "| Boost: R-tree | 20.4 µs | 460 µs |  | 170 µs (10<sup>3</sup>) | 2.2 µs (10<sup>3</sup>) | 470 µs (10<sup>3</sup>) | 0.7 MB (10<sup>3</sup>) |")
         self.assertEqual(brute, "| brute force | – | 2.26 ms | over 60 s | – | – | – | 0.4 MB |")
+
+    def test_a_quick_run_is_not_called_the_published_one(self):
+        figures = compare_pages.Figures(compare_pages.FOLDER / "compare.csv")
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(compare_pages.FOLDER / "compare_machine.txt", folder)
+            quick = next(compare_pages.run_text(figures, Path(folder)))
+        self.assertTrue(quick.startswith("This run: "), quick)
+        self.assertTrue(next(compare_pages.run_text(figures, compare_pages.FOLDER)).startswith("The published run: "))
+
+    def test_the_number_of_cores_has_its_noun(self):
+        def shown(*prefix):
+            return subprocess.run([*prefix, "bash", "-c", ". bench/machine.sh; shown_cores"], cwd=ROOT, text=True, capture_output=True, check=True,
+                                  env={**os.environ, "OMP_NUM_THREADS": "1"}).stdout.strip()
+        available = len(os.sched_getaffinity(0))
+        self.assertEqual(shown(), "1 core" if available == 1 else f"{available} cores")
+        self.assertEqual(shown("taskset", "-c", str(min(os.sched_getaffinity(0)))), "1 core")
 
     def test_three_digits_and_a_unit(self):
         self.assertEqual([compare_pages.time(value) for value in (1.234e-7, 4.9e-5, 0.00123, 0.0999, 1.5, 61.2)],
