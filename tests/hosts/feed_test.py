@@ -102,8 +102,11 @@ class StandardInput(Live):
         self.assert_holds(good)
         start = '{"mmsi": 4, "t": 1641168000, "lat": 53, "lon": 7, "sog": 5, "cog": 5'
         lines = [json_of(good[0]), "[" * 100_000, '{"a":' * 100_000, start.replace("53", "1" + "0" * 400) + "}",
-                 start.replace("1641168000", '"0001-01-01T00:00:00+14:00"') + "}", start + ', "name": "\\ud800 ANNA"}', json_of(good[1])]
-        self.command("feed", self.folder / "other.db", "--table", "ships", text="\n".join(lines))
+                 start.replace("1641168000", '"0001-01-01T00:00:00+14:00"') + "}", start + ', "name": "\\ud800 ANNA"}', json_of(good[1]),
+                 *(start.replace(" 4", f" {id}", 1) + "}" for id in ("true", '"1_0"', 2**63 + 1, 2**53 + 1))]
+        errors = self.command("feed", self.folder / "other.db", "--table", "ships", text="\n".join(lines))[1]
+        for message in ("true, not a number", "'1_0', not a number", "9223372036854775809, more than 9007199254740991; an MMSI has nine"):
+            self.assertIn(f": the ship's number is {message}", errors)
         self.file = self.folder / "other.db"
         names = dict(self.database().execute("SELECT id, name FROM ships").fetchall())
         self.assertEqual((names[4], len(names)), ("? ANNA", 3))
@@ -162,6 +165,7 @@ class StandardInput(Live):
         for arguments, message in (((), "foresee: the following arguments are required: feed | alerts | map; see python3 -m foresee --help"),
                                    (("feed", "a.db"), "foresee feed: the following arguments are required: --table; see python3 -m foresee feed --help"),
                                    (("feed", "a.db", "--table", "ships", "--a\nb"), "foresee feed: unrecognized arguments: --a b; see "),
+                                   (("feed", "a.db", "--table", ""), "foresee feed: argument --table: the name is empty; write for example ships; see "),
                                    (("alerts", "a.db", "alerts", "--poll", "0"), "foresee alerts: argument --poll: invalid "),
                                    (("map", "a.db", "--zoom"), "foresee map: unrecognized arguments: --zoom; see python3 -m foresee map --help"),
                                    (("map", "a.db", "--port", "65536"), "foresee map: argument --port: invalid port value: '65536'; see "),

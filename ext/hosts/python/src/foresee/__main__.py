@@ -4,7 +4,7 @@ An error is one line and status 1, or 2 if an option is wrong.
 """
 import argparse
 
-from .process import not_negative, place, port, positive, run_command
+from .process import name, not_negative, place, port, positive, run_command
 
 EPILOG = {
     "feed": """\
@@ -38,8 +38,8 @@ class Parser(argparse.ArgumentParser):
         self.exit(2, f"{name}: {' '.join(message.split())}; see {self.prog} --help\n")
 
 
-def command(commands, name, does):
-    parser = commands.add_parser(name, help=does, description=does, epilog=EPILOG[name],
+def command(commands, word, does):
+    parser = commands.add_parser(word, help=does, description=does, epilog=EPILOG[word],
                                  formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", metavar="FILE.db", help="the database")
     return parser
@@ -50,9 +50,9 @@ def arguments(given=None):
     commands = parser.add_subparsers(dest="command", required=True, metavar="feed | alerts | map")
 
     feed = command(commands, "feed", "Stores position reports of ships in a table of moving objects.")
-    feed.add_argument("--table", required=True, help="the table; it is created where it is not there")
+    feed.add_argument("--table", required=True, type=name, help="the table; it is created where it is not there")
     feed.add_argument("--origin", type=place, help="'LAT LON' of the plane (a new table: from the first report)")
-    feed.add_argument("--watch", help="a watch of the table to create where it is not there")
+    feed.add_argument("--watch", type=name, help="a watch of the table to create where it is not there")
     feed.add_argument("--horizon", type=not_negative, default=600.0, help="of the new watch, in seconds (%(default)g)")
     feed.add_argument("--within", type=not_negative, default=926.0, help="of the new watch, in metres (%(default)g, half a nautical mile)")
     feed.add_argument("--tolerance", type=not_negative, default=30.0,
@@ -68,7 +68,7 @@ def arguments(given=None):
     feed.add_argument("--client-id", help="of the persistent MQTT session (from host, file, table and topic)")
 
     alerts = command(commands, "alerts", "Follows a watch: a line per change, each at least once.")
-    alerts.add_argument("watch", metavar="WATCH", help="the watch")
+    alerts.add_argument("watch", metavar="WATCH", type=name, help="the watch")
     alerts.add_argument("--json", action="store_true", help="lines of JSON")
     alerts.add_argument("--news", action="store_true", help="only new pairs whose encounter is still to come")
     alerts.add_argument("--webhook", metavar="URL", help="POST each change as JSON; what fails is repeated, in order")
@@ -78,7 +78,7 @@ def arguments(given=None):
     alerts.add_argument("--poll", type=positive, default=0.05, help="seconds between two reads of the file (%(default)g)")
 
     page = command(commands, "map", "Serves a map of the ships and their alerts on 127.0.0.1.")
-    page.add_argument("--table", help="the table (the only one)")
+    page.add_argument("--table", type=name, help="the table (the only one)")
     page.add_argument("--port", type=port, default=8137, help="%(default)s; 0: any that is free")
     options, unknown = parser.parse_known_args(given)
     if unknown:         # argparse would name the program and not the command

@@ -6,6 +6,7 @@ import os
 import signal
 import sqlite3
 import sys
+from argparse import ArgumentTypeError
 from math import isfinite
 
 
@@ -54,6 +55,12 @@ def not_negative(text):
     if not (value >= 0 and isfinite(value)):
         raise ValueError
     return value
+
+
+def name(text):
+    if not text:
+        raise ArgumentTypeError("the name is empty; write for example ships")
+    return text
 
 
 def port(text):

@@ -15,6 +15,7 @@ from typing import NamedTuple, Optional
 
 REST_BELOW = 0.5        # knots: slower ships lie still, their course is noise
 NO_SPEED = 102.15       # knots: 102.2 is "that or more", 102.3 "not available"
+MAX_SHIP = 2**53 - 1    # larger whole numbers may have been rounded
 
 # quantity: the names of its field, compared in lower case. Speeds are knots.
 FIELDS = {
@@ -67,8 +68,11 @@ def number(what, value):
     if value is None or value == "" or value == "nan":
         return None
     try:
-        result = float(value)
-    except (TypeError, ValueError, OverflowError):
+        # Python takes true for 1 and 1_0 for 10.
+        result = float(None if isinstance(value, bool) or "_" in str(value) else value)
+    except OverflowError:
+        raise BadReport(f"{what} is {shortened(value)}, too large") from None
+    except (TypeError, ValueError):
         raise BadReport(f"{what} is {shortened(value)}, not a number") from None
     if not isfinite(result):
         raise BadReport(f"{what} is {shortened(value)}, not finite")
@@ -76,7 +80,7 @@ def number(what, value):
 
 
 def shortened(value):
-    text = repr(value)
+    text = repr(value).lower() if isinstance(value, bool) else repr(value)
     return text if len(text) <= 40 else text[:37] + "..."
 
 
@@ -121,8 +125,10 @@ def report_of(value, now=None, id=None):
     ship = number("the ship's number", value.get("id", id))
     if ship is None:
         raise BadReport("the ship's number (mmsi) is missing")
-    if ship != int(ship) or abs(ship) > 2**53:
+    if ship != int(ship):
         raise BadReport(f"the ship's number is {ship:g}, not a whole one")
+    if abs(ship) > MAX_SHIP:
+        raise BadReport(f"the ship's number is {shortened(value.get('id', id))}, more than {MAX_SHIP}; an MMSI has nine digits")
     name = str(value.get("name", "")).encode("utf-8", "replace").decode().replace("\0", "").strip(" @") or None
     lat, lon = angle("the latitude", value.get("lat"), 90, 91), angle("the longitude", value.get("lon"), 180, 181)
     speed, course = number("the speed", value.get("speed")), number("the course", value.get("course"))
