@@ -30,23 +30,20 @@ void foresee_debug(sqlite3_context* context, int, sqlite3_value**) {
 /// geo_distance(lat1, lon1, lat2, lon2): metres; NULL if an input is NULL.
 void geo_distance(sqlite3_context* context, int, sqlite3_value** values) {
   static constexpr const char* names[] = {"lat1", "lon1", "lat2", "lon2"};
-  char* message = nullptr;
-  const int rc = guarded(&message, [&] {
+  report_by_name(context, "geo_distance", [&] {
     double numbers[4];
     for (int i = 0; i < 4; ++i) {
       const int type = sqlite3_value_numeric_type(values[i]);
       if (type == SQLITE_NULL) return;
       numbers[i] = sqlite3_value_double(values[i]);
       if ((type != SQLITE_INTEGER && type != SQLITE_FLOAT) || !std::isfinite(numbers[i]))
-        throw Error("geo_distance: " + std::string(names[i]) + " must be a number of degrees, not " +
-                    shown(values[i]));
+        throw Error(std::string(names[i]) + " must be a number of degrees, not " + shown(values[i]));
       if (i % 2 == 0) require_latitude(numbers[i], names[i]);
     }
     const FloatEnvironment environment;
     const Geodesic line = geodesic_between({numbers[0], numbers[1]}, {numbers[2], numbers[3]});
     sqlite3_result_double(context, line.distance);
   });
-  if (rc != SQLITE_OK) result_error(context, rc, message);
 }
 
 }  // namespace

@@ -69,7 +69,9 @@ class WordTable {
         refuse(at(Quantity::centre, axis), "there is no " + std::string(word_for(Quantity::centre, axes_)) +
                                                "; axes are declared in the order x, y, z");
     if (axes_ > 0) return;
-    const std::string why = "no position is declared; add x (and y, z for two or three axes)";
+    const std::string why =
+        "no position is declared; add x (and y, z for two or three axes), as in moving_objects(id, x, y, vx, "
+        "vy)";
     if (const DeclaredWord* plan = first(Quantity::plan)) refuse(plan, why);
     throw Error(why);
   }

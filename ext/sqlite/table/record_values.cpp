@@ -65,7 +65,7 @@ void FormValues::fill(std::span<double> record, sqlite3_value* shape, std::span<
     }
     if (number != 0) form = store.form(static_cast<std::int64_t>(number));
   } else if (has_zones_ && is_null_or_empty(shape)) {
-    throw Error("NULL is no place: write well-known text as in " + std::string(example_of(shape_, true)) +
+    throw Error(shown(shape) + " is no place: write well-known text as in " + example_of(shape_, true) +
                 ", or leave the row out");
   } else if (!is_null_or_empty(shape)) {
     const StoredForms::Known known = form_of(shape, store);

@@ -36,10 +36,23 @@ void require_id(const Argument& argument) {
     refuse(argument, "the id is an INTEGER PRIMARY KEY; write id");
 }
 
+/// `name` as an auxiliary column: +name, or +"my name" where the name needs quotes. A + within the quotes of the
+/// argument was meant to be in front of them.
+std::string as_auxiliary(std::string_view name) {
+  if (name.starts_with('+')) name.remove_prefix(1);
+  if (name.empty()) return "+name";
+  SqlTokens tokens(name);
+  const auto word = tokens.next();
+  const bool is_plain = word && word->kind == SqlToken::Kind::word && word->text == name;
+  std::string column("+");
+  column += is_plain ? std::string(name) : quoted_name(std::string(name));
+  return column;
+}
+
 const Word& motion_word(const Argument& argument) {
   if (const Word* word = find_word(argument.name)) return *word;
   const std::string why = "no such column; ";
-  const std::string own = "a column of your own is written +" + argument.name;
+  const std::string own = "a column of your own is written " + as_auxiliary(argument.name);
   const std::string_view hint = hint_for(argument.name), near = nearest_word(argument.name);
   if (!hint.empty()) refuse(argument, why + std::string(hint) + " " + own);
   if (!near.empty()) refuse(argument, why + "did you mean " + std::string(near) + "? " + own);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <set>
 
 #include "base/error.h"
@@ -24,18 +25,25 @@ constexpr std::array<const char*, 11> columns{"a",     "b",      "t",     "t_end
   throw Error("\"" + argument.text + "\": " + why);
 }
 
-double number(const Argument& argument, const char* such_as) {
-  const char* end = argument.detail.data() + argument.detail.size();
+/// The finite number >= 0 that the text holds; nothing if it holds none.
+std::optional<double> read_number(const std::string& text) {
+  const char* end = text.data() + text.size();
   double number = 0;
-  const auto [stop, error] = std::from_chars(argument.detail.data(), end, number);
-  if (stop != end || error != std::errc() || !(number >= 0) || !std::isfinite(number))
-    refuse(argument, argument.name + " must be a finite number >= 0; write for example " + argument.name +
-                         " = " + such_as);
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (stop != end || error != std::errc() || !(number >= 0) || !std::isfinite(number)) return std::nullopt;
   return number;
 }
 
+double number(const Argument& argument, const char* such_as) {
+  const auto found = read_number(argument.detail);
+  if (!found)
+    refuse(argument, argument.name + " must be a finite number >= 0; write for example " + argument.name +
+                         " = " + such_as);
+  return *found;
+}
+
 std::int64_t whole_number(const Argument& argument) {
-  const double found = number(argument, "1000000");
+  const double found = read_number(argument.detail).value_or(0);
   if (found < 1 || found != std::floor(found) || found > 0x1p53)
     refuse(argument, argument.name + " must be a whole number >= 1; write for example keep = 1000000");
   return static_cast<std::int64_t>(found);

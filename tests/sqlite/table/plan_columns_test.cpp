@@ -27,7 +27,8 @@ TEST(PlanDeclaration, Errors) {
     return db.error_of("CREATE VIRTUAL TABLE a USING moving_objects(" + columns + ")");
   };
   EXPECT_EQ(error_of("id, plan"),
-            "a: \"plan\": no position is declared; add x (and y, z for two or three axes)");
+            "a: \"plan\": no position is declared; add x (and y, z for two or three axes), as in "
+            "moving_objects(id, x, y, vx, vy)");
   EXPECT_EQ(error_of("id, x, y, r, growth, plan"), "a: \"growth\": a plan does not grow; leave one out");
   EXPECT_EQ(error_of("id, x, y, z, r, hz, growth_z, plan"),
             "a: \"growth_z\": a plan does not grow; leave one out");

@@ -121,8 +121,12 @@ TEST(DeclareErrors, IdAndPosition) {
        "\"mmsi\": the first column is the key and must be called id; write id in place of mmsi"},
       {{"+id", "x"}, "\"+id\": the first column must be id; write moving_objects(id, ...)"},
       {{"id TEXT", "x"}, "\"id TEXT\": the id is an INTEGER PRIMARY KEY; write id"},
-      {{"id"}, "no position is declared; add x (and y, z for two or three axes)"},
-      {{"id", "vx"}, "no position is declared; add x (and y, z for two or three axes)"},
+      {{"id"},
+       "no position is declared; add x (and y, z for two or three axes), as in moving_objects(id, x, y, vx, "
+       "vy)"},
+      {{"id", "vx"},
+       "no position is declared; add x (and y, z for two or three axes), as in moving_objects(id, x, y, vx, "
+       "vy)"},
       {{"id", "y"}, "\"y\": there is no x; axes are declared in the order x, y, z"},
       {{"id", "x", "z"}, "\"z\": there is no y; axes are declared in the order x, y, z"},
       {{"id", "x", "id"}, "\"id\": id is declared twice; leave this one out"},
@@ -212,6 +216,10 @@ TEST(DeclareErrors, UnknownNamesSuggestTheNearest) {
       {{"id", "x", "untill REAL"}, "\"untill REAL\": no such column; did you mean until?" + own + "untill"},
       {{"id", "x", "name TEXT"}, "\"name TEXT\": no such column" + known + "name"},
       {{"id", "w"}, "\"w\": no such column" + known + "w"},
+      {{"id", "x", "\"my name\""}, "\"\"my name\"\": no such column" + known + "\"my name\""},
+      {{"id", "x", "\"+my name\""}, "\"\"+my name\"\": no such column" + known + "\"my name\""},
+      {{"id", "x", "\"+name\" TEXT"}, "\"\"+name\" TEXT\": no such column" + known + "name"},
+      {{"id", "x", "\"+\""}, "\"\"+\"\": no such column" + known + "name"},
   });
 }
 

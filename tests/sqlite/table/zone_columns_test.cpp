@@ -171,7 +171,7 @@ TEST_F(ZoneColumns, RefuseWhatIsNoZone) {
             "7.9 54, "
             "7.8 53.9))', or leave the row out");
   EXPECT_EQ(db.error_of("UPDATE zones SET zone = '' WHERE id = 1"),
-            "zones.zone of row 1: NULL is no place: write well-known text as in 'POLYGON((7.8 53.9, 8 53.9, "
+            "zones.zone of row 1: '' is no place: write well-known text as in 'POLYGON((7.8 53.9, 8 53.9, "
             "7.9 54, "
             "7.8 53.9))', or leave the row out");
   EXPECT_EQ(error("'POINT(7 53)'"),

@@ -33,8 +33,8 @@ TEST_F(GeoFunctions, MeasureDistances) {
   EXPECT_EQ(db.rows("SELECT round(geo_distance(40.6, -73.8, 51.6, -0.5), 6)"), "5551759.400319");
   EXPECT_EQ(db.rows("SELECT geo_distance(1, 2, 3, NULL) IS NULL, geo_distance(1, 179, 1, -181)"), "1|0.0");
   EXPECT_EQ(db.error_of("SELECT geo_distance(1, 2, 91, 4)"),
-            "lat2 is 91: latitudes lie between -90 and 90; write NULL if it is unknown, as nullif(lat, 91) "
-            "does for AIS");
+            "geo_distance: lat2 is 91: latitudes lie between -90 and 90; write NULL if it is unknown, as "
+            "nullif(lat, 91) does for AIS");
   EXPECT_EQ(db.error_of("SELECT geo_distance(1, 'east', 3, 4)"),
             "geo_distance: lon1 must be a number of degrees, not 'east'");
 }
