@@ -3,6 +3,7 @@
 
 #include "database.h"
 #include "storage/rows/statement.h"
+#include "storage/rows/store_error.h"
 
 namespace foresee::testing {
 namespace {
@@ -31,6 +32,28 @@ struct StatementInterruptTest : ::testing::Test {
   Database db;
   StatementInterrupt interrupt{db.handle()};
 };
+
+/// SQLite reports "database schema has changed" when an interrupt stops it while it reads the schema again.
+TEST(StatementOfTheExtension, SaysInterruptedAlsoAfterAChangeOfTheSchema) {
+  const TemporaryFile file;
+  Database reader(file.path());
+  Database writer(file.path());
+  writer.exec("CREATE TABLE a(x)");
+  Statement select(reader.handle(), "SELECT x FROM a");
+  select.prepare();
+  writer.exec("CREATE TABLE b(x)");
+  sqlite3_progress_handler(
+      reader.handle(), 1, [](void*) { return 1; }, nullptr);
+  try {
+    Statement::Run(select).step();
+    ADD_FAILURE() << "was not interrupted";
+  } catch (const StoreError& error) {
+    EXPECT_EQ(error.code & 0xff, SQLITE_INTERRUPT);
+    EXPECT_STREQ(error.what(), "interrupted");
+  }
+  sqlite3_progress_handler(reader.handle(), 0, nullptr, nullptr);
+  EXPECT_FALSE(Statement::Run(select).step());
+}
 
 TEST_F(StatementInterruptTest, LetsAComputationRun) {
   EXPECT_EQ(db.rows("SELECT busy(900)"), "ran");

@@ -34,7 +34,9 @@ std::string quoted_name(const std::string& name) {
 
 void throw_sqlite_error(sqlite3* db, int code) {
   if ((code & 0xff) == SQLITE_NOMEM) throw std::bad_alloc();
-  throw StoreError(code, sqlite3_errmsg(db));
+  // SQLite reads a changed schema again; when that is interrupted, it keeps the message about the change.
+  const bool is_interrupt = (code & 0xff) == SQLITE_INTERRUPT;
+  throw StoreError(code, is_interrupt ? "interrupted" : sqlite3_errmsg(db));
 }
 
 void execute(sqlite3* db, const std::string& sql) {
