@@ -243,10 +243,9 @@ inline void remove_slot(Node& node, std::size_t slot, std::size_t stride) {
   node.values.resize(node.values.size() - stride);
 }
 
-/// The times of all objects beneath a node, computed from the node's own numbers.
-template <int D>
-Times times_of(const Node& node, const LeafReader<D>& reader) {
-  Times all;
+/// Adds the times of each object of a leaf, or of each entry of an inner node, to `all`: Times or Lives.
+template <int D, class All>
+void include_times(const Node& node, const LeafReader<D>& reader, All& all) {
   for (std::size_t slot = 0; slot < node.size(); ++slot) {
     if (!node.is_leaf()) {
       all.include(times_at<D>(node, slot));
@@ -255,6 +254,13 @@ Times times_of(const Node& node, const LeafReader<D>& reader) {
     const double *record = reader.record(node, slot), t = reader.t(record);
     all.include({t, t, reader.until(record)});
   }
+}
+
+/// The times of all objects beneath a node, computed from the node's own numbers.
+template <int D>
+Times times_of(const Node& node, const LeafReader<D>& reader) {
+  Times all;
+  include_times(node, reader, all);
   return all;
 }
 

@@ -53,6 +53,20 @@ class WriteClock {
   double now_ = 0;
 };
 
+/// The middle of the lives of an entry.
+inline double middle_of(const Times& times) {
+  return 0.5 * times.t_min + 0.5 * times.until_max;
+}
+
+/// The lives beneath a node. Each child counts once, so one of another time hardly moves the mean of their middles.
+struct Lives {
+  Times all;
+  double middles = 0;  ///< their sum
+  std::size_t children = 0;
+
+  void include(const Times& child) { all.include(child), middles += middle_of(child), ++children; }
+};
+
 class ReferenceTimes {
  public:
   explicit ReferenceTimes(double clock) : clock_(clock) {}
@@ -64,13 +78,17 @@ class ReferenceTimes {
                             (clock_ <= times.until_max + late);
     return !ends(times) | is_current;
   }
-  static double middle(const Times& times) { return 0.5 * times.t_min + 0.5 * times.until_max; }
   /// Always finite.
-  double of(const Times& times) const {
-    return is_clock(times) || !std::isfinite(middle(times)) ? clock_ : middle(times);
+  double of(const Times& times) const { return or_clock(times, middle_of(times)); }
+  double mean_of(const Lives& lives) const {
+    return or_clock(lives.all, lives.middles / static_cast<double>(lives.children));
   }
 
  private:
+  double or_clock(const Times& times, double middle) const {
+    return is_clock(times) || !std::isfinite(middle) ? clock_ : middle;
+  }
+
   double clock_;
 };
 

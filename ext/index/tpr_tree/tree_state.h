@@ -29,11 +29,14 @@ struct TreeState {
 
   ReferenceTimes reference_times() const { return ReferenceTimes(clock.now()); }
   /// The epoch of a node with these lives beneath it. Every epoch that is written comes from here.
-  double epoch_for(const Times& beneath) const {
-    return reader.ends() ? reference_times().of(beneath) : clock.now();
+  double epoch_for(const Lives& beneath) const {
+    return reader.ends() ? reference_times().mean_of(beneath) : clock.now();
   }
   double epoch_for(const Node& node) const {
-    return reader.ends() ? epoch_for(times_of<D>(node, reader)) : clock.now();
+    if (!reader.ends()) return clock.now();
+    Lives beneath;
+    include_times(node, reader, beneath);
+    return epoch_for(beneath);
   }
   VisitCost<D> cost(double epoch) const {
     return {reference_times(), clock.now(), look_ahead * horizon, epoch};

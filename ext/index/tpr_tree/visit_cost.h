@@ -81,7 +81,7 @@ class VisitCost {
   Window window_of(const Times& times, double query_duration) const {
     const double weight = std::clamp(spread(times) + query_duration, 0x1p-300, 0x1p100) * 0x1p-101;
     const bool by_clock = times_.is_clock(times);
-    const double middle = ReferenceTimes::middle(times);
+    const double middle = middle_of(times);
     return {{by_clock ? elapsed_[0] : elapsed_at(times.t_min), by_clock ? elapsed_[1] : elapsed_at(middle),
              by_clock ? elapsed_[2] : elapsed_at(times.until_max)},
             ends(times) ? weight : 1};

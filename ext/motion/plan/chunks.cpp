@@ -63,6 +63,11 @@ Ends range_around(const ChunkBox& box, std::span<const Leg> legs, std::size_t ax
   return all;
 }
 
+/// A box rests on an axis unless it is more than this many times as wide as one that follows the chord. Boxes of many
+/// velocities spread apart in a node, away from its reference time: with 4 a window over random walks reads a third to
+/// two thirds of the leaves that it reads with 1, and finds 1.4 times as many chunks.
+constexpr double rest_factor = 4;
+
 /// The velocity of the chord; that of the leg, if it is the only one.
 double chord_velocity(std::span<const Leg> legs, std::size_t axis) {
   const Leg &first = legs.front(), &last = legs.back();
@@ -95,10 +100,15 @@ ChunkBox chunk_box(std::span<const Leg> legs, int axes) {
   const FloatEnvironment environment;
   ChunkBox box{.t = legs.front().t, .until = legs.back().until, .x = legs.front().x};
   for (std::size_t j = 0; j < static_cast<std::size_t>(axes); ++j) {
+    Ends around = range_around(box, legs, j);
     box.v[j] = chord_velocity(legs, j);
-    // The chord is moved into the middle of the legs.
     const Ends around_chord = range_around(box, legs, j);
-    const double middle = 0.5 * around_chord.lower + 0.5 * around_chord.upper;
+    if (around.upper - around.lower <= rest_factor * (around_chord.upper - around_chord.lower))
+      box.v[j] = 0;
+    else
+      around = around_chord;
+    // The box is moved into the middle of the legs.
+    const double middle = 0.5 * around.lower + 0.5 * around.upper;
     if (std::isfinite(middle) && std::isfinite(box.x[j] + middle)) box.x[j] += middle;
   }
   box.half = half_extents_around(box, legs, axes);

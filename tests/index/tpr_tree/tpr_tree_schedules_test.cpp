@@ -2,6 +2,7 @@
 // nodes of other times. Counted in nodes read.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "index/tpr_tree/reference_times.h"
@@ -53,6 +54,27 @@ TEST(TprTreeSchedules, AWindowOfAScheduleReadsLittleMoreThanOneOfThatMinute) {
     // Ordered by place and velocity alone, windows read 10 to 50 times as many nodes.
     EXPECT_LT(nodes, (writing == Writing::load ? 1.5 : 3) * of_minute) << of_minute;
   }
+}
+
+TEST(TprTreeSchedules, LivesThatNeverMeetHaveLeavesOfTheirOwn) {
+  constexpr int generations = 7;
+  constexpr double life = 160;
+  Schedule schedule(450, generations, 10);
+  Random random(2);
+  const auto generation = [&](std::size_t i) { return static_cast<int>(i % generations); };
+  for (std::size_t i = 0; i < schedule.ids.size(); ++i) {
+    double* record = schedule.records.data() + 7 * i;
+    record[0] = generation(i) * life - random.in(0, 10), record[6] = record[0] + life - random.in(0, 10);
+  }
+  TreeModel model(legs, 60, 20);
+  model.tree->bulk_load(schedule.ids, schedule.records, model.never);
+  std::map<NodeNumber, std::set<int>> lives;  // by leaf
+  for (std::size_t i = 0; i < schedule.ids.size(); ++i)
+    lives[*model.pages.find_leaf(schedule.ids[i])].insert(generation(i));
+  const auto mixed =
+      std::count_if(lives.begin(), lives.end(), [](const auto& leaf) { return leaf.second.size() > 1; });
+  EXPECT_GT(lives.size(), 20 * generations);
+  EXPECT_LE(mixed, generations - 1);
 }
 
 TEST(TprTreeSchedules, SchedulesOfRestingObjectsAreSeparatedInTimeToo) {
@@ -111,7 +133,17 @@ TEST(TprTreeSchedules, TheReferenceTimeIsTheMiddleOfALifeOrTheClock) {
   EXPECT_EQ(at_100.of({-1000, 900, 910}), -45);  // a whole schedule
   EXPECT_EQ(at_100.of({-1.7e308, -1.7e308, 1.7e308}), 100);
   EXPECT_EQ(at_100.of({1.7e308, 1.7e308, 1.7e308}), 1.7e308);
-  EXPECT_TRUE(std::isfinite(at_100.of({})));
+  EXPECT_TRUE(std::isfinite(at_100.of(Times())));
+}
+
+TEST(TprTreeSchedules, AChildOfAnotherTimeHardlyMovesTheReferenceTime) {
+  const ReferenceTimes at_100(100);
+  Lives lives;
+  for (int i = 0; i < 39; ++i) lives.include({500, 505, 520});
+  lives.include({90, 90, 110});
+  EXPECT_EQ(at_100.mean_of(lives), (39 * 510 + 100) / 40.0);
+  lives.include({90, 90, no_end});
+  EXPECT_EQ(at_100.mean_of(lives), 100);
 }
 
 }  // namespace

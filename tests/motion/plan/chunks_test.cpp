@@ -73,6 +73,11 @@ TEST(Chunks, AreTight) {
   EXPECT_LT(around.half[0], 1e-12);
   EXPECT_NEAR(around.half[1], 5, 1e-12);  // the chord is moved into the middle of the legs
   EXPECT_NEAR(around.x[1], 5, 1e-12);
+  const std::vector<Leg> back = {{0, 10, {0, 0}, {1, 1}, {}}, {10, 16, {10, 10}, {-1, 1}, {}}};
+  const ChunkBox resting = chunk_box(back, 2);
+  EXPECT_EQ(resting.v[0], 0);  // its chord would make it 7.5 wide instead of 10
+  EXPECT_NEAR(resting.half[0], 5, 1e-12);
+  EXPECT_NEAR(resting.v[1], 1, 1e-12);
 }
 
 TEST(Chunks, OfOneLegAreItsPath) {

@@ -128,9 +128,9 @@ class TreeLoad {
 
   /// Writes the nodes of a level before its node `end` and keeps their entries for the level above.
   void write_siblings(std::size_t level, std::size_t end) {
-    Times times;
-    for (const Node& node : siblings_) times.include(times_of(node, state_.reader));
-    epochs_.push_back(state_.epoch_for(times));
+    Lives lives;
+    for (const Node& node : siblings_) lives.include(times_of(node, state_.reader));
+    epochs_.push_back(state_.epoch_for(lives));
     std::size_t next = end - siblings_.size();
     for (Node& node : siblings_) {
       entries_.push_back(summary(node, state_.reader, epochs_.back()));

@@ -1,5 +1,7 @@
 #include "index/tpr_tree/bulk_load/leaf_order.h"
 
+#include <optional>
+
 #include "base/interrupt_steps.h"
 #include "index/tpr_tree/bulk_load/leaf_order_items.h"
 
@@ -95,43 +97,47 @@ class LeafOrder {
   void halve(std::size_t first, std::size_t last) {
     while (last - first > 1) {
       interrupt_.check();
-      std::size_t middle = boundary_near_middle(first, last);
-      const auto begin = items_.begin() + object(first), nth = items_.begin() + object(middle),
-                 end = items_.begin() + object(last);
-      const std::span<const Item> items(&*begin, static_cast<std::size_t>(end - begin));
+      const std::span<const Item> items(items_.data() + object(first), items_.data() + object(last));
       const std::size_t along = order_.widest_axis(items);
-      std::nth_element(begin, nth, end, [this, along](const Item& a, const Item& b) {
-        step_();
-        return a.place[along] < b.place[along];
-      });
-      if (along == 2 * D) middle = boundary_beside_equals(first, middle, last);
-      halve(first, middle);
-      first = middle;
+      const std::optional<float> gap = along == 2 * D ? order_.gap_in_time(items) : std::nullopt;
+      const LeafRange between = gap ? cut_in_time(first, *gap, last) : cut(first, along, last);
+      halve(first, between.first);
+      first = between.first + between.count;
     }
   }
 
-  /// Moves a cut in time to the nearer end of the objects whose time it has, if it goes through them. Else legs that
-  /// start together, as in a timetable, would be in nodes of different times that cover the same space.
-  /// Requires: nth_element() at `middle`.
-  std::size_t boundary_beside_equals(std::size_t first, std::size_t middle, std::size_t last) {
-    const auto begin = items_.begin() + object(first), nth = items_.begin() + object(middle),
-               end = items_.begin() + object(last);
-    const float time = nth->place.back();
-    const auto equals =
-        std::partition(begin, nth, [&](const Item& item) { return step_(), item.place.back() < time; });
-    if (equals == nth) return middle;
-    const auto later =
-        std::partition(nth, end, [&](const Item& item) { return step_(), item.place.back() <= time; });
-    const std::size_t before = nearest_leaf(equals), after = nearest_leaf(later);
-    const bool is_after_nearer = later - nth < nth - equals;
-    if (after < last && (is_after_nearer || before <= first)) return after;
-    return before > first ? before : middle;
+  /// Moves the objects of leaves [first, last) to the side of a boundary between nodes where they belong.
+  LeafRange cut(std::size_t first, std::size_t along, std::size_t last) {
+    const std::size_t middle = boundary_near_middle(first, last);
+    order_along(object(first), object(middle), object(last), along);
+    return {middle, 0};
   }
 
-  /// The leaf that starts nearest to an item.
-  std::size_t nearest_leaf(typename std::vector<Item>::const_iterator item) const {
-    const auto place = static_cast<std::size_t>(item - items_.begin());
-    return leaves_.first + (place * leaves_.count + items_.size() / 2) / items_.size();
+  /// Separates the objects before a time from those after it, which never exist together. Returns the leaf that has
+  /// objects of both sides; they are those at one border of space, so that few queries visit it.
+  LeafRange cut_in_time(std::size_t first, float time, std::size_t last) {
+    const auto begin = items_.begin() + object(first), end = items_.begin() + object(last);
+    const auto later =
+        std::partition(begin, end, [&](const Item& item) { return step_(), item.place.back() < time; });
+    const std::ptrdiff_t at = later - items_.begin();
+    std::size_t mixed = leaves_.first + static_cast<std::size_t>(at) * leaves_.count / items_.size();
+    while (object(mixed) > at) --mixed;
+    while (object(mixed + 1) <= at) ++mixed;
+    if (object(mixed) == at) return {mixed, 0};
+    order_along(object(first), object(mixed), at, 0);
+    for (auto item = later; item != end; ++item) item->place[0] = -item->place[0];
+    order_along(at, object(mixed + 1), object(last), 0);
+    for (auto item = later; item != end; ++item) item->place[0] = -item->place[0];
+    return {mixed, 1};
+  }
+
+  /// std::nth_element() of the items [first, last).
+  void order_along(std::ptrdiff_t first, std::ptrdiff_t nth, std::ptrdiff_t last, std::size_t along) {
+    std::nth_element(items_.begin() + first, items_.begin() + nth, items_.begin() + last,
+                     [this, along](const Item& a, const Item& b) {
+                       step_();
+                       return a.place[along] < b.place[along];
+                     });
   }
 
   std::ptrdiff_t object(std::size_t leaf) const {

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -86,6 +87,20 @@ class OrderItems {
     return best;
   }
 
+  /// A time between the objects, near their middle, at which hardly any of them exists: the widest gap between the
+  /// reference times of a sample, if it is longer than half a median life. Nothing in a table where objects exist at all
+  /// times, and where a sample cannot tell.
+  std::optional<float> gap_in_time(std::span<const Item> items) const {
+    std::array<float, 256> sample;
+    const std::size_t count = draw(items, 2 * D, sample), margin = count / 8;
+    const float spacing = (sample[count - 1] - sample[0]) / static_cast<float>(count);
+    float widest = std::max(shared_, 4 * spacing), time = 0;
+    for (std::size_t i = margin + 1; i + margin < count; ++i)
+      if (const float gap = sample[i] - sample[i - 1]; gap > widest)
+        widest = gap, time = sample[i - 1] + 0.5f * gap;
+    return time != 0 ? std::optional(time) : std::nullopt;
+  }
+
  private:
   static constexpr std::size_t samples = 20;
   /// So large that nodes are separated in time first. A node is bounded at one time, so one that covers several lives
@@ -105,14 +120,20 @@ class OrderItems {
     return std::min(i + static_cast<std::size_t>(random * step >> 32), count - 1);
   }
 
-  /// The distance between the first and the last tenth of some of the items.
-  float spread_of(std::span<const Item> items, std::size_t along) const {
-    const std::size_t step = (items.size() + samples - 1) / samples;
-    std::array<float, samples> sample;
+  /// The places of some of the items along an axis, ascending; returns how many.
+  std::size_t draw(std::span<const Item> items, std::size_t along, std::span<float> sample) const {
+    const std::size_t step = (items.size() + sample.size() - 1) / sample.size();
     std::size_t count = 0;
     for (std::size_t i = 0; i < items.size(); i += step)
       sample[count++] = items[is_schedule_ ? scattered(i, step, items.size()) : i].place[along];
     std::sort(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+
+  /// The distance between the first and the last tenth of some of the items.
+  float spread_of(std::span<const Item> items, std::size_t along) const {
+    std::array<float, samples> sample;
+    const std::size_t count = draw(items, along, sample);
     return sample[count - 1 - count / 10] - sample[count / 10];
   }
 

@@ -38,10 +38,18 @@ bool WindowWalk<D>::next(LeafHits& hits) {
   return false;
 }
 
+/// Whether some of these lives may share a time with the query. Cheaper than a box, whose span is the same.
+template <int D>
+bool WindowWalk<D>::exists(const Times& lives) const {
+  const SharedInterval span = span_between(lives.t_min, lives.until_max, horizon_);
+  return std::max(span.begin, query_.span.begin) <= std::min(span.end, query_.span.end);
+}
+
 template <int D>
 [[gnu::flatten]] void WindowWalk<D>::open_children(NodeNumber number, const Node& inner) {
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
     if (test_ && !test_->accepts(kinds_at(inner, slot))) continue;
+    if (reader_.ends() && !exists(times_at<D>(inner, slot))) continue;
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
     SharedInterval span = shared_span(box, query_);
     if (!span.is_empty() && narrow_to_contact(box, query_, span))
@@ -52,9 +60,11 @@ template <int D>
 template <int D>
 [[gnu::flatten]] void WindowWalk<D>::find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const {
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
-    if (test_ && !test_->accepts(reader_.kinds(reader_.record(leaf, slot)))) continue;
-    if (reader_.is_head(reader_.record(leaf, slot))) continue;
-    const Mover<D> mover(reader_, reader_.record(leaf, slot));
+    const double* record = reader_.record(leaf, slot);
+    if (test_ && !test_->accepts(reader_.kinds(record))) continue;
+    if (reader_.is_head(record)) continue;
+    if (reader_.ends() && !exists({reader_.t(record), reader_.t(record), reader_.until(record)})) continue;
+    const Mover<D> mover(reader_, record);
     const MovingBox<D> box = mover.box(horizon_, Vec<D>::Zero());
     SharedInterval span = shared_span(box, query_);
     if (!span.is_empty() && narrow_to_contact(box, query_, span))

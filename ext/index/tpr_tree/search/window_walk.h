@@ -32,6 +32,7 @@ class WindowWalk {
   bool next(LeafHits& hits);
 
  private:
+  bool exists(const Times& lives) const;
   void find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const;
   void open_children(NodeNumber number, const Node& inner);
 

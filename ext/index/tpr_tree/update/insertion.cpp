@@ -46,10 +46,11 @@ template <int D>
 bool is_stale(const TreeState<D>& state, const Node& inner, std::size_t slot) {
   double epoch = state.clock.now(), drift = state.horizon;
   if (state.reader.ends()) {
-    const Times beneath = times_of<D>(inner, state.reader);
+    Lives beneath;
+    include_times(inner, state.reader, beneath);
     epoch = state.epoch_for(beneath);
-    if (!state.reference_times().is_clock(beneath))
-      drift = std::min(drift, beneath.until_max - beneath.t_min);
+    if (!state.reference_times().is_clock(beneath.all))
+      drift = std::min(drift, beneath.all.until_max - beneath.all.t_min);
   }
   const double away = std::abs(epoch - inner.epoch);
   if (!(away > 0.5 * drift)) return false;
