@@ -82,9 +82,9 @@ namespace {
 /// SQLITE_INTEGER or SQLITE_FLOAT for numbers and wholly numeric text, SQLITE_NULL for NULL and '',
 /// SQLITE_TEXT or SQLITE_BLOB for the rest.
 int type_as_number(sqlite3_value* value) {
-  if (is_null_or_empty(value)) return SQLITE_NULL;
   const int type = sqlite3_value_type(value);
-  return type == SQLITE_TEXT ? sqlite3_value_numeric_type(value) : type;
+  if (type != SQLITE_TEXT) return type;
+  return is_null_or_empty(value) ? SQLITE_NULL : sqlite3_value_numeric_type(value);
 }
 
 const char* rule_for_null(Quantity quantity, bool has_plan) {
@@ -96,6 +96,21 @@ const char* rule_for_null(Quantity quantity, bool has_plan) {
     default:
       return has_plan ? "a position or a plan is needed; write one of them"
                       : "a position is needed; write a finite number";
+  }
+}
+
+/// Whether every finite number is a value of such a column.
+bool takes_any_number(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::centre:
+    case Quantity::velocity:
+    case Quantity::acceleration:
+    case Quantity::force:
+    case Quantity::reference_time:
+    case Quantity::until:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -113,8 +128,12 @@ Values::Values(const Declaration& declaration, const std::string& table, Interru
       forms_(declaration, interrupt),
       frame_(declaration.frame),
       plans_(declaration, interrupt) {
-  for (const MotionColumn& column : declaration.columns)
-    columns_.push_back({column.name, find_word(column.name)->quantity, column.place, column.geo});
+  for (const MotionColumn& column : declaration.columns) {
+    const Quantity quantity = find_word(column.name)->quantity;
+    const bool is_plain = !layout_.has_plan && column.geo == GeoColumn::none && quantity != Quantity::form;
+    columns_.push_back(
+        {column.name, quantity, column.place, column.geo, is_plain, takes_any_number(quantity)});
+  }
   for (std::size_t which = 1; which < geo_columns; ++which)
     for (std::size_t i = 0; i < columns_.size(); ++i)
       if (columns_[i].geo == static_cast<GeoColumn>(which)) degrees_.push_back(i);
@@ -128,7 +147,9 @@ std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion, 
   sqlite3_value* shape = nullptr;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
-    if (column.quantity == Quantity::form)
+    if (column.is_plain)
+      record_[static_cast<std::size_t>(column.place)] = stored(column, id, motion[i]);
+    else if (column.quantity == Quantity::form)
       shape = motion[i];
     else if (column.geo == GeoColumn::none && column.quantity != Quantity::plan)
       record_[static_cast<std::size_t>(column.place)] = layout_.has_plan && is_of_leg(column.quantity)
@@ -163,8 +184,12 @@ void Values::fill_form(std::int64_t id, sqlite3_value* shape, Store& store,
 
 double Values::stored(const Column& column, std::int64_t id, sqlite3_value* value) const {
   const Quantity quantity = column.quantity;
-  if (is_kind(quantity)) return stored_kind(column, id, value);
   const int type = type_as_number(value);
+  if (type == SQLITE_FLOAT && column.takes_any_number) {
+    const double number = sqlite3_value_double(value);
+    if (std::isfinite(number)) return number;
+  }
+  if (is_kind(quantity)) return stored_kind(column, id, value);
   if (type == SQLITE_NULL) {
     if (quantity == Quantity::until) return std::numeric_limits<double>::infinity();
     if (quantity == Quantity::reference_time || quantity == Quantity::centre || quantity == Quantity::mass)
@@ -179,10 +204,11 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
                    : "not a number; write a finite number");
   }
   const double number = sqlite3_value_double(value);
-  if (is_inexact(value))
+  if (type == SQLITE_INTEGER && is_inexact(value))
     refuse(column.name, id, shown(value),
            "no double holds this integer; write " + shown(number) + " for the nearest that one does");
   if (!std::isfinite(number)) refuse(column.name, id, shown(value), rule_for_infinity(quantity));
+  if (column.takes_any_number) return number;
   if (number < 0 && quantity == Quantity::half_extent)
     refuse(column.name, id, shown(value), "a half extent is never negative; write 0 or more");
   if (number < 0 && quantity == Quantity::radius)

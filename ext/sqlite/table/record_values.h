@@ -89,6 +89,8 @@ class Values {
     Quantity quantity;
     int place;
     GeoColumn geo;
+    bool is_plain;          ///< its number is that of its value alone
+    bool takes_any_number;  ///< every finite one
   };
 
   /// The report of a row as far as it is written or known, by GeoColumn.

@@ -43,7 +43,7 @@ void Journal::join(Participant& participant) {
   const bool takes_part = depth_ > 1 || participant.scope_ == Participant::Scope::transaction;
   const bool is_new = std::none_of(level.joined.begin(), level.joined.end(),
                                    [&](const Joined& joined) { return joined.participant == &participant; });
-  if (takes_part && is_new) level.joined.push_back({&participant, participant.keep()});
+  if (takes_part && is_new) level.joined.push_back({&participant, participant.keep(), participant.joined_});
   participant.joined_ = level.number;
 }
 
@@ -64,18 +64,23 @@ bool Journal::rewind(Mark mark) {
   return rewind_level(levels_[mark]) || changed;
 }
 
+// Without a search in most cases: a level that a participant has joined, and not abandoned, has it.
+bool Journal::has_joined(const Level& level, const Joined& passed) const noexcept {
+  if (passed.before == level.number && !level.abandoned) return true;
+  return std::any_of(level.joined.begin(), level.joined.end(),
+                     [&](const Joined& other) { return other.participant == passed.participant; });
+}
+
 // The older position of a participant holds for both marks.
 void Journal::pass_on(const Joined& passed, std::size_t depth) noexcept {
   Level& older = levels_[depth - 1];
-  const auto same = std::find_if(older.joined.begin(), older.joined.end(), [&](const Joined& other) {
-    return other.participant == passed.participant;
-  });
-  if (same != older.joined.end())
-    passed.participant->merge(same->position, passed.position);
-  else if (depth > 1 || passed.participant->scope_ == Participant::Scope::transaction)
-    older.joined.push_back(passed);
-  else
+  if (depth == 1 && passed.participant->scope_ == Participant::Scope::marks)
     passed.participant->forget();
+  else if (has_joined(older, passed))
+    passed.participant->merge(passed.position);
+  else
+    older.joined.push_back(passed);
+  passed.participant->joined_ = older.number;
 }
 
 void Journal::forget(Mark mark) noexcept {
@@ -99,6 +104,7 @@ void Journal::abandon(Participant& participant) {
   const Joined passed = *joined;
   level.joined.erase(joined);
   pass_on(passed, depth_ - 1);
+  participant.joined_ = level.number;
 }
 
 void Journal::end(Ended how) noexcept {

@@ -67,8 +67,8 @@ class Journal {
     virtual std::size_t keep() = 0;
     /// If it throws, only the end of the transaction restores this.
     virtual void rewind(std::size_t position) = 0;
-    /// No rewind() to `newer` follows; one to `older`, an older position, may.
-    virtual void merge(std::size_t /*older*/, std::size_t /*newer*/) noexcept {}
+    /// No rewind() to this position follows; one to an older position may.
+    virtual void merge(std::size_t /*newer*/) noexcept {}
     /// No rewind() to any position so far follows.
     virtual void forget() noexcept {}
     /// The transaction has ended, or all of it is rolled back. Scope::transaction is already restored.
@@ -99,6 +99,7 @@ class Journal {
   struct Joined {
     Participant* participant;
     std::size_t position;
+    std::uint64_t before;  ///< number of the mark that it had joined before
   };
   struct Level {
     std::uint64_t number = 0;
@@ -113,6 +114,7 @@ class Journal {
   bool rewind_level(Level& level);
   /// The mark above `depth` marks no longer restores this participant: the newest of those takes its position.
   void pass_on(const Joined& passed, std::size_t depth) noexcept;
+  bool has_joined(const Level& level, const Joined& passed) const noexcept;
 
   std::vector<Participant*> participants_;
   std::vector<Level> levels_;  ///< those from depth_ on are unused, and keep their memory
@@ -142,9 +144,9 @@ class Journaled final : public Journal::Participant {
   }
   void rewind(std::size_t position) noexcept override {
     value_ = std::move(log_[position]);
-    merge(0, position);
+    merge(position);
   }
-  void merge(std::size_t, std::size_t newer) noexcept override {
+  void merge(std::size_t newer) noexcept override {
     log_.erase(log_.begin() + static_cast<std::ptrdiff_t>(newer), log_.end());
   }
   void end(Journal::Ended) noexcept override { log_.clear(); }

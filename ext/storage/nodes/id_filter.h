@@ -25,28 +25,26 @@ class IdFilter {
   /// `ids`: as many as are expected at first.
   explicit IdFilter(std::size_t ids = 0) { add_layer(std::max(ids, min_ids)); }
 
-  void add(std::int64_t id) {
-    if (may_have(id)) return;
-    if (left_ == 0) add_layer(2 * ids_per_block * layers_.back().size());
-    --left_;
-    const Bits bits(id, layers_.back().size());
-    for (const unsigned bit : bits.at)
-      layers_.back()[bits.block].words[bit / 64] |= std::uint64_t{1} << bit % 64;
-  }
-  /// The same for many, without waiting for memory at each.
+  void add(std::int64_t id) { add(Hash(id)); }
+  /// The same for many, without waiting for memory at each. An empty filter becomes one layer for all of them.
   void add(std::span<const std::int64_t> ids) {
-    for (const std::int64_t id : ids)
-      for (const std::vector<Block>& blocks : layers_)
-        __builtin_prefetch(&blocks[Bits(id, blocks.size()).block]);
-    for (const std::int64_t id : ids) add(id);
+    if (is_empty() && left_ < ids.size()) *this = IdFilter(ids.size());
+    constexpr std::size_t at_once = 64;  // what is prefetched stays in the processor's caches
+    for (; !ids.empty(); ids = ids.subspan(std::min(at_once, ids.size()))) {
+      std::array<Hash, at_once> hashes;
+      const std::size_t count = std::min(at_once, ids.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        hashes[i] = Hash(ids[i]);
+        for (const std::vector<Block>& blocks : layers_)
+          __builtin_prefetch(&blocks[hashes[i].block(blocks.size())]);
+      }
+      for (std::size_t i = 0; i < count; ++i) add(hashes[i]);
+    }
   }
   bool may_have(std::int64_t id) const noexcept {
-    return std::any_of(layers_.rbegin(), layers_.rend(), [id](const std::vector<Block>& blocks) {
-      const Bits bits(id, blocks.size());
-      std::uint64_t all = 1;
-      for (const unsigned bit : bits.at) all &= blocks[bits.block].words[bit / 64] >> bit % 64;
-      return all != 0;
-    });
+    const Hash hash(id);
+    return std::any_of(layers_.rbegin(), layers_.rend(),
+                       [&](const std::vector<Block>& blocks) { return has(blocks, hash); });
   }
   std::size_t memory() const {
     std::size_t blocks = 0;
@@ -62,20 +60,43 @@ class IdFilter {
 
   /// Hash: MurmurHash3's finalizer. The upper half selects the block; the lower half, mixed again, selects
   /// six bits in it.
-  struct Bits {
-    Bits(std::int64_t id, std::size_t blocks) {
+  struct Hash {
+    Hash() = default;
+    explicit Hash(std::int64_t id) {
       auto hash = static_cast<std::uint64_t>(id);
       hash = (hash ^ hash >> 33) * 0xff51afd7ed558ccd;
       hash = (hash ^ hash >> 33) * 0xc4ceb9fe1a85ec53;
       hash ^= hash >> 33;
-      block = (hash >> 32) * blocks >> 32;
-      hash = (hash & 0xffffffff) * 0x9e3779b97f4a7c15;
-      for (unsigned& bit : at) bit = static_cast<unsigned>(hash >> 55), hash <<= 9;
+      upper = hash >> 32;
+      bits = (hash & 0xffffffff) * 0x9e3779b97f4a7c15;
     }
-    std::size_t block;
-    std::array<unsigned, 6> at;  ///< 0 to 511
-  };
+    std::size_t block(std::size_t blocks) const { return upper * blocks >> 32; }
+    /// The place of bit `i` in the block, 0 to 511.
+    unsigned bit(unsigned i) const { return static_cast<unsigned>(bits << 9 * i >> 55); }
 
+    std::uint64_t upper, bits;
+  };
+  static constexpr unsigned bits_per_id = 6;
+
+  static bool has(const std::vector<Block>& blocks, const Hash& hash) noexcept {
+    const Block& block = blocks[hash.block(blocks.size())];
+    std::uint64_t all = 1;
+    for (unsigned i = 0; i < bits_per_id; ++i) all &= block.words[hash.bit(i) / 64] >> hash.bit(i) % 64;
+    return all != 0;
+  }
+
+  void add(const Hash& hash) {
+    for (const std::vector<Block>& blocks : layers_)
+      if (has(blocks, hash)) return;
+    if (left_ == 0) add_layer(2 * ids_per_block * layers_.back().size());
+    --left_;
+    std::vector<Block>& blocks = layers_.back();
+    Block& block = blocks[hash.block(blocks.size())];
+    for (unsigned i = 0; i < bits_per_id; ++i)
+      block.words[hash.bit(i) / 64] |= std::uint64_t{1} << hash.bit(i) % 64;
+  }
+
+  bool is_empty() const { return layers_.size() == 1 && left_ == layers_[0].size() * ids_per_block; }
   void add_layer(std::size_t ids) {
     const std::size_t blocks = ids / ids_per_block + 1;
     layers_.emplace_back(blocks);

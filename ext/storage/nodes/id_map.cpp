@@ -36,8 +36,9 @@ void IdMap::place(std::span<const std::int64_t> ids, std::int64_t leaf) {
   if (packed_map_) return;
   if (!filter_ && ids.size() >= few && has_no_ids()) filter_.emplace();
   for (const std::int64_t id : ids) leaves_.prefetch(id);
-  for (const std::int64_t id : ids) set(id, leaf);
-  if (filter_) filter_->add(ids);
+  join();
+  started_empty_ &= is_marked();
+  for (const std::int64_t id : ids) is_marked() ? set(id, leaf) : leaves_.put(id, leaf);
 }
 
 void IdMap::other_objects() const {
@@ -74,8 +75,17 @@ void IdMap::write(Interrupt& interrupt) {
   Steps step(interrupt);
   std::sort(changes.begin(), changes.end(),
             [&](const IdHashMap::Entry& a, const IdHashMap::Entry& b) { return step(), a.id < b.id; });
+  if (filter_) add_to_filter(changes);
   rows_->write_map(changes);
   note_written();
+}
+
+void IdMap::add_to_filter(std::span<const IdHashMap::Entry> changes) {
+  std::vector<std::int64_t> ids;
+  ids.reserve(changes.size());
+  for (const IdHashMap::Entry& change : changes)
+    if (change.value != erased) ids.push_back(change.id);
+  filter_->add(ids);
 }
 
 void IdMap::note_written() {
@@ -101,11 +111,7 @@ void IdMap::write_packed(bool replaces, Interrupt& interrupt) {
     interrupt.check();
     rows_->write_map(chunk);
   });
-  constexpr std::size_t at_once = 64;  // what is prefetched stays in the processor's caches
-  for (std::span<const std::int64_t> ids = packed_map_->ids(); filter_ && !ids.empty();) {
-    filter_->add(ids.first(std::min(at_once, ids.size())));
-    ids = ids.subspan(std::min(at_once, ids.size()));
-  }
+  if (filter_) filter_->add(packed_map_->ids());
   packed_map_ = nullptr;
   last_block_.reset();
 }

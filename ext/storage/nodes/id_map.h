@@ -71,6 +71,7 @@ class IdMap final : public Journal::Participant {
   bool has_no_ids() const { return leaves_.none_known() && (stored_is_void_ || rows_->map().is_empty()); }
   void set(std::int64_t id, std::int64_t leaf);
   void log_all(bool voids);
+  void add_to_filter(std::span<const IdHashMap::Entry> changes);
   void note_written();
   [[noreturn]] void other_objects() const;
   std::size_t held() const { return leaves_.memory() + log_.size() * sizeof(IdHashMap::Entry); }
@@ -83,7 +84,7 @@ class IdMap final : public Journal::Participant {
   bool started_empty_ = true;          ///< nothing was unwritten when the log was empty
   std::size_t held_after_writing_ = 0;
   std::optional<IdBlock> last_block_;
-  std::optional<IdFilter> filter_;
+  std::optional<IdFilter> filter_;   ///< of the stored ids, and some that are gone
   PackedMap* packed_map_ = nullptr;  ///< in place of leaves_ during a large load
 };
 

@@ -124,7 +124,7 @@ class NodeCache final : public Pages, public Journal::Participant {
   // --- Participant
   std::size_t keep() override { return ++keeper_, history_.end(); }
   void rewind(std::size_t position) override;
-  void merge(std::size_t, std::size_t newer) noexcept override { compact(newer); }
+  void merge(std::size_t newer) noexcept override { compact(newer); }
   void forget() noexcept override;
   void end(Journal::Ended how) noexcept override;
 

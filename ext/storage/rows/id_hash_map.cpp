@@ -54,6 +54,15 @@ void IdHashMap::set(std::int64_t id, std::int64_t value) noexcept {
   entry.value = value;
 }
 
+void IdHashMap::put(std::int64_t id, std::int64_t value) {
+  if (2 * (size_ + 1) > slots_.size()) grow();
+  Entry& entry = slots_[slot_of(id)];
+  const bool is_new = entry.value == free_slot, was_known = !is_new && entry.value != unknown;
+  size_ += is_new;
+  known_ += static_cast<std::size_t>(value != unknown) - static_cast<std::size_t>(was_known);
+  entry = {id, value};
+}
+
 void IdHashMap::reset() noexcept {
   for (Entry& entry : slots_)
     if (entry.value != free_slot) entry.value = unknown;

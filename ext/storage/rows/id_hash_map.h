@@ -34,6 +34,8 @@ class IdHashMap {
   void prepare(std::int64_t id);
   /// Requires: prepared since the last clear(), or value is unknown.
   void set(std::int64_t id, std::int64_t value) noexcept;
+  /// prepare() and set() at once. May throw; then nothing has changed.
+  void put(std::int64_t id, std::int64_t value);
   /// All ids become unknown, but stay prepared.
   void reset() noexcept;
   /// Releases all memory.

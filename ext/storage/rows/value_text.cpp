@@ -72,8 +72,11 @@ std::string shown(sqlite3_value* value) {
 }
 
 bool is_inexact(sqlite3_value* value) {
-  return sqlite3_value_numeric_type(value) == SQLITE_INTEGER &&
-         integer_of(sqlite3_value_double(value)) != sqlite3_value_int64(value);
+  if (sqlite3_value_numeric_type(value) != SQLITE_INTEGER) return false;
+  constexpr std::int64_t all_exact = std::int64_t{1} << 53;
+  const std::int64_t integer = sqlite3_value_int64(value);
+  if (-all_exact <= integer && integer <= all_exact) return false;
+  return integer_of(sqlite3_value_double(value)) != integer;
 }
 
 std::optional<std::string> as_unixepoch(sqlite3_value* value) {

@@ -70,7 +70,6 @@ std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<cons
 std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t new_id,
                                                   std::span<const double> before,
                                                   std::span<const double> record) {
-  if (!plans_) return record;
   StoredPlans& plans = *plans_;
   const Offsets& at = plans.at_;
   const int axes = plans.layout_.axes;
@@ -106,7 +105,7 @@ std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t 
 }
 
 void StoredPlans::Change::remove(std::int64_t id, std::span<const double> record) {
-  if (!plans_ || record.empty() || !has_plan(plans_->at_, record.data())) return;
+  if (record.empty() || !has_plan(plans_->at_, record.data())) return;
   const Head head = plans_->head_of(id, record.data());
   plans_->tree_.with_sound_tree([&] {
     for (std::int64_t number = head.first; number <= head.last(); ++number)

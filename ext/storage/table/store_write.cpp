@@ -124,15 +124,18 @@ void Store::insert(std::int64_t id, std::span<const double> record, std::span<sq
                    const std::optional<LatLon>& origin, const Plan* plan) {
   start_change(record);
   AtomicChange atomic_change(*this);
-  StoredPlans::Change plans(plans_.get(), rolled_back_);
-  record = plan ? plans.add(id, record, *plan) : plans.keep(id, id, {}, record);
-  if (plan) require_sound(record);
+  std::optional<StoredPlans::Change> plans;
+  if (plans_) {
+    plans.emplace(*plans_, rolled_back_);
+    record = plan ? plans->add(id, record, *plan) : plans->keep(id, id, {}, record);
+    if (plan) require_sound(record);
+  }
   if (origin) origin_.change() = {.known = true, .unwritten = true, .value = origin};
   if (changes_.are_kept() && !changes_.knows(id)) changes_.add(id, {});
   add(id, record);
-  plans.write();
+  if (plans) plans->write();
   if (has_auxiliaries()) shadow_rows().insert_auxiliaries(id, auxiliaries);
-  plans.finish();
+  if (plans) plans->finish();
   atomic_change.done();
 }
 
@@ -140,8 +143,8 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
                    std::span<sqlite3_value*> auxiliaries, const Plan* plan) {
   start_change(record);
   AtomicChange atomic_change(*this);
-  StoredPlans::Change plans(plans_.get(), rolled_back_);
-  if (plans_) record = change_plans(plans, id, new_id, record, plan);
+  std::optional<StoredPlans::Change> plans;
+  if (plans_) record = change_plans(plans.emplace(*plans_, rolled_back_), id, new_id, record, plan);
   tree_.with_sound_tree([&] {
     log_before_change(id);
     log_before_change(new_id);
@@ -153,23 +156,23 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
       throw_missing(id);
     }
   });
-  plans.write();
+  if (plans) plans->write();
   if (has_auxiliaries()) shadow_rows().update_auxiliaries(id, new_id, auxiliaries);
-  plans.finish();
+  if (plans) plans->finish();
   atomic_change.done();
 }
 
 void Store::erase(std::int64_t id) {
   start_change({});
   AtomicChange atomic_change(*this);
-  StoredPlans::Change plans(plans_.get(), rolled_back_);
-  if (plans_) plans.remove(id, read(id).value_or(std::vector<double>()));
+  std::optional<StoredPlans::Change> plans;
+  if (plans_) plans.emplace(*plans_, rolled_back_).remove(id, read(id).value_or(std::vector<double>()));
   tree_.with_sound_tree([&] {
     log_before_change(id);
     remove(id);
   });
   if (has_auxiliaries()) shadow_rows().erase_auxiliaries(id);
-  plans.finish();
+  if (plans) plans->finish();
   atomic_change.done();
 }
 

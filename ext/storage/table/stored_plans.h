@@ -122,9 +122,8 @@ class StoredPlans final : public Journal::Participant {
 /// it has added; the journal restores the rest.
 class StoredPlans::Change {
  public:
-  /// `plans`: null in a table without; then every call does nothing. `rolled_back`: becomes true if SQLite rolls
-  /// everything back during the change.
-  Change(StoredPlans* plans, const bool& rolled_back) : plans_(plans), rolled_back_(rolled_back) {}
+  /// `rolled_back`: becomes true if SQLite rolls everything back during the change.
+  Change(StoredPlans& plans, const bool& rolled_back) : plans_(&plans), rolled_back_(rolled_back) {}
   ~Change();
   Change(const Change&) = delete;
   Change& operator=(const Change&) = delete;
