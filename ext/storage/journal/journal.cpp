@@ -38,12 +38,18 @@ Journal::Mark Journal::set_mark() {
   return depth_ - 1;
 }
 
+// A plain loop: the list has few participants, mostly none.
+bool Journal::has(const Level& level, const Participant& participant) noexcept {
+  for (const Joined& joined : level.joined)
+    if (joined.participant == &participant) return true;
+  return false;
+}
+
 void Journal::join(Participant& participant) {
   Level& level = levels_[depth_ - 1];
   const bool takes_part = depth_ > 1 || participant.scope_ == Participant::Scope::transaction;
-  const bool is_new = std::none_of(level.joined.begin(), level.joined.end(),
-                                   [&](const Joined& joined) { return joined.participant == &participant; });
-  if (takes_part && is_new) level.joined.push_back({&participant, participant.keep(), participant.joined_});
+  if (takes_part && !has(level, participant))
+    level.joined.push_back({&participant, participant.keep(), participant.joined_});
   participant.joined_ = level.number;
 }
 
@@ -67,8 +73,7 @@ bool Journal::rewind(Mark mark) {
 // Without a search in most cases: a level that a participant has joined, and not abandoned, has it.
 bool Journal::has_joined(const Level& level, const Joined& passed) const noexcept {
   if (passed.before == level.number && !level.abandoned) return true;
-  return std::any_of(level.joined.begin(), level.joined.end(),
-                     [&](const Joined& other) { return other.participant == passed.participant; });
+  return has(level, *passed.participant);
 }
 
 // The older position of a participant holds for both marks.

@@ -114,6 +114,7 @@ class Journal {
   bool rewind_level(Level& level);
   /// The mark above `depth` marks no longer restores this participant: the newest of those takes its position.
   void pass_on(const Joined& passed, std::size_t depth) noexcept;
+  static bool has(const Level& level, const Participant& participant) noexcept;
   bool has_joined(const Level& level, const Joined& passed) const noexcept;
 
   std::vector<Participant*> participants_;

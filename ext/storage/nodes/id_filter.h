@@ -86,14 +86,22 @@ class IdFilter {
   }
 
   void add(const Hash& hash) {
-    for (const std::vector<Block>& blocks : layers_)
-      if (has(blocks, hash)) return;
-    if (left_ == 0) add_layer(2 * ids_per_block * layers_.back().size());
-    --left_;
+    for (std::size_t older = 0; older + 1 < layers_.size(); ++older)
+      if (has(layers_[older], hash)) return;
+    if (left_ == 0) {
+      if (has(layers_.back(), hash)) return;
+      add_layer(2 * ids_per_block * layers_.back().size());
+    }
     std::vector<Block>& blocks = layers_.back();
     Block& block = blocks[hash.block(blocks.size())];
-    for (unsigned i = 0; i < bits_per_id; ++i)
-      block.words[hash.bit(i) / 64] |= std::uint64_t{1} << hash.bit(i) % 64;
+    std::uint64_t added = 0;
+    for (unsigned i = 0; i < bits_per_id; ++i) {
+      std::uint64_t& word = block.words[hash.bit(i) / 64];
+      const std::uint64_t bit = std::uint64_t{1} << hash.bit(i) % 64;
+      added |= ~word & bit;
+      word |= bit;
+    }
+    left_ -= added != 0;
   }
 
   bool is_empty() const { return layers_.size() == 1 && left_ == layers_[0].size() * ids_per_block; }

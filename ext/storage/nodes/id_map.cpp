@@ -23,12 +23,14 @@ const IdBlock& IdMap::block(std::int64_t id) {
 
 void IdMap::set(std::int64_t id, std::int64_t leaf) {
   join();
-  leaves_.prepare(id);
-  if (is_marked())
-    log_.push_back({id, leaves_.find(id)});
-  else
+  if (!is_marked()) {
+    leaves_.exchange(id, leaf);
     started_empty_ = false;
-  leaves_.set(id, leaf);
+    return;
+  }
+  constexpr std::size_t some = 64;
+  if (log_.size() == log_.capacity()) log_.reserve(std::max(some, 2 * log_.size()));
+  log_.push_back({id, leaves_.exchange(id, leaf)});
 }
 
 void IdMap::place(std::span<const std::int64_t> ids, std::int64_t leaf) {
@@ -36,9 +38,7 @@ void IdMap::place(std::span<const std::int64_t> ids, std::int64_t leaf) {
   if (packed_map_) return;
   if (!filter_ && ids.size() >= few && has_no_ids()) filter_.emplace();
   for (const std::int64_t id : ids) leaves_.prefetch(id);
-  join();
-  started_empty_ &= is_marked();
-  for (const std::int64_t id : ids) is_marked() ? set(id, leaf) : leaves_.put(id, leaf);
+  for (const std::int64_t id : ids) set(id, leaf);
 }
 
 void IdMap::other_objects() const {

@@ -1,6 +1,7 @@
 #include "storage/rows/id_hash_map.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "storage/rows/sqlite_api.h"
 
@@ -54,13 +55,12 @@ void IdHashMap::set(std::int64_t id, std::int64_t value) noexcept {
   entry.value = value;
 }
 
-void IdHashMap::put(std::int64_t id, std::int64_t value) {
+std::int64_t IdHashMap::exchange(std::int64_t id, std::int64_t value) {
   if (2 * (size_ + 1) > slots_.size()) grow();
   Entry& entry = slots_[slot_of(id)];
-  const bool is_new = entry.value == free_slot, was_known = !is_new && entry.value != unknown;
-  size_ += is_new;
-  known_ += static_cast<std::size_t>(value != unknown) - static_cast<std::size_t>(was_known);
-  entry = {id, value};
+  if (entry.value == free_slot) ++size_, entry = {id, unknown};
+  known_ += static_cast<std::size_t>(value != unknown) - static_cast<std::size_t>(entry.value != unknown);
+  return std::exchange(entry.value, value);
 }
 
 void IdHashMap::reset() noexcept {

@@ -34,8 +34,8 @@ class IdHashMap {
   void prepare(std::int64_t id);
   /// Requires: prepared since the last clear(), or value is unknown.
   void set(std::int64_t id, std::int64_t value) noexcept;
-  /// prepare() and set() at once. May throw; then nothing has changed.
-  void put(std::int64_t id, std::int64_t value);
+  /// prepare(), find() and set() at once: returns the value before. If it throws, nothing has changed.
+  std::int64_t exchange(std::int64_t id, std::int64_t value);
   /// All ids become unknown, but stay prepared.
   void reset() noexcept;
   /// Releases all memory.

@@ -103,8 +103,8 @@ void Store::for_each_change(
 
 void Store::add(std::int64_t id, std::span<const double> record) {
   const std::optional<std::int64_t> last = read_largest().id;
-  tree_.insert(id, record);
   Totals& totals = totals_.change();
+  tree_.insert(id, record);  // all that follows cannot fail
   ++totals.count.added;
   if (!last || *last <= id) totals.largest = {true, true, id};
 }
@@ -123,6 +123,11 @@ void Store::remove(std::int64_t id) {
 void Store::insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries,
                    const std::optional<LatLon>& origin, const Plan* plan) {
   start_change(record);
+  // For most tables add() is the whole change, and atomic itself.
+  if (!plans_ && !origin && !changes_.are_kept() && !has_auxiliaries() && totals_->largest.known) {
+    add(id, record);
+    return version_.note_change();
+  }
   AtomicChange atomic_change(*this);
   std::optional<StoredPlans::Change> plans;
   if (plans_) {

@@ -44,7 +44,7 @@ class TreeStore final : private MemoryHolder {
   void note_memory() noexcept;
 
   // --- changes; requires: in a change
-  /// Requires: no object has this id.
+  /// Requires: no object has this id. Atomic, so that it may be outside a change.
   void insert(std::int64_t id, std::span<const double> record) { pending_.add(id, record); }
   /// False if there is no such object.
   bool update(std::int64_t id, std::span<const double> record);

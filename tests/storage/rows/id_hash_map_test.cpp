@@ -21,6 +21,15 @@ TEST(IdHashMap, FindsWhatWasSetUntilItIsCleared) {
   EXPECT_EQ(map.size(), 1000u);
 }
 
+TEST(IdHashMap, ReturnsTheValueBeforeAnExchange) {
+  IdHashMap map;
+  for (std::int64_t id = 0; id < 100; ++id) EXPECT_EQ(map.exchange(id, id + 1), IdHashMap::unknown);
+  for (std::int64_t id = 0; id < 100; ++id) EXPECT_EQ(map.exchange(id, IdHashMap::unknown), id + 1);
+  EXPECT_TRUE(map.none_known());
+  EXPECT_EQ(map.exchange(7, 8), IdHashMap::unknown);
+  EXPECT_EQ(map.known().size(), 1u);
+}
+
 // Otherwise the memory of a large load would be released much later, in a commit of one row.
 TEST(IdHashMap, HoldsNoMemoryOnceItIsCleared) {
   IdHashMap map;
