@@ -5,12 +5,14 @@ namespace foresee {
 template <int D>
 Entry<D> summary(const Node& node, const LeafReader<D>& reader, double epoch) {
   Entry<D> all;
-  for (std::size_t slot = 0; slot < node.size(); ++slot) {
-    if (node.is_leaf()) {
+  if (!node.is_leaf()) {
+    for (std::size_t slot = 0; slot < node.size(); ++slot) all.include(entry_at<D>(node, slot, epoch));
+  } else if (reader.is_plain()) {
+    for (std::size_t slot = 0; slot < node.size(); ++slot)
+      all.include(entry_of(Mover<D>::plain(reader, reader.record(node, slot)), epoch));
+  } else {
+    for (std::size_t slot = 0; slot < node.size(); ++slot)
       all.include(entry_of(Mover<D>(reader, reader.record(node, slot)), epoch));
-    } else {
-      all.include(entry_at<D>(node, slot, epoch));
-    }
   }
   return all;
 }

@@ -22,25 +22,34 @@ class LeafReader {
 
   std::size_t record_size() const { return static_cast<std::size_t>(at_.size); }
 
+  /// True if no object has a plan, and all are of the same kinds.
+  bool is_plain() const { return at_.plan == Offsets::absent && !has_kinds(); }
   /// True for an object with a plan.
   bool is_head(const double* record) const { return has_plan(at_, record); }
   Motion<D> motion(const double* record) const {
     if (is_head(record)) return {t(record), vector(record, at_.x), Vec<D>::Zero(), Vec<D>::Zero(), t(record)};
+    return own_motion(record);
+  }
+  /// Requires: no head.
+  Motion<D> own_motion(const double* record) const {
     Motion<D> motion{t(record), vector(record, at_.x), vector(record, at_.v), vector(record, at_.a),
-                     until(record)};
+                     own_until(record)};
     if (at_.force != Offsets::absent) motion.a = vector(record, at_.force) / record[at_.mass];
     return motion;
   }
   Extents<D> extents(const double* record) const {
-    return is_head(record) ? Extents<D>::none() : extents_of<D>(shape_, record, at_);
+    return is_head(record) ? Extents<D>::none() : own_extents(record);
   }
+  /// Requires: no head.
+  Extents<D> own_extents(const double* record) const { return extents_of<D>(shape_, record, at_); }
   Vec<D> growth(const double* record) const { return growth_of<D>(shape_, record, at_); }
   bool grows() const { return at_.growth != Offsets::absent || at_.growth_z != Offsets::absent; }
   Kinds kinds(const double* record) const { return kinds_of(record, at_); }
   bool has_kinds() const { return at_.category != Offsets::absent || at_.mask != Offsets::absent; }
   double t(const double* record) const { return value_or(record, at_.t, 0); }
-  double until(const double* record) const {
-    if (is_head(record)) return t(record);
+  double until(const double* record) const { return is_head(record) ? t(record) : own_until(record); }
+  /// Requires: no head.
+  double own_until(const double* record) const {
     return value_or(record, at_.until, std::numeric_limits<double>::infinity());
   }
   /// False if no object has an end: the table does not declare `until`.
@@ -75,6 +84,11 @@ struct Mover {
         grows(reader.grows()),
         kinds(reader.kinds(record)) {}
 
+  /// The same without tests of each record. Requires: reader.is_plain().
+  static Mover plain(const LeafReader<D>& reader, const double* record) {
+    return {reader.own_motion(record), reader.own_extents(record), reader.growth(record), reader.grows()};
+  }
+
   Bounds<D> bounds(double epoch, double pad = rounding_pad) const {
     const Bounds<D> bounds = bounds_at(motion, extents, epoch, pad);
     return grows ? with_growth(bounds, growth, epoch - motion.t, pad) : bounds;
@@ -84,6 +98,10 @@ struct Mover {
     const MovingBox<D> box = moving_box<D>(motion, extents, horizon, margin);
     return grows ? with_growth(box, growth, horizon.now - motion.t) : box;
   }
+
+ private:
+  Mover(const Motion<D>& motion, const Extents<D>& extents, const Vec<D>& growth, bool grows)
+      : motion(motion), extents(extents), growth(growth), grows(grows) {}
 };
 
 /// The time ranges of the objects beneath an entry: of their t, and the max of their until.

@@ -176,7 +176,12 @@ void TableCursor::column(sqlite3_context* context, int column) const {
     sqlite3_result_int64(context, rowid());
   } else if (auxiliary < 0) {
     const auto motion = static_cast<std::size_t>(column - MovingObjectsTable::first_motion_column);
-    result_motion(context, table_.declaration().columns[motion]);
+    const Declaration& declaration = table_.declaration();
+    const MotionColumn& written = declaration.columns[motion];
+    if (declaration.layout.has_plan || written.geo != GeoColumn::none || written.is_form || written.is_kind)
+      return result_motion(context, written);
+    const double number = record()[written.place];
+    if (std::isfinite(number)) sqlite3_result_double(context, number);  // an infinite until reads as NULL
   } else if (column > table_.command_column()) {
     const auto hidden = static_cast<std::size_t>(column - table_.command_column() - 1);
     if (!sqlite3_vtab_nochange(context))

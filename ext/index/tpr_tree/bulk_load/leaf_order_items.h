@@ -53,7 +53,7 @@ class OrderItems {
   }
   /// `reach` is set to the distance that the object extends over the horizon.
   Item of(const double* record, std::uint32_t index, float& reach) const {
-    const Mover<D> mover(reader_, record);
+    const Mover<D> mover = reader_.is_plain() ? Mover<D>::plain(reader_, record) : Mover<D>(reader_, record);
     double at = now_, velocity_weight = velocity_weight_;
     if constexpr (timed) {
       const Times times = times_of_one(mover.motion);

@@ -148,19 +148,31 @@ template <int D>
 }
 
 template <int D>
-[[gnu::flatten]] void NearestWalk<D>::find_in_leaf(const Node& leaf, double reach, LeafHits& hits) {
-  near_.clear();
+template <bool plain, bool to_centre>
+[[gnu::flatten]] void NearestWalk<D>::find_near(const Node& leaf, double reach) {
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
-    if (test_ && !test_->accepts(reader_.kinds(reader_.record(leaf, slot)))) continue;
-    if (reader_.is_head(reader_.record(leaf, slot))) continue;
-    const Motion<D> motion = reader_.motion(reader_.record(leaf, slot));
-    const bool to_centre = to_ == DistanceTo::centres;
-    const Extents<D> extents = to_centre ? Extents<D>::none() : reader_.extents(reader_.record(leaf, slot));
+    const double* record = reader_.record(leaf, slot);
+    if constexpr (!plain) {
+      if (test_ && !test_->accepts(reader_.kinds(record))) continue;
+      if (reader_.is_head(record)) continue;
+    }
+    const Motion<D> motion = reader_.own_motion(record);
+    const Extents<D> extents = to_centre ? Extents<D>::none() : reader_.own_extents(record);
     const MovingBox<D> box = moving_box<D>(motion, extents, horizon_, Vec<D>::Zero());
     if (box.span.is_empty()) continue;
     const double distance = to_centre ? min_point_distance(box, query_) : min_distance(box, query_, box.span);
     if (distance <= reach) near_.emplace_back(distance, static_cast<std::uint32_t>(slot));
   }
+}
+
+template <int D>
+void NearestWalk<D>::find_in_leaf(const Node& leaf, double reach, LeafHits& hits) {
+  near_.clear();
+  const bool plain = !test_ && reader_.is_plain();
+  if (to_ == DistanceTo::centres)
+    plain ? find_near<true, true>(leaf, reach) : find_near<false, true>(leaf, reach);
+  else
+    plain ? find_near<true, false>(leaf, reach) : find_near<false, false>(leaf, reach);
   std::sort(near_.begin(), near_.end());
   for (const auto& [distance, slot] : near_) hits.slots.push_back(slot), hits.distances.push_back(distance);
 }

@@ -55,6 +55,9 @@ class NearestWalk {
 
   void open_children(NodeNumber number, const Node& inner, double reach);
   void find_in_leaf(const Node& leaf, double reach, LeafHits& hits);
+  /// Adds what is within reach to near_. Plain: all pass the test, and none has a plan.
+  template <bool plain, bool to_centre>
+  void find_near(const Node& leaf, double reach);
 
   NodeSource& source_;
   Interrupt& interrupt_;

@@ -28,7 +28,8 @@ bool WindowWalk<D>::next(LeafHits& hits) {
       open_children(open.number, *node);
       continue;
     }
-    find_in_leaf(*node, hits.slots);
+    !test_&& reader_.is_plain() ? find_in_leaf<true>(*node, hits.slots)
+                                : find_in_leaf<false>(*node, hits.slots);
     if (!hits.slots.empty()) {
       hits.leaf = std::move(node);
       return true;
@@ -58,14 +59,18 @@ template <int D>
 }
 
 template <int D>
+template <bool plain>
 [[gnu::flatten]] void WindowWalk<D>::find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const {
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
     const double* record = reader_.record(leaf, slot);
-    if (test_ && !test_->accepts(reader_.kinds(record))) continue;
-    if (reader_.is_head(record)) continue;
-    if (reader_.ends() && !exists({reader_.t(record), reader_.t(record), reader_.until(record)})) continue;
-    const Mover<D> mover(reader_, record);
-    const MovingBox<D> box = mover.box(horizon_, Vec<D>::Zero());
+    if constexpr (!plain) {
+      if (test_ && !test_->accepts(reader_.kinds(record))) continue;
+      if (reader_.is_head(record)) continue;
+    }
+    if (reader_.ends() && !exists({reader_.t(record), reader_.t(record), reader_.own_until(record)}))
+      continue;
+    const MovingBox<D> box =
+        (plain ? Mover<D>::plain(reader_, record) : Mover<D>(reader_, record)).box(horizon_, Vec<D>::Zero());
     SharedInterval span = shared_span(box, query_);
     if (!span.is_empty() && narrow_to_contact(box, query_, span))
       slots.push_back(static_cast<std::uint32_t>(slot));

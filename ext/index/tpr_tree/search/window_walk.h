@@ -33,6 +33,8 @@ class WindowWalk {
 
  private:
   bool exists(const Times& lives) const;
+  /// Plain: all pass the test, and none has a plan.
+  template <bool plain>
   void find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const;
   void open_children(NodeNumber number, const Node& inner);
 
