@@ -2,7 +2,7 @@
 //
 //   StoredPlans plans(db, format, name, 60, journal, memory, [] {});
 //   plans.connect(tables, meta);
-//   StoredPlans::Change change(&plans, rolled_back);
+//   StoredPlans::Change change(plans, rolled_back);
 //   use(change.add(42, record, plan));                   // the record to store, with the numbers of its chunks
 //   change.write();                                      // rows; if the change fails, they are removed again
 //   change.finish();
