@@ -118,6 +118,10 @@ class Pages : public NodeSource {
   /// From now on these objects are in `leaf`, whichever leaf they were in before.
   virtual void place(std::span<const std::int64_t> ids, NodeNumber leaf) = 0;
   virtual void forget(std::int64_t id) = 0;
+  /// Between the two calls objects are placed, each at most once, and no leaf is looked up: pages may keep the
+  /// places in a list.
+  virtual void start_placing() {}
+  virtual void finish_placing(Interrupt& /*interrupt*/) {}
 };
 
 }  // namespace foresee

@@ -1,5 +1,7 @@
 #include "storage/nodes/id_map.h"
 
+#include <utility>
+
 #include "base/interrupt_steps.h"
 #include "storage/rows/store_error.h"
 
@@ -34,18 +36,14 @@ void IdMap::set(std::int64_t id, std::int64_t leaf) {
 }
 
 void IdMap::place(std::span<const std::int64_t> ids, std::int64_t leaf) {
-  if (packed_map_ && !packed_map_->place(ids, leaf)) other_objects();
-  if (packed_map_) return;
+  if (list_ && leaf <= PlacedIds::max_leaf) {
+    list_->add(ids, leaf);
+    if (filter_) filter_->add(ids);
+    return;
+  }
   if (!filter_ && ids.size() >= few && has_no_ids()) filter_.emplace();
   for (const std::int64_t id : ids) leaves_.prefetch(id);
   for (const std::int64_t id : ids) set(id, leaf);
-}
-
-void IdMap::other_objects() const {
-  throw StoreError(SQLITE_IOERR,
-                   name_.table +
-                       ": the objects changed while they were read twice: another program writes to "
-                       "the database or to the temporary file; roll back");
 }
 
 /// Logs everything that is unwritten, and that the stored map was valid or not if that changes.
@@ -97,22 +95,32 @@ void IdMap::note_written() {
   held_after_writing_ = held();
 }
 
-void IdMap::place_into(PackedMap& map) {
+void IdMap::start_list(std::size_t ids) {
   join();
-  packed_map_ = &map;
+  if (!filter_ && has_no_ids()) filter_.emplace(ids);
+  list_.emplace();
 }
 
-void IdMap::write_packed(bool replaces, Interrupt& interrupt) {
-  if (!packed_map_->is_complete()) other_objects();
-  if (replaces) void_stored();
-  if (!filter_ && has_no_ids()) filter_.emplace(packed_map_->ids().size());
+void IdMap::keep_list(Interrupt& interrupt) {
+  std::optional<PlacedIds> list = std::exchange(list_, std::nullopt);
+  list->for_each_chunk([&](std::span<const IdHashMap::Entry> chunk) {
+    interrupt.check();
+    for (const IdHashMap::Entry& entry : chunk) set(entry.id, entry.value);
+  });
+}
+
+void IdMap::write_list(const std::optional<IdSum>& expected, Interrupt& interrupt) {
+  if (expected && list_->sum() != *expected)
+    throw StoreError(SQLITE_IOERR,
+                     name_.table +
+                         ": the objects changed while they were read twice: another program writes to "
+                         "the database or to the temporary file; roll back");
   write(interrupt);
-  packed_map_->for_each_chunk([&](std::span<const IdHashMap::Entry> chunk) {
+  list_->for_each_chunk([&](std::span<const IdHashMap::Entry> chunk) {
     interrupt.check();
     rows_->write_map(chunk);
   });
-  if (filter_) filter_->add(packed_map_->ids());
-  packed_map_ = nullptr;
+  list_.reset();
   last_block_.reset();
 }
 
@@ -120,7 +128,7 @@ void IdMap::write_packed(bool replaces, Interrupt& interrupt) {
 
 void IdMap::rewind(std::size_t position) noexcept {
   forget_stored();
-  packed_map_ = nullptr;
+  list_.reset();
   if (position == 0 && started_empty_) return clear();  // fast path: a bulk load is rolled back
   for (; log_.size() > position; log_.pop_back()) {
     const IdHashMap::Entry& before = log_.back();
@@ -149,7 +157,7 @@ void IdMap::clear() noexcept {
 
 void IdMap::end(Journal::Ended how) noexcept {
   clear();
-  packed_map_ = nullptr;
+  list_.reset();
   if (how == Journal::Ended::rolled_back) filter_.reset();
 }
 

@@ -16,7 +16,7 @@
 #include "base/error.h"
 #include "storage/journal/journal.h"
 #include "storage/nodes/id_filter.h"
-#include "storage/nodes/packed_map.h"
+#include "storage/nodes/placed_ids.h"
 #include "storage/rows/tree_rows.h"
 
 namespace foresee {
@@ -25,6 +25,8 @@ class IdMap final : public Journal::Participant {
  public:
   static constexpr std::int64_t erased = 0;  ///< the id is gone
   static constexpr std::int64_t unknown = IdHashMap::unknown;
+  /// About: the hash table and the log.
+  static constexpr std::size_t bytes_per_change = 4 * sizeof(IdHashMap::Entry);
 
   /// `name` is the table name in messages.
   IdMap(Journal& journal, const QualifiedName& name) : Participant(journal, Scope::marks), name_(name) {}
@@ -50,10 +52,13 @@ class IdMap final : public Journal::Participant {
   bool has_unwritten() const { return !leaves_.none_known() || stored_is_void_; }
   void write(Interrupt& interrupt);
 
-  /// Until write_packed() or a rewind, place() records leaves in this map: of all future objects, or of new ones.
-  void place_into(PackedMap& map);
-  /// Replaces the stored map by it, or adds it to the stored map.
-  void write_packed(bool replaces, Interrupt& interrupt);
+  /// From now on place() only lists the ids, until one of the other two or a rewind. `ids`: as many are expected.
+  void start_list(std::size_t ids = 0);
+  /// The listed ids are like all others.
+  void keep_list(Interrupt& interrupt);
+  /// Writes all changes, and then the listed ids. Throws before if they are not those expected.
+  void write_list(const std::optional<IdSum>& expected, Interrupt& interrupt);
+  std::size_t listed() const { return list_ ? list_->sum().count() : 0; }
 
   /// Bytes in use beyond those left by the last write: what another write would release.
   std::size_t memory() const { return held() - held_after_writing_; }
@@ -73,7 +78,6 @@ class IdMap final : public Journal::Participant {
   void log_all(bool voids);
   void add_to_filter(std::span<const IdHashMap::Entry> changes);
   void note_written();
-  [[noreturn]] void other_objects() const;
   std::size_t held() const { return leaves_.memory() + log_.size() * sizeof(IdHashMap::Entry); }
 
   const QualifiedName& name_;
@@ -84,8 +88,8 @@ class IdMap final : public Journal::Participant {
   bool started_empty_ = true;          ///< nothing was unwritten when the log was empty
   std::size_t held_after_writing_ = 0;
   std::optional<IdBlock> last_block_;
-  std::optional<IdFilter> filter_;   ///< of the stored ids, and some that are gone
-  PackedMap* packed_map_ = nullptr;  ///< in place of leaves_ during a large load
+  std::optional<IdFilter> filter_;  ///< of the stored ids, and some that are gone
+  std::optional<PlacedIds> list_;   ///< in place of leaves_ during a large load or merge
 };
 
 }  // namespace foresee

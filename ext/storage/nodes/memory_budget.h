@@ -53,6 +53,8 @@ class MemoryBudget {
   bool too_many_nodes_wait(std::size_t own) const {
     return waiting_ > limits_.waiting && own > limits_.waiting / 8;
   }
+  /// True if so many bytes of changes should be written during a change, not at its end.
+  bool too_much_would_wait(std::size_t bytes) const { return bytes > limits_.waiting; }
   void write_out();
   /// Does nothing within the limit.
   void evict();

@@ -57,6 +57,8 @@ class NodeCache final : public Pages, public Journal::Participant {
   std::optional<NodeNumber> find_leaf(std::int64_t id) override;
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override { ids_.place(ids, leaf); }
   void forget(std::int64_t id) override { ids_.erase(id); }
+  void start_placing() override { ids_.start_list(); }
+  void finish_placing(Interrupt& interrupt) override;
 
   // --- objects
   /// The record of an object; null: no such object. Valid until the next call of the cache.
@@ -90,9 +92,9 @@ class NodeCache final : public Pages, public Journal::Participant {
   NodeNumber next_dirty(NodeNumber after, NodeNumber before);
   /// Frees every node, whether or not the tree refers to it, and voids the map.
   void erase_everything();
-  /// As in IdMap, for a load that writes nodes early.
-  void place_into(PackedMap& map) { ids_.place_into(map); }
-  void write_packed_map(bool replaces, Interrupt& interrupt);
+  /// As start_placing() and finish_placing(), but all places are written at once. `ids`: as many are expected.
+  void start_placing(std::size_t ids) { ids_.start_list(ids); }
+  void write_places(const std::optional<IdSum>& expected, Interrupt& interrupt);
   /// Returns what is wrong with a node's bytes; null: nothing.
   const char* fault(NodeNumber number, std::span<const std::byte> blob) const;
 

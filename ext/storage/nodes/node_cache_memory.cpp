@@ -85,9 +85,17 @@ void NodeCache::write_nodes(Deletions deletions) {
   }
 }
 
-void NodeCache::write_packed_map(bool replaces, Interrupt& interrupt) {
+// Places that wait take more memory than those in the list.
+void NodeCache::finish_placing(Interrupt& interrupt) {
+  const std::size_t places = ids_.listed() * IdMap::bytes_per_change;
+  const std::size_t nodes = slots_.dirty_held() * format_.node_size;
+  if (share_.budget().too_much_would_wait(nodes + places)) return write_places({}, interrupt);
+  ids_.keep_list(interrupt);
+}
+
+void NodeCache::write_places(const std::optional<IdSum>& expected, Interrupt& interrupt) {
   prepare_early_write();
-  ids_.write_packed(replaces, interrupt);
+  ids_.write_list(expected, interrupt);
 }
 
 void NodeCache::prepare_early_write() {

@@ -3,7 +3,7 @@
 // If the objects exceed the memory for sorting (memory_budget.h), they wait in a temporary file
 // (object_spill.h), partitioned by position and motion, and become leaves one partition at a time. The old
 // nodes are read twice, first for the ids and a sample of the records. So nothing is written before
-// everything was read and is sound. Memory besides the partitions: 12 bytes per object (packed_map.h).
+// everything was read and is sound. Memory besides the partitions: 12 bytes per object (placed_ids.h).
 #include <algorithm>
 
 #include "base/interrupt_steps.h"
@@ -50,8 +50,10 @@ class TreeStore::PartitionedLoad {
   /// Throws if an id was seen twice. `newest`: as in TprTree::divide().
   void divide(std::span<const double> newest) {
     tree_.require_unique(ids_, interrupt_);
+    for (const std::int64_t id : ids_) seen_.add(id);
+    std::vector<std::int64_t>().swap(ids_);
     const std::size_t limit = std::max<std::size_t>(1, tree_.memory_.max_ordered());
-    const std::size_t partitions = ids_.size() * tree_.format_.record_size / limit + 1;
+    const std::size_t partitions = seen_.count() * tree_.format_.record_size / limit + 1;
     division_ = tree_.tree_->divide(sample_.records(), partitions, newest, interrupt_);
     spill_.emplace(tree_.db_, tree_.name_, record_size_, partitions, limit / 4);
   }
@@ -65,10 +67,9 @@ class TreeStore::PartitionedLoad {
     spill_->finish();
     tree_.cache_.drop_nodes(true);
     tree_.cache_.erase_everything();
-    PackedMap map(std::move(ids_));
-    tree_.cache_.place_into(map);
+    tree_.cache_.start_placing(seen_.count());
     tree_.tree_->bulk_load_partitions(*spill_, interrupt_);
-    tree_.cache_.write_packed_map(true, interrupt_);
+    tree_.cache_.write_places(seen_, interrupt_);
   }
 
  private:
@@ -76,6 +77,7 @@ class TreeStore::PartitionedLoad {
   Interrupt& interrupt_;
   std::size_t record_size_;
   std::vector<std::int64_t> ids_;
+  IdSum seen_;
   RecordSample sample_;
   std::unique_ptr<SpacePartitioning> division_;
   std::optional<ObjectSpill> spill_;

@@ -101,12 +101,9 @@ void TreeStore::add_run(Interrupt& interrupt) {
   const bool is_first = cache_.find_root() == 0;
   cache_.drop_nodes(true);
   with_pending([&](std::span<const std::int64_t> ids, std::span<const double> records) {
-    std::vector<std::int64_t> sorted(ids.begin(), ids.end());
-    require_unique(sorted, interrupt);
-    PackedMap map(std::move(sorted));
-    cache_.place_into(map);
+    cache_.start_placing(ids.size());
     tree_->add_run(ids, records, interrupt);
-    cache_.write_packed_map(false, interrupt);
+    cache_.write_places({}, interrupt);
   });
   if (!is_first) has_runs_.change() = true;
 }

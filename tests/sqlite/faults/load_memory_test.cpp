@@ -28,6 +28,15 @@ class LargeTable {
     for (std::int64_t i = 1; i <= objects; ++i) store->insert(id_of(i), at(i), {});
     commit(db, *store);
   }
+  /// The same in many transactions, which pack new objects beside those that are there.
+  void load_in(std::int64_t transactions, std::int64_t objects) {
+    for (std::int64_t k = 0; k < transactions; ++k) {
+      begin(db, *store);
+      for (std::int64_t i = objects * k / transactions; i++ < objects * (k + 1) / transactions;)
+        store->insert(id_of(i), at(i), {});
+      commit(db, *store);
+    }
+  }
   void update_all(std::int64_t objects) {
     begin(db, *store);
     for (std::int64_t i = 0; i < objects; ++i) {
@@ -101,6 +110,19 @@ TEST(LoadMemory, GrowsByFewBytesPerRow) {
     EXPECT_LT((many[work] - few[work]) / (more - some), limit[work]) << "bytes per row: work " << work;
     EXPECT_LT(many[work], 16e6) << "all of it: work " << work;
   }
+}
+
+TEST(LoadMemory, ManyTransactionsGrowByFewBytesPerRow) {
+  constexpr std::int64_t some = 60'000, more = 180'000;
+  constexpr std::int64_t at_once = 3'000;
+  const auto peak = [](std::int64_t objects) {
+    LargeTable table;
+    return peak_of([&] { table.load_in(objects / at_once, objects); });
+  };
+  const double few = peak(some), many = peak(more);
+  // 12 bytes for each object that a commit places, 4 for the filter of ids.
+  EXPECT_LT((many - few) / (more - some), 20) << "bytes per row";
+  EXPECT_LT(many, 16e6);
 }
 
 TEST(LoadFile, ARebuildThatIsKilledLeavesEveryObject) {

@@ -28,8 +28,8 @@ bool WindowWalk<D>::next(LeafHits& hits) {
       open_children(open.number, *node);
       continue;
     }
-    !test_&& reader_.is_plain() ? find_in_leaf<true>(*node, hits.slots)
-                                : find_in_leaf<false>(*node, hits.slots);
+    const bool plain = !test_ && reader_.is_plain();
+    plain ? find_in_leaf<true>(*node, hits.slots) : find_in_leaf<false>(*node, hits.slots);
     if (!hits.slots.empty()) {
       hits.leaf = std::move(node);
       return true;

@@ -35,8 +35,10 @@ class RunMerge {
     auto& all = batch_.root().objects;
     for (std::uint32_t i = 0; i < batch_.size(); ++i) all.push_back(i);
     for (std::size_t level = batch_.levels(); --level > 1;) batch_.sink(level);
+    state_.pages.start_placing();
     for (auto& [number, visit] : batch_.at(1))
       visit.objects.size() >= min_objects ? pack(number, visit) : rest_.add(batch_, visit.objects);
+    state_.pages.finish_placing(interrupt_);
     for (const Packed& packed : packed_) connect(packed);
     for (std::size_t level = 2; level < batch_.levels(); ++level)
       for (auto& [number, visit] : batch_.at(level)) {
@@ -50,7 +52,7 @@ class RunMerge {
  private:
   using Visit = typename BatchDescent<D>::Visit;
 
-  /// A run that is not connected yet: pages may write nodes while others are packed, and none may be overfull then.
+  /// A run that takes the place of leaves of a partition, or of all of it.
   struct Packed {
     NodeNumber partition, parent;
     std::vector<NodeNumber> old;  ///< the leaves that it replaces
@@ -74,7 +76,11 @@ class RunMerge {
       if (!is_loose(*partition, slot, number)) take_leaf(*partition, slot, packed, objects);
     objects.add(batch_, visit.objects);
     packed.run = pack_objects(objects, packed.old, is_due);
-    packed_.push_back(std::move(packed));
+    const bool fits =
+        partition->size() - packed.old.size() + packed.run.size() <= state_.pages.inner_capacity();
+    if (packed.is_all() || !fits) return packed_.push_back(std::move(packed));
+    connect(packed);
+    state_.pages.make_room();
   }
 
   static bool is_loose(const Node& partition, std::size_t slot, NodeNumber number) {
@@ -135,6 +141,7 @@ class RunMerge {
   TreeState<D>& state_;
   Interrupt& interrupt_;
   BatchDescent<D> batch_;
+  /// Not connected yet: pages may write nodes while others are packed, and none may be overfull then.
   std::vector<Packed> packed_;
   Remainder rest_;
 };

@@ -1,0 +1,110 @@
+// Compact list of ids with their new leaves, for loads and merges of millions of objects.
+//
+//   PlacedIds placed;
+//   placed.add(ids_of_leaf, 7);                              // each id once
+//   placed.for_each_chunk([&](auto entries) { … });          // all ids ascending, some thousand per call
+//
+// IdMap (id_map.h) supports rollback and queries at 50 to 100 bytes per id; this class is for ten million ids.
+// Ids are sorted in blocks, which the processor's caches hold, and the blocks are merged when they are read. Cost: 12
+// bytes per id. The list grows without copies, which would take as much again.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "storage/format/id_block.h"
+#include "storage/rows/id_hash_map.h"
+
+namespace foresee {
+
+/// Fingerprint of a set of ids, whatever their order. Different sets have equal ones by accident only.
+class IdSum {
+ public:
+  /// The hash is the finalizer of SplitMix64, as in RecordSample.
+  void add(std::int64_t id) {
+    std::uint64_t z = static_cast<std::uint64_t>(id) + 0x9e3779b97f4a7c15;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    ++count_, sum_ += z ^ (z >> 31);
+  }
+  std::size_t count() const { return count_; }
+  bool operator==(const IdSum&) const = default;
+
+ private:
+  std::size_t count_ = 0;
+  std::uint64_t sum_ = 0;
+};
+
+class PlacedIds {
+ public:
+  /// Larger leaf numbers do not fit.
+  static constexpr std::int64_t max_leaf = std::numeric_limits<std::uint32_t>::max();
+
+  /// Requires: none of the ids is in the list; 0 < leaf <= max_leaf.
+  void add(std::span<const std::int64_t> ids, std::int64_t leaf) {
+    for (const std::int64_t id : ids) {
+      if (blocks_.empty() || blocks_.back().size() == block_size) add_block();
+      blocks_.back().push_back({static_cast<std::uint32_t>(id), static_cast<std::int32_t>(id >> 32),
+                                static_cast<std::uint32_t>(leaf)});
+      sum_.add(id);
+    }
+  }
+  const IdSum& sum() const { return sum_; }
+
+  /// Calls each(entries) with consecutive chunks of all ids; no block of the stored map is in two chunks. Call it
+  /// once, after the last add().
+  template <class Each>
+  void for_each_chunk(Each each) {
+    constexpr std::size_t chunk_size = 1 << 14;
+    if (!blocks_.empty()) sort(blocks_.back());
+    std::vector<Rest> rests(blocks_.begin(), blocks_.end());
+    std::make_heap(rests.begin(), rests.end(), is_after);
+    std::vector<IdHashMap::Entry> chunk;
+    while (!rests.empty()) {
+      std::pop_heap(rests.begin(), rests.end(), is_after);
+      Rest& first = rests.back();
+      const std::int64_t id = first.front().id();
+      const bool starts_block = !chunk.empty() && IdBlock::base_of(id) != IdBlock::base_of(chunk.back().id);
+      if (starts_block && chunk.size() >= chunk_size)
+        each(std::span<const IdHashMap::Entry>(chunk)), chunk.clear();
+      chunk.push_back({id, first.front().leaf});
+      first = first.subspan(1);
+      if (first.empty())
+        rests.pop_back();
+      else
+        std::push_heap(rests.begin(), rests.end(), is_after);
+    }
+    if (!chunk.empty()) each(std::span<const IdHashMap::Entry>(chunk));
+  }
+
+ private:
+  static constexpr std::size_t block_size = 1 << 16;
+
+  /// Without alignment to 8 bytes, which would take 16 bytes.
+  struct Placed {
+    std::uint32_t id_low;
+    std::int32_t id_high;
+    std::uint32_t leaf;
+
+    std::int64_t id() const { return std::int64_t{id_high} * (std::int64_t{1} << 32) + id_low; }
+  };
+  using Block = std::vector<Placed>;
+  using Rest = std::span<const Placed>;  ///< of a sorted block
+
+  void add_block() {
+    if (!blocks_.empty()) sort(blocks_.back());
+    blocks_.emplace_back().reserve(block_size);
+  }
+  static void sort(Block& block) {
+    std::sort(block.begin(), block.end(), [](const Placed& a, const Placed& b) { return a.id() < b.id(); });
+  }
+  static bool is_after(const Rest& a, const Rest& b) { return a.front().id() > b.front().id(); }
+
+  std::vector<Block> blocks_;  ///< all but the last are sorted
+  IdSum sum_;
+};
+
+}  // namespace foresee
