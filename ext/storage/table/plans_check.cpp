@@ -14,25 +14,29 @@ void StoredPlans::rebuild(std::vector<Head>& heads, std::span<const double> reco
   const FloatEnvironment environment;
   const auto record_size = static_cast<std::size_t>(at_.size),
              item_size = static_cast<std::size_t>(item_at_.size);
-  std::vector<std::int64_t> numbers, strays;
-  std::vector<double> items;
+  std::vector<std::int64_t> strays;
+  std::vector<double> item(item_size);
   std::vector<Leg> legs;
-  const auto take = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
-    legs.clear();
-    require(append_legs(opened(number, blob, &head), legs), number);
-    numbers.push_back(number);
-    items.resize(items.size() + item_size);
-    write_chunk_item(layout_, records.data() + head.record * record_size, legs,
-                     items.data() + items.size() - item_size);
+  const auto for_each_item = [&](const TreeStore::UseObject& use) {
+    bool goes_on = true;
+    strays.clear();
+    const auto take = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
+      if (!goes_on) return;
+      legs.clear();
+      require(append_legs(opened(number, blob, &head), legs), number);
+      write_chunk_item(layout_, records.data() + head.record * record_size, legs, item.data());
+      goes_on = use(number, item.data());
+    };
+    scan(
+        heads, take, [&](std::int64_t number) { strays.push_back(number); }, interrupt);
   };
-  scan(
-      heads, take, [&](std::int64_t number) { strays.push_back(number); }, interrupt);
+  TreeStore::Replacement replacement(tree_, for_each_item, interrupt);
   std::int64_t total = 0;
   for (const Head& head : heads) total += head.chunks;
-  if (total != static_cast<std::int64_t>(numbers.size()))
-    damaged("its objects have " + std::to_string(total) + " chunks, but " + std::to_string(numbers.size()) +
-            " are stored");
-  tree_.replace_all(numbers, items, interrupt);
+  if (total != static_cast<std::int64_t>(replacement.objects()))
+    damaged("its objects have " + std::to_string(total) + " chunks, but " +
+            std::to_string(replacement.objects()) + " are stored");
+  replacement.write();
   if (strays.empty()) return;
   join();
   abandon_newest_mark();

@@ -91,34 +91,30 @@ void TreeStore::require_unique(std::vector<std::int64_t>& ids, Interrupt& interr
   if (twice != ids.end()) damaged("object " + std::to_string(*twice) + " is in two leaves");
 }
 
-// --- from the stored leaves alone
+// --- of objects that can be read again
 
-TreeStore::Rebuild::Rebuild(TreeStore& tree, Interrupt& interrupt) : tree_(tree), interrupt_(interrupt) {
-  if (!read_into_memory()) read_partitioned();
-}
-
-TreeStore::Rebuild::~Rebuild() = default;
-
-bool TreeStore::Rebuild::read_leaves(const std::function<bool(const LeafView&)>& use) {
-  unsigned nodes = 0;
-  bool goes_on = true;
-  tree_.rows_->read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
-    if (++nodes % 16 == 0) interrupt_.check();
-    if (!goes_on || is_inner(tree_.format_, blob, number)) return;
-    tree_.read_stored_leaf(number, blob, [&](const LeafView& leaf) { goes_on = use(leaf); });
+TreeStore::Replacement::Replacement(TreeStore& tree, const EachObject& for_each, Interrupt& interrupt)
+    : tree_(tree), interrupt_(interrupt) {
+  if (read_into_memory(for_each)) return;
+  const auto use_all = [&](auto use) {
+    for_each([&](std::int64_t id, const double* record) { return use(id, record), true; });
+  };
+  tree_.with_sound_tree([&] {
+    load_ = std::make_unique<PartitionedLoad>(tree_, interrupt_);
+    use_all([&](std::int64_t id, const double* record) { load_->see(id, record), ++objects_; });
+    load_->divide({});
+    use_all([&](std::int64_t id, const double* record) { load_->add(id, record); });
   });
-  return goes_on;
 }
 
-void TreeStore::Rebuild::note_form(const double* record) {
-  if (is_stored_apart(tree_.format_.layout.shape))
-    forms_.insert(static_cast<std::int64_t>(record[static_cast<std::size_t>(tree_.format_.at.outline)]));
-}
+TreeStore::Replacement::~Replacement() = default;
 
-bool TreeStore::Rebuild::read_into_memory() {
-  const bool fits = read_leaves([&](const LeafView& leaf) {
-    append(leaf, ids_, records_);
-    return records_.size() * sizeof(double) <= tree_.memory_.max_ordered();
+bool TreeStore::Replacement::read_into_memory(const EachObject& for_each) {
+  const auto size = static_cast<std::size_t>(tree_.format_.at.size);
+  bool fits = true;
+  for_each([&](std::int64_t id, const double* record) {
+    ids_.push_back(id), records_.insert(records_.end(), record, record + size);
+    return fits = records_.size() * sizeof(double) <= tree_.memory_.max_ordered();
   });
   if (!fits) {
     ids_ = {}, records_ = {};
@@ -128,31 +124,41 @@ bool TreeStore::Rebuild::read_into_memory() {
   tree_.require_unique(sorted, interrupt_);
   interrupt_.check();
   objects_ = ids_.size();
-  for (std::size_t i = 0; i < records_.size(); i += static_cast<std::size_t>(tree_.format_.at.size))
-    note_form(records_.data() + i);
   return true;
 }
 
-void TreeStore::Rebuild::read_partitioned() {
-  const auto size = static_cast<std::size_t>(tree_.format_.at.size);
-  const auto for_each = [&](auto use) {
-    read_leaves([&](const LeafView& leaf) { return for_each_object(leaf, size, use), true; });
-  };
+void TreeStore::Replacement::write() {
   tree_.with_sound_tree([&] {
-    load_ = std::make_unique<PartitionedLoad>(tree_, interrupt_);
-    for_each([&](std::int64_t id, const double* record) { load_->see(id, record), ++objects_; });
-    load_->divide({});
-    for_each([&](std::int64_t id, const double* record) {
-      load_->add(id, record);
-      note_form(record);
-    });
+    if (load_) return load_->write();
+    tree_.cache_.erase_everything();
+    tree_.tree_->bulk_load(ids_, records_, interrupt_);
   });
+  tree_.note_packed();
 }
 
-void TreeStore::Rebuild::write() {
-  if (!load_) return tree_.replace_all(ids_, records_, interrupt_);
-  tree_.with_sound_tree([&] { load_->write(); });
-  tree_.note_packed();
+TreeStore::Rebuild::Rebuild(TreeStore& tree, Interrupt& interrupt)
+    : tree_(tree),
+      interrupt_(interrupt),
+      replacement_(
+          tree, [this](const UseObject& use) { read_leaves(use); }, interrupt) {}
+
+void TreeStore::Rebuild::read_leaves(const UseObject& use) {
+  const NodeFormat& format = tree_.format_;
+  unsigned nodes = 0;
+  bool goes_on = true;
+  forms_.clear();
+  tree_.rows_->read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    if (++nodes % 16 == 0) interrupt_.check();
+    if (!goes_on || is_inner(format, blob, number)) return;
+    tree_.read_stored_leaf(number, blob, [&](const LeafView& leaf) {
+      for_each_object(leaf, static_cast<std::size_t>(format.at.size),
+                      [&](std::int64_t id, const double* record) {
+                        goes_on = goes_on && use(id, record);
+                        if (is_stored_apart(format.layout.shape))
+                          forms_.insert(static_cast<std::int64_t>(record[format.at.outline]));
+                      });
+    });
+  });
 }
 
 // --- with pending objects

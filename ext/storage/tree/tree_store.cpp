@@ -142,15 +142,6 @@ void TreeStore::append_pending(std::vector<std::int64_t>& ids, std::vector<doubl
   });
 }
 
-void TreeStore::replace_all(std::span<const std::int64_t> ids, std::span<const double> records,
-                            Interrupt& interrupt) {
-  with_sound_tree([&] {
-    cache_.erase_everything();
-    tree_->bulk_load(ids, records, interrupt);
-  });
-  note_packed();
-}
-
 void TreeStore::write(Interrupt& interrupt) {
   with_sound_tree([&] { cache_.write(interrupt); });
 }

@@ -60,8 +60,6 @@ class TreeStore final : private MemoryHolder {
   bool must_merge(Reason reason) const {
     return pending_.count() > 0 || (reason == Reason::commit && has_runs_.get());
   }
-  /// Replaces all objects, whatever is stored. Ids are unique.
-  void replace_all(std::span<const std::int64_t> ids, std::span<const double> records, Interrupt& interrupt);
   /// Writes all nodes, the map and the root. Requires: nothing is pending. If it fails half-way the rest stays
   /// unwritten; writing the same again is harmless.
   void write(Interrupt& interrupt);
@@ -93,6 +91,9 @@ class TreeStore final : private MemoryHolder {
     }
   }
 
+  using UseObject = std::function<bool(std::int64_t id, const double* record)>;
+  using EachObject = std::function<void(const UseObject&)>;
+  class Replacement;
   /// Builds the tree again from its stored leaves alone.
   class Rebuild;
 
@@ -134,33 +135,48 @@ class TreeStore final : private MemoryHolder {
   Journaled<bool> pending_updates_;  ///< some of the pending objects may be in the tree already
 };
 
+/// All objects again, from a source that can be read again. If they exceed the memory for sorting, it is read three
+/// times. Nothing is written before write().
+class TreeStore::Replacement {
+ public:
+  /// Throws if an id is there twice. `for_each`: calls its argument for every object, until it returns false.
+  Replacement(TreeStore& tree, const EachObject& for_each, Interrupt& interrupt);
+  ~Replacement();
+
+  std::size_t objects() const { return objects_; }
+  /// Replaces all objects, whatever is stored. Requires: in a change.
+  void write();
+
+ private:
+  bool read_into_memory(const EachObject& for_each);
+
+  TreeStore& tree_;
+  Interrupt& interrupt_;
+  std::size_t objects_ = 0;
+  std::vector<std::int64_t> ids_;
+  std::vector<double> records_;
+  std::unique_ptr<PartitionedLoad> load_;  ///< of more objects than may be sorted together
+};
+
 /// Reads and checks every leaf when it is made, whether or not the tree refers to it; the contents of inner nodes
 /// are ignored. Nothing is written before write().
 class TreeStore::Rebuild {
  public:
   Rebuild(TreeStore& tree, Interrupt& interrupt);
-  ~Rebuild();
 
-  std::size_t objects() const { return objects_; }
+  std::size_t objects() const { return replacement_.objects(); }
   /// The outlines or meshes in use, in a layout with them.
   const std::unordered_set<std::int64_t>& forms() const { return forms_; }
   /// Replaces the tree. Requires: in a change.
-  void write();
+  void write() { replacement_.write(); }
 
  private:
-  bool read_into_memory();
-  void read_partitioned();
-  /// Calls use() for every stored leaf until it returns false; returns whether it never did.
-  bool read_leaves(const std::function<bool(const LeafView&)>& use);
-  void note_form(const double* record);
+  void read_leaves(const UseObject& use);
 
   TreeStore& tree_;
   Interrupt& interrupt_;
-  std::size_t objects_ = 0;
   std::unordered_set<std::int64_t> forms_;
-  std::vector<std::int64_t> ids_;
-  std::vector<double> records_;
-  std::unique_ptr<PartitionedLoad> load_;  ///< of more objects than may be sorted together
+  Replacement replacement_;  ///< which reads the leaves when it is made
 };
 
 }  // namespace foresee

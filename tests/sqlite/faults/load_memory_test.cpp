@@ -8,6 +8,7 @@
 #include "sqlite/faults/killed_writer.h"
 #include "sqlite/faults/memory_faults.h"
 #include "storage/database.h"
+#include "storage/plan_cases.h"
 #include "storage/rows/shadow_schema.h"
 
 namespace foresee {
@@ -123,6 +124,41 @@ TEST(LoadMemory, ManyTransactionsGrowByFewBytesPerRow) {
   // 12 bytes for each object that a commit places, 4 for the filter of ids.
   EXPECT_LT((many - few) / (more - some), 20) << "bytes per row";
   EXPECT_LT(many, 16e6);
+}
+
+/// Peak of 'rebuild' of a table with few plans of many chunks.
+double peak_of_plans(std::int64_t objects, std::int64_t chunks) {
+  static const QualifiedName name{"main", "ships"};
+  testing::TemporaryFile file;
+  Database db(file.path());
+  db.run("PRAGMA synchronous = OFF; BEGIN IMMEDIATE");
+  const NodeFormat format = create_shadow_tables(db, name, fleet());
+  auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, fleet()), fleet());
+  const auto store = std::make_shared<Store>(db, name, fleet(), format, std::move(rows), true,
+                                             std::make_shared<MemoryBudget>(small));
+  commit(db, *store);
+  begin(db, *store);
+  for (std::int64_t id = 1; id <= objects; ++id) {
+    Plan plan = plan_of_knots({});
+    for (std::int64_t i = 0; i <= 16 * chunks; ++i)
+      plan.knots.push_back({static_cast<double>(i),
+                            {static_cast<double>((id * 31 + i * 7) % 997), static_cast<double>(i % 991)}});
+    store->insert(id, robot_record(1), {}, {}, &plan);
+  }
+  commit(db, *store);
+  EXPECT_GE(db.number("SELECT count(*) FROM ships_leg"), objects * chunks);
+  NeverInterrupt never;
+  return peak_of([&] {
+    begin(db, *store);
+    store->rebuild(never);
+    commit(db, *store);
+  });
+}
+
+TEST(LoadMemory, ARebuildOfPlansGrowsByFewBytesPerChunk) {
+  constexpr std::int64_t some = 30, more = 90, chunks = 500;
+  const double few = peak_of_plans(some, chunks), many = peak_of_plans(more, chunks);
+  EXPECT_LT((many - few) / ((more - some) * chunks), 20) << "bytes per chunk";
 }
 
 TEST(LoadFile, ARebuildThatIsKilledLeavesEveryObject) {

@@ -94,16 +94,20 @@ TEST_F(PlanFaults, ChunksThatCannotBeDeletedLeaveOnlyARollback) {
 
 // --- memory, and the end of a process
 
-TEST(PlanMemory, ChangesBeyondTheBudgetAreWrittenEarlyAndStillRollBack) {
+std::shared_ptr<Store> make_fleet(Database& db, const MemoryLimits& limits) {
   static const QualifiedName name{"main", "ships"};
-  Database db;
   db.run("BEGIN IMMEDIATE");
   const NodeFormat format = create_shadow_tables(db, name, fleet());
   auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, fleet()), fleet());
-  const MemoryLimits limits{.pending = 1 << 18, .memory = 1 << 18, .waiting = 1 << 18};
   auto store = std::make_shared<Store>(db, name, fleet(), format, std::move(rows), true,
                                        std::make_shared<MemoryBudget>(limits));
   commit(db, *store);
+  return store;
+}
+
+TEST(PlanMemory, ChangesBeyondTheBudgetAreWrittenEarlyAndStillRollBack) {
+  Database db;
+  const auto store = make_fleet(db, {.pending = 1 << 18, .memory = 1 << 18, .waiting = 1 << 18});
   testing::Random random(11);
   Robots robots;
   const auto insert = [&](std::int64_t first, std::int64_t last, Robots& into) {
@@ -125,6 +129,33 @@ TEST(PlanMemory, ChangesBeyondTheBudgetAreWrittenEarlyAndStillRollBack) {
   expect_robots(*store, robots, "rolled back");
   commit(db, *store);
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
+}
+
+TEST(PlanMemory, ARebuildInPortionsRestoresTheTreeOfChunks) {
+  Database db;
+  const auto store =
+      make_fleet(db, {.pending = 1 << 18, .memory = 1 << 18, .waiting = 1 << 16, .ordered = 1 << 14});
+  testing::Random random(12);
+  Robots robots;
+  begin(db, *store);
+  for (std::int64_t id = 1; id <= 400; ++id) {
+    robots[id] = {robot_record(1), random_stored_plan(random)};
+    store->insert(id, robots[id].record, {}, {}, &*robots[id].plan);
+  }
+  commit(db, *store);
+  const std::int64_t chunks = db.number("SELECT count(*) FROM ships_leg");
+  ASSERT_GT(chunks * 72, 4 << 14) << "several portions";
+  db.run(
+      "DELETE FROM ships_chunkmap WHERE id % 3 = 0; DELETE FROM ships_chunknode WHERE nodeno % 2 = 0;"
+      "INSERT INTO ships_leg SELECT 1000000, data FROM ships_leg LIMIT 1;"
+      "UPDATE ships_meta SET value = random() WHERE key = 'stamp'");
+  NeverInterrupt never;
+  begin(db, *store);
+  store->rebuild(never);
+  commit(db, *store);
+  EXPECT_EQ(faults(*store), std::vector<std::string>{});
+  EXPECT_EQ(db.number("SELECT count(*) FROM ships_leg"), chunks);
+  expect_robots(*store, robots, "rebuilt");
 }
 
 TEST(PlanCrash, KilledWritersLeaveWholeTransactions) {
