@@ -1,9 +1,14 @@
-// Estimate of the change at which touching starts or ends, by regula falsi: it saves the bisection of ranges.
-// The result is a guess and proves nothing.
+// Estimates of the changes at which touching starts or ends: they save the bisection of ranges. The results are
+// guesses and prove nothing.
+//
+// For any motion they are found by regula falsi. If a convex outline turns with a straight path, they have a closed
+// form: the path relative to the other object passes a fixed pair of corners on a side that is the sign of
+// A + B cos k + C sin k. Two pairs on opposite sides, both passed while the two objects exist, show that they touch.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "contact/clearance/trajectory_family.h"
 
@@ -25,5 +30,27 @@ SignedDistance opening_rate_of(const Encounter<D>& encounter, const Changes& cha
 /// is above 0 at exactly one of the two.
 std::optional<double> end_between(const std::function<SignedDistance(double)>& distance_at, double p,
                                   double q, double width);
+
+/// A range of turns, in degrees, of which each touches.
+struct TouchingTurns {
+  double from, to;
+};
+
+/// Of a sum that rotates with the turns, in any encounter of them: approximate, and not always all. A range may also be
+/// meant 360 degrees farther. None for bent paths, extents that grow or have a radius, and on one or three axes.
+/// `own`: the motion before the turn, at whose place all turns start.
+template <int D>
+std::vector<TouchingTurns> touching_turns(const Encounter<D>& encounter, const TrajectoryEstimate<D>& own);
+
+/// Less than 180 degrees from the first to the last.
+struct TurnsBetween {
+  SineCosine<double> first, last;
+};
+
+/// Whether one of these turns may touch the disc around all poses, whose radius the encounter has: cheap and
+/// approximate. False on one or three axes.
+template <int D>
+bool disc_may_touch(const Encounter<D>& encounter, const TrajectoryEstimate<D>& own,
+                    const TurnsBetween& turns);
 
 }  // namespace foresee

@@ -232,10 +232,13 @@ Corner PieceSum::farthest(double x, double y) const {
   return {own.x - other.x, own.y - other.y};
 }
 
+PieceSum::CornerPair PieceSum::farthest_pair(double x, double y, const SineCosine<double>& pose) const {
+  return {farthest_corner(given_, x * pose.cosine - y * pose.sine, x * pose.sine + y * pose.cosine),
+          farthest_corner(other_.corners, -x, -y)};
+}
+
 Corner PieceSum::farthest(double x, double y, const SineCosine<double>& pose) const {
-  const Corner& own =
-      farthest_corner(given_, x * pose.cosine - y * pose.sine, x * pose.sine + y * pose.cosine);
-  const Corner& other = farthest_corner(other_.corners, -x, -y);
+  const auto [own, other] = farthest_pair(x, y, pose);
   return {own.x * pose.cosine + own.y * pose.sine - other.x,
           own.y * pose.cosine - own.x * pose.sine - other.y};
 }

@@ -46,6 +46,11 @@ class PieceSum {
   Corner farthest(double x, double y) const;
   /// The same after a rotation from the given pose.
   Corner farthest(double x, double y, const SineCosine<double>& pose) const;
+  /// The two corners whose difference that is, the own one in the given pose.
+  struct CornerPair {
+    Corner own, other;
+  };
+  CornerPair farthest_pair(double x, double y, const SineCosine<double>& pose) const;
   /// Approximately the times from `begin` to `end` at which (x, y) + tau (vx, vy) is inside; first > second: none.
   std::pair<double, double> crossing(double x, double y, double vx, double vy, double begin,
                                      double end) const;
@@ -63,6 +68,8 @@ class PieceSum {
         use(edge.normal_x, edge.normal_y, size_ * 0x1p-45 / edge.run);
   }
   const SineCosine<double>& pose() const { return pose_; }
+  std::span<const Corner> given_corners() const { return given_; }
+  std::span<const Corner> other_corners() const { return other_.corners; }
   /// About the cost of an evaluation.
   std::size_t corners() const { return own_.size() + other_.corners.size(); }
   /// Upper bound of the distance from the origin on each axis.

@@ -7,6 +7,7 @@
 
 #include "contact/clearance/blocked_range_end.h"
 #include "contact/clearance/separation.h"
+#include "numbers/correct_rounding.h"
 
 namespace foresee {
 namespace {
@@ -14,6 +15,8 @@ namespace {
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 /// In degrees: hardly any near object is clear of all courses of a wider arc.
 constexpr double widest_arc = 45;
+/// In degrees: in a narrower one, rounding errors are not small beside the narrowest ranges.
+constexpr double min_width_for_closed_form = 1;
 /// Undecided, of one intruder.
 constexpr std::size_t many_parts = 64;
 /// How many intruders keep their parts, a kilobyte each.
@@ -132,9 +135,57 @@ void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size
     else
       clear_.push_back({from, to});
   } else if (to - from > narrowest(first_open, last_open) && from < middle && middle < to) {
-    cut(from, to, first_open, last_open, near);
+    if (!range.is_first || !search_beside_touching(from, to, first_open, last_open))
+      cut(from, to, first_open, last_open, near);
   }
   open_.resize(first_open);
+}
+
+/// The nearest come first: they leave small gaps, which hardly any farther one touches.
+template <int D>
+bool ClearRanges<D>::search_beside_touching(double from, double to, std::size_t begin, std::size_t end) {
+  if (D != 2 || !legs_[0]->turns() || width_ < min_width_for_closed_form) return false;
+  struct Gap {
+    double from, to, near;
+    TurnsBetween turns;
+  };
+  const double aside = 0.25 * narrowest(begin, end);
+  const auto gap_of = [](double first, double last, double near) {
+    return Gap{first, last, near, {quick_sine_cosine(first), quick_sine_cosine(last)}};
+  };
+  std::vector<Gap> gaps, left;
+  const TrajectoryEstimate<D> own = legs_[0]->template estimate<D>(0);
+  for (std::size_t i = begin; i < end; ++i) {
+    const IntruderCertificate<D>& whole = intruders_[open_[i]];
+    if (!whole.is_around_turns() || parts_.size() >= max_split) continue;
+    step_.costly(16);
+    if (gaps.empty()) gaps.push_back(gap_of(from, to, nowhere));
+    const auto may_touch = [&](const Gap& gap) {
+      return disc_may_touch<D>(whole.encounter(), own, gap.turns);
+    };
+    if (std::none_of(gaps.begin(), gaps.end(), may_touch) || !whole.is_sole()) continue;
+    const IntruderCertificate<D>& part = intruders_[parts_of(open_[i]).first];
+    for (const TouchingTurns& touching : touching_turns<D>(part.encounter_at(0), own))
+      for (const double circle : {-360.0, 0.0, 360.0}) {
+        const double first = touching.from + circle - aside, last = touching.to + circle + aside;
+        if (!(first < to && last > from)) continue;
+        left.clear();
+        for (const Gap& gap : gaps) {
+          if (!(first < gap.to && last > gap.from)) {
+            left.push_back(gap);
+            continue;
+          }
+          if (first > gap.from)
+            left.push_back(gap_of(gap.from, first, gap.near <= gap.from ? gap.near : touching.from + circle));
+          if (last < gap.to) left.push_back(gap_of(last, gap.to, touching.to + circle));
+        }
+        gaps.swap(left);
+        if (gaps.empty()) return true;
+      }
+  }
+  if (gaps.empty() || (gaps.size() == 1 && gaps[0].from == from && gaps[0].to == to)) return false;
+  for (const Gap& gap : gaps) search(gap.from, gap.to, begin, end, gap.near);
+  return true;
 }
 
 template <int D>

@@ -6,7 +6,8 @@
 // Guarantee: every double of a returned range is clear (contact/clearance/separation.h), including its ends.
 // The ranges are in ascending order and disjoint. What is between them is not proven clear.
 //
-// One bisection serves all intruders. A range that is certainly clear of an intruder is so for both halves,
+// Turns at which convex outlines that rotate certainly touch are found first, in closed form; the turns between them
+// are searched. One bisection serves all intruders. A range that is certainly clear of an intruder is so for both halves,
 // so that intruder is left out of them. A range blocked by any intruder is not bisected. So each intruder is
 // tested only near the ends that it causes. A range too narrow to bisect (2^-40 of all, or what rounding
 // hides) is not clear. Where an intruder leaves more ranges undecided than usual, as along a grazing path,
@@ -73,6 +74,8 @@ class ClearRanges {
   };
   /// `near`: a known end beside the range, or infinite.
   void search(double from, double to, std::size_t begin, std::size_t end, double near);
+  /// Searches beside the turns that certainly touch an intruder, if some are known. Whether it has searched all.
+  bool search_beside_touching(double from, double to, std::size_t begin, std::size_t end);
   /// The verdict on one intruder, or on a part of the intruder `whole`; counts its cost.
   ClearanceVerdict certify(const IntruderCertificate<D>& intruder, std::uint32_t whole, const Range& range);
   /// The first verdict of its parts that is not clear; the parts are not kept.

@@ -43,6 +43,14 @@ class IntruderCertificate {
     return turning_ ? turned_encounter(range_of_turns(k, k)) : encounter_;
   }
 
+  /// Whether this is the disc around two outlines of which the own one turns, on its first leg: then touching_turns()
+  /// of its parts are worth their cost.
+  bool is_around_turns() const {
+    return !touches_first() && leg_ == 0 && stage_ == Stage::whole && outlines_->turns();
+  }
+  /// Whether both outlines are convex. Requires: they are outlines.
+  bool is_sole() const { return outlines_->is_sole(); }
+
   /// Of the sum that an evaluation reads; 0 without outlines.
   std::size_t corners() const { return sum_ ? sum_->corners() : 0; }
   /// Whether it bounds several convex sets.
