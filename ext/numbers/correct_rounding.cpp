@@ -131,6 +131,21 @@ double quick_sinc(double degrees) {
   return sum;
 }
 
+double quick_degrees(const SineCosine<double>& angle) {
+  // The tangent of half the angle, or its inverse, in a polynomial whose error is 1e-5 (Abramowitz and Stegun, 4.4.47).
+  const double tangent = angle.sine / (1 + angle.cosine), t = std::abs(tangent) > 1 ? 1 / tangent : tangent,
+               s = t * t;
+  if (std::isnan(tangent)) return 180;
+  const double half = t * (0.9998660 + s * (-0.3302995 + s * (0.1801410 + s * (-0.0851330 + s * 0.0208351))));
+  double degrees = 2 * half / radians_per_degree;
+  if (std::abs(tangent) > 1) degrees = std::copysign(180, tangent) - degrees;
+  for (int i = 0; i < 2; ++i) {
+    const SineCosine<double> at = quick_sine_cosine(degrees);
+    degrees += (angle.sine * at.cosine - angle.cosine * at.sine) / radians_per_degree;
+  }
+  return degrees;
+}
+
 Turned quick_turned(double x, double y, double degrees) {
   const SineCosine<double> at = quick_sine_cosine(std::fmod(degrees, 360));
   return {x * at.cosine + y * at.sine, y * at.cosine - x * at.sine};

@@ -40,6 +40,9 @@ inline constexpr double radians_per_degree = 0x1.1df46a2529d39p-6;
 /// sin(k) / k for the angle k, within twice quick_sine_error; 1 for 0.
 double quick_sinc(double degrees);
 
+/// The angle in degrees, from -180 to 180, within some quick_sine_error.
+double quick_degrees(const SineCosine<double>& angle);
+
 /// As turned_clockwise(), but with the sine and cosine of quick_sine_cosine(), and at any finite angle.
 Turned quick_turned(double x, double y, double degrees);
 

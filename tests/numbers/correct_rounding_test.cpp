@@ -108,5 +108,12 @@ TEST(QuickTurned, IsNearTheExactVectorAtAnyAngle) {
   }
 }
 
+TEST(QuickDegrees, AreTheAngle) {
+  for (double degrees = -179.75; degrees <= 180; degrees += 0.25)
+    EXPECT_NEAR(quick_degrees(quick_sine_cosine(degrees)), degrees, 1e-12);
+  EXPECT_EQ(quick_degrees({0, 1}), 0);
+  EXPECT_EQ(quick_degrees({0, -1}), 180);
+}
+
 }  // namespace
 }  // namespace foresee

@@ -33,22 +33,6 @@ double key_of(const SineCosine<double>& angle) {
   return angle.sine / (1 + angle.cosine);
 }
 
-/// Without libm, whose last bit differs between machines.
-double degrees_of(const SineCosine<double>& angle) {
-  const double key = key_of(angle), tangent = std::abs(key) > 1 ? 1 / key : key;
-  const double square = tangent * tangent;
-  const double arc =
-      tangent *
-      (0.9998660 + square * (-0.3302995 + square * (0.1801410 + square * (-0.0851330 + square * 0.0208351))));
-  const double quarter = 0.25 * 3.14159265358979323846;
-  double degrees = 2 * (std::abs(key) > 1 ? std::copysign(2 * quarter, key) - arc : arc) / radians_per_degree;
-  for (int i = 0; i < 2; ++i) {
-    const SineCosine<double> at = quick_sine_cosine(degrees);
-    degrees += (angle.sine * at.cosine - angle.cosine * at.sine) / radians_per_degree;
-  }
-  return degrees;
-}
-
 /// mean + cosine cos k + sine sin k.
 struct Wave {
   double mean, cosine, sine;
@@ -67,6 +51,7 @@ struct Wave {
   bool peaks_between(const SineCosine<double>& first, const SineCosine<double>& last) const {
     return first.cosine * sine - first.sine * cosine > 0 && last.cosine * sine - last.sine * cosine < 0;
   }
+  Wave plus(double more) const { return {mean + more, cosine, sine}; }
   /// Where it falls through 0, as k increases (1) or decreases (-1).
   std::optional<SineCosine<double>> falls(int direction) const {
     const double square = cosine * cosine + sine * sine, size = std::sqrt(square);
@@ -106,8 +91,8 @@ struct TurnedPaths {
 /// The turns that touch, about one turn: the path relative to the other object passes corners on both sides.
 class TouchingAbout {
  public:
-  TouchingAbout(const PieceSum& sum, const TurnedPaths& paths, double begin, double end)
-      : sum_(sum), paths_(paths), begin_(begin), end_(end) {}
+  TouchingAbout(const PieceSum& sum, double radius, const TurnedPaths& paths, double begin, double end)
+      : sum_(sum), radius_(radius), paths_(paths), begin_(begin), end_(end) {}
 
   /// The turns at which the path passes the middle of all corners while both exist.
   std::vector<SineCosine<double>> middles() const {
@@ -130,7 +115,8 @@ class TouchingAbout {
   /// Whether the path passes corners on both sides, or nearly so.
   bool touches(const SineCosine<double>& k) const {
     const Vec<2> v = paths_.at(k);
-    const double slack = 0x1p-40 * (paths_.x.abs().sum() + sum_.size()) * v.abs().sum();
+    const double slack = 0x1p-40 * (paths_.x.abs().sum() + sum_.size() + radius_) * v.abs().sum() +
+                         radius_ * std::sqrt(dot(v, v));
     for (const int side : {1, -1}) {
       const PieceSum::CornerPair corners = sum_.farthest_pair(-side * v[1], side * v[0], k);
       if (!(side * side_of(corners.own, corners.other).at(k) >= -slack)) return false;
@@ -142,7 +128,7 @@ class TouchingAbout {
   /// By the corners on one side alone; `side` 1: left of the path.
   SineCosine<double> end(const SineCosine<double>& middle, int direction, int side) const {
     SineCosine<double> now{0, 1};
-    const SineCosine<double> farthest{direction * 0.6, -0.8};
+    const SineCosine<double> farthest = farthest_angle(direction);
     PieceSum::CornerPair last{};
     for (int step = 0; step < 16; ++step) {
       const SineCosine<double> pose = sum_of(middle, now);
@@ -151,27 +137,51 @@ class TouchingAbout {
       const auto& [own, other] = corners;
       if (step > 0 && is_same(own, last.own) && is_same(other, last.other)) return now;
       last = corners;
-      const auto next = [&](Wave wave) -> std::optional<SineCosine<double>> {
-        wave = wave.from(middle);
-        if (!(wave.at(now) > 0)) return now;
-        const auto found = wave.falls(direction);
-        const double ahead = found ? (key_of(*found) - key_of(now)) * direction : 0;
-        if (found && ahead > 0) return found;
-        if (found && ahead > -1e-6) return now;  // only rounding has put it behind
-        return std::nullopt;
-      };
+      const auto next = [&](const Wave& wave) { return next_fall(wave.from(middle), now, direction); };
       SineCosine<double> until = farthest;
       const auto is_before = [&](const std::optional<SineCosine<double>>& one) {
         return one && (key_of(*one) - key_of(until)) * direction < 0;
       };
       const Wave beside = side_of(own, other);
-      const auto passes = next(side > 0 ? beside : -beside);
+      const auto passes =
+          passing((side > 0 ? beside : -beside).from(middle), paths_.square.from(middle), now, direction);
       if (is_before(passes)) until = *passes;
       bool is_known = passes.has_value();
       for (const Wave& time : {after_begin(own, other), before_end(own, other)})
         if (const auto limit = next(time); is_before(limit)) until = *limit, is_known = false;
       if (!is_known) return until;
       now = until;
+    }
+    return now;
+  }
+
+  static SineCosine<double> farthest_angle(int direction) { return {direction * 0.6, -0.8}; }
+  /// Where a wave first falls through 0, from an angle on; nothing if it remains above.
+  static std::optional<SineCosine<double>> next_fall(const Wave& wave, const SineCosine<double>& now,
+                                                     int direction) {
+    if (!(wave.at(now) > 0)) return now;
+    const auto found = wave.falls(direction);
+    const double ahead = found ? (key_of(*found) - key_of(now)) * direction : 0;
+    if (found && ahead > 0) return found;
+    if (found && ahead > -1e-6) return now;  // only rounding has put it behind
+    return std::nullopt;
+  }
+  /// The same for the sum of a wave and the radius times the speed: in steps, each by the lowest speed of it.
+  std::optional<SineCosine<double>> passing(const Wave& beside, const Wave& square, SineCosine<double> now,
+                                            int direction) const {
+    if (!(radius_ > 0)) return next_fall(beside, now, direction);
+    for (int step = 0; step < 64; ++step) {
+      const auto fall = [&](double of_speed) {
+        return next_fall(beside.plus(radius_ * std::sqrt(std::max(0.0, of_speed))), now, direction);
+      };
+      const double here = square.at(now);
+      const SineCosine<double> ahead = fall(here).value_or(farthest_angle(direction));
+      const bool dips =
+          direction > 0 ? (-square).peaks_between(now, ahead) : (-square).peaks_between(ahead, now);
+      const auto sure = fall(dips ? -(-square).peak() : std::min(here, square.at(ahead)));
+      if (!sure || std::abs(key_of(*sure) - key_of(now)) <= 0x1p-52 * (1 + std::abs(key_of(now))))
+        return sure;
+      now = *sure;
     }
     return now;
   }
@@ -186,6 +196,7 @@ class TouchingAbout {
   }
 
   const PieceSum& sum_;
+  double radius_;
   TurnedPaths paths_;
   double begin_, end_;
 };
@@ -251,14 +262,15 @@ std::vector<TouchingTurns> touching_turns(const Encounter<D>& encounter, const T
   std::vector<TouchingTurns> found;
   if constexpr (D == 2) {
     const TrajectoryEstimate<2> path = relative(encounter, own);
-    if (!encounter.turning || encounter.extents.grows || encounter.extents.radius > 0) return found;
+    if (!encounter.turning || encounter.extents.grows) return found;
     if ((path.a != 0).any() || (own.x != 0).any() || !(path.begin < path.end)) return found;
-    const TouchingAbout about(*encounter.turning, {encounter.x, own.v, encounter.v}, path.begin, path.end);
+    const TouchingAbout about(*encounter.turning, encounter.extents.radius, {encounter.x, own.v, encounter.v},
+                              path.begin, path.end);
     for (const SineCosine<double>& middle : about.middles()) {
       const SineCosine<double> first = sum_of(middle, about.end(middle, -1)),
                                last = sum_of(middle, about.end(middle, 1));
       if (!about.touches(first) || !about.touches(last)) continue;
-      const double from = degrees_of(first), to = degrees_of(last);
+      const double from = quick_degrees(first), to = quick_degrees(last);
       found.push_back({from, from > to ? to + 360 : to});
     }
   }

@@ -37,7 +37,7 @@ struct TouchingTurns {
 };
 
 /// Of a sum that rotates with the turns, in any encounter of them: approximate, and not always all. A range may also be
-/// meant 360 degrees farther. None for bent paths, extents that grow or have a radius, and on one or three axes.
+/// meant 360 degrees farther. None for bent paths, extents that grow, and on one or three axes.
 /// `own`: the motion before the turn, at whose place all turns start.
 template <int D>
 std::vector<TouchingTurns> touching_turns(const Encounter<D>& encounter, const TrajectoryEstimate<D>& own);

@@ -89,6 +89,57 @@ TEST(Separation, ProvesAWholeRangeBesideOneThatTouches) {
       ClearanceVerdict::blocked);
 }
 
+/// Two ships, of which the own one turns with its course.
+struct TurningShips {
+  std::vector<Corner> own{{-4, -10}, {4, -10}, {4, 6}, {0, 10}, {-4, 6}}, other{{-3, -7}, {9, -2}, {-5, 20}};
+  PieceSum sum{ConvexPiece{own, own.data(), nullptr}, ConvexPiece{other, other.data(), nullptr}};
+  Encounter<2> encounter;
+  TrajectoryEstimate<2> motion;
+
+  explicit TurningShips(Random& random) {
+    encounter.x = {random.in(-400, 400), random.in(-400, 400)};
+    encounter.v = {random.in(-9, 9), random.in(-9, 9)};
+    if (random.below(4) == 0) encounter.v.setZero();
+    encounter.a.setZero(), encounter.ex.setZero(), encounter.ev.setZero();
+    encounter.extents = {{{0, 0}, random.below(2) ? 0 : random.in(0, 60), 2, &sum}};
+    encounter.begin = random.below(2) ? 0 : random.in(0, 20), encounter.end = 60;
+    encounter.turning = &sum;
+    motion = {{0, 0}, {random.in(-9, 9), random.in(-9, 9)}, {0, 0}, 0, 100};
+  }
+
+  double gap_at(double k) {
+    sum.turn(k);
+    const Turned v = quick_turned(motion.v[0], motion.v[1], k);
+    return straight_approach<2>(encounter.extents, encounter.x, encounter.v - Vec<2>(v.x, v.y),
+                                encounter.begin, encounter.end)
+        .gap;
+  }
+};
+
+TEST(TouchingTurns, TouchAndMostlyEndWhereTouchingEnds) {
+  Random random(7);
+  int found = 0, ended = 0;
+  for (int i = 0; i < 4000; ++i) {
+    TurningShips ships(random);
+    for (const TouchingTurns& turns : touching_turns<2>(ships.encounter, ships.motion)) {
+      const double width = turns.to - turns.from;
+      ASSERT_GE(width, 0);
+      ASSERT_LT(width, 360);
+      for (int j = 0; j <= 20; ++j) ASSERT_LE(ships.gap_at(turns.from + width * j / 20), 1e-9) << i;
+      for (const double k : {turns.from - 1e-7, turns.to + 1e-7}) ++found, ended += ships.gap_at(k) > 0;
+    }
+    // Whatever touches also touches the disc around all poses.
+    ships.encounter.extents.radius += ships.sum.size();
+    for (double k = -180; k < 180; k += 10) {
+      const TurnsBetween around{quick_sine_cosine(k - 3), quick_sine_cosine(k + 2)};
+      if (ships.gap_at(k) <= -ships.sum.size())
+        ASSERT_TRUE(disc_may_touch<2>(ships.encounter, ships.motion, around));
+    }
+  }
+  EXPECT_GT(found, 1000);
+  EXPECT_GT(ended, found * 2 / 3);
+}
+
 TEST(Separation, CertifiesNothingThatIsNotFinite) {
   Meeting far;
   far.encounter.x[0] = HUGE_VAL;
