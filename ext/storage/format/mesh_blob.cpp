@@ -24,7 +24,7 @@ MeshCounts mesh_counts_of(const std::byte* blob) {
   return {load_number<std::uint32_t>(at), load_number<std::uint32_t>(at + 4)};
 }
 
-FormKind form_kind_of(Mesh::Kind kind) {
+FormKind kind_of_mesh(Mesh::Kind kind) {
   switch (kind) {
     case Mesh::Kind::surface:
       return FormKind::surface;
@@ -39,7 +39,7 @@ FormKind form_kind_of(Mesh::Kind kind) {
 /// Nothing if the kind is not one of a mesh.
 std::optional<Mesh::Kind> mesh_kind_of(FormKind kind) {
   for (const auto known : {Mesh::Kind::surface, Mesh::Kind::solid, Mesh::Kind::parts})
-    if (form_kind_of(known) == kind) return known;
+    if (kind_of_mesh(known) == kind) return known;
   return std::nullopt;
 }
 
@@ -61,7 +61,7 @@ const char* read_triangles(const std::byte* blob, const MeshCounts& counts,
 std::vector<std::byte> encode_mesh(const Mesh& mesh) {
   const MeshCounts counts{static_cast<std::uint32_t>(mesh.triangles().size()),
                           static_cast<std::uint32_t>(mesh.corners().size())};
-  std::vector<std::byte> blob = form_blob_of(form_kind_of(mesh.kind()), counts.size());
+  std::vector<std::byte> blob = form_blob_of(kind_of_mesh(mesh.kind()), counts.size());
   store_number(blob.data() + form_counts_at, counts.triangles);
   store_number(blob.data() + form_counts_at + 4, counts.corners);
   std::byte* at = blob.data() + form_header_size;

@@ -15,10 +15,13 @@ class StoredChunks final : public ChunkSource {
   NodeSource& tree() override { return plans_.tree().nodes(); }
 
   void read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) override {
-    if (!plans_.read_chunk(number, times, store_->committed_stamp(), chunk))
+    const std::optional<std::int64_t> stamp = store_->committed_stamp();
+    if (!plans_.read_chunk(number, times, stamp, chunk))
       plans_.damaged("chunk " + std::to_string(number) + " is missing");
+    if (!chunk.record.empty()) return;
     if (!head_ || head_->object != chunk.object || !head_->has(number)) find_head(number, chunk.object);
     chunk.record = record_;
+    if (stamp) plans_.add_record(number, record_);
   }
 
  private:

@@ -81,11 +81,12 @@ void StoredPlans::require_of(const Head& head, std::int64_t number, const Stored
 
 template <class Use>
 bool StoredPlans::with_chunk(std::int64_t number, std::optional<std::int64_t> stamp, Use use) {
-  const StoredChunk* const known = stamp ? cache_.find(*stamp, number) : nullptr;
-  if (known) return use(*known), true;
+  const ChunkCache::Entry* const known = stamp ? cache_.find(*stamp, number) : nullptr;
+  if (known) return use(known->chunk, std::span(known->record)), true;
   return rows_->read_one(number, [&](std::span<const std::byte> blob) {
     const StoredChunk stored = opened(number, blob, nullptr);
-    use(stored);
+    require(check_legs(stored), number);
+    use(stored, std::span<const double>());
     if (stamp) cache_.add(number, blob, stored);
   });
 }
@@ -118,7 +119,7 @@ void StoredPlans::read_legs(const Head& head, double from, double until, std::op
   const FloatEnvironment environment;
   legs.clear();
   std::int64_t first = head.first, last = head.first - 1;
-  const bool has_first = with_chunk(head.first, stamp, [&](const StoredChunk& chunk) {
+  const bool has_first = with_chunk(head.first, stamp, [&](const StoredChunk& chunk, auto) {
     require_of(head, head.first, chunk);
     std::size_t begin = 0, end = 0;
     for (std::size_t step = std::bit_floor(chunk.plan_chunks); step > 0; step /= 2) {
@@ -129,7 +130,7 @@ void StoredPlans::read_legs(const Head& head, double from, double until, std::op
     first += static_cast<std::int64_t>(begin);
     last = head.first + static_cast<std::int64_t>(end) - 1;
   });
-  const auto append = [&](const StoredChunk& chunk) {
+  const auto append = [&](const StoredChunk& chunk, std::span<const double>) {
     require_of(head, first, chunk);
     require(append_legs(chunk, legs), first++);
   };
@@ -138,7 +139,7 @@ void StoredPlans::read_legs(const Head& head, double from, double until, std::op
     }
   else
     rows_->read(first, last, [&](std::int64_t number, std::span<const std::byte> blob) {
-      if (number == first) append(opened(number, blob, nullptr));
+      if (number == first) append(opened(number, blob, nullptr), {});
     });
   if (!has_first || first != last + 1)
     damaged("a chunk of object " + std::to_string(head.object) + " is missing");
@@ -147,10 +148,10 @@ void StoredPlans::read_legs(const Head& head, double from, double until, std::op
 bool StoredPlans::read_chunk(std::int64_t number, const LegTimes& times, std::optional<std::int64_t> stamp,
                              Chunk& chunk) {
   const FloatEnvironment environment;
-  return with_chunk(number, stamp, [&](const StoredChunk& stored) {
-    chunk.object = stored.object;
+  return with_chunk(number, stamp, [&](const StoredChunk& stored, std::span<const double> record) {
+    chunk.object = stored.object, chunk.record = record;
     chunk.legs.clear();
-    require(append_legs(stored, chunk.legs, times), number);
+    require(append_legs(legs_during(stored, times), chunk.legs, times), number);
   });
 }
 

@@ -63,10 +63,13 @@ class StoredPlans final : public Journal::Participant {
   /// Cost: two look-ups, a row per chunk.
   void read_legs(const Head& head, double from, double until, std::optional<std::int64_t> stamp,
                  std::vector<Leg>& legs);
-  /// Fills the chunk but its record, with the legs of these times; returns false if the number does not exist.
+  /// Fills the chunk, with the legs of these times; returns false if the number does not exist. The record is empty
+  /// until add_record() has added it to a chunk in memory.
   /// `stamp`: of the committed rows, whose chunks are kept in memory; nothing: this transaction has written.
   bool read_chunk(std::int64_t number, const LegTimes& times, std::optional<std::int64_t> stamp,
                   Chunk& chunk);
+  /// Adds the record of its object to a chunk that read_chunk() has read last, with a stamp.
+  void add_record(std::int64_t number, std::span<const double> record) { cache_.add_record(number, record); }
 
   using EachPlan = std::function<void(const Head&, std::span<const Leg>)>;
   /// Calls each(head, legs) for the objects with legs from `from` to `until`. Sorts the heads by number.
@@ -91,7 +94,7 @@ class StoredPlans final : public Journal::Participant {
   /// Opens a stored chunk of this object; throws for damage.
   StoredChunk opened(std::int64_t number, std::span<const std::byte> blob, const Head* head) const;
   void require_of(const Head& head, std::int64_t number, const StoredChunk& chunk) const;
-  /// Calls use(chunk) if the number exists; returns whether it does.
+  /// Calls use(chunk, record) if the number exists; returns whether it does. The record is empty if it is not known.
   template <class Use>
   bool with_chunk(std::int64_t number, std::optional<std::int64_t> stamp, Use use);
   void require(const char* fault, std::int64_t number) const;

@@ -132,8 +132,8 @@ TEST(TouchingTurns, TouchAndMostlyEndWhereTouchingEnds) {
     ships.encounter.extents.radius += ships.sum.size();
     for (double k = -180; k < 180; k += 10) {
       const TurnsBetween around{quick_sine_cosine(k - 3), quick_sine_cosine(k + 2)};
-      if (ships.gap_at(k) <= -ships.sum.size())
-        ASSERT_TRUE(disc_may_touch<2>(ships.encounter, ships.motion, around));
+      EXPECT_TRUE(ships.gap_at(k) > -ships.sum.size() ||
+                  disc_may_touch<2>(ships.encounter, ships.motion, around));
     }
   }
   EXPECT_GT(found, 1000);

@@ -64,7 +64,7 @@ TEST(TprTreeSchedules, LivesThatNeverMeetHaveLeavesOfTheirOwn) {
   const auto generation = [&](std::size_t i) { return static_cast<int>(i % generations); };
   for (std::size_t i = 0; i < schedule.ids.size(); ++i) {
     double* record = schedule.records.data() + 7 * i;
-    record[0] = generation(i) * life - random.in(0, 10), record[6] = record[0] + life - random.in(0, 10);
+    record[0] = generation(i) * life - random.in(0, 10), record[6] = record[0] + 0.6 * life;
   }
   TreeModel model(legs, 60, 20);
   model.tree->bulk_load(schedule.ids, schedule.records, model.never);

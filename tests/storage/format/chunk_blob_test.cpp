@@ -58,7 +58,7 @@ void expect_legs_of_times(const Plan& plan, const std::vector<Leg>& all) {
   for (const double from : joints)
     for (const double until : joints) {
       if (until < from) continue;
-      std::vector<Leg> expected, legs;
+      std::vector<Leg> expected, legs, of_part;
       std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
                    [&](const Leg& leg) { return leg.t <= until && from <= leg.until; });
       std::int64_t number = 5;
@@ -66,8 +66,13 @@ void expect_legs_of_times(const Plan& plan, const std::vector<Leg>& all) {
         StoredChunk chunk;
         ASSERT_EQ(open_chunk(layout_of(plan), blob, number++, chunk), nullptr);
         ASSERT_EQ(append_legs(chunk, legs, {from, until}), nullptr);
+        ASSERT_EQ(check_legs(chunk), nullptr);
+        const StoredChunk part = legs_during(chunk, {from, until});
+        ASSERT_TRUE(1 <= part.legs && part.legs <= chunk.legs);
+        ASSERT_EQ(append_legs(part, of_part, {from, until}), nullptr);
       }
       ASSERT_EQ(legs, expected);
+      ASSERT_EQ(of_part, expected);
     }
 }
 

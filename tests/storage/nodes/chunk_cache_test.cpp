@@ -50,15 +50,31 @@ TEST_F(StoredBlobs, ReadFromMemoryGiveTheWholePlan) {
   Plan read;
   std::vector<Leg> legs;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
-    const StoredChunk* const chunk = cache.find(1, number_of(i));
-    ASSERT_NE(chunk, nullptr);
-    EXPECT_EQ(chunk->object, 42);
-    EXPECT_EQ(append_to_plan(*chunk, read), nullptr);
-    EXPECT_EQ(append_legs(*chunk, legs), nullptr);
+    const ChunkCache::Entry* const known = cache.find(1, number_of(i));
+    ASSERT_NE(known, nullptr);
+    EXPECT_EQ(known->chunk.object, 42);
+    EXPECT_EQ(append_to_plan(known->chunk, read), nullptr);
+    EXPECT_EQ(append_legs(known->chunk, legs), nullptr);
   }
   read.part_starts.pop_back();
   EXPECT_TRUE(same_plan(read, plan));
   EXPECT_EQ(legs, legs_of(plan));
+}
+
+TEST_F(StoredBlobs, HaveTheRecordThatWasAddedUntilTheyAreDropped) {
+  MemoryBudget budget;
+  ChunkCache cache(budget);
+  EXPECT_EQ(count_found(cache, 1), 0u);
+  add_all(cache, 1);
+  EXPECT_TRUE(cache.find(1, 8)->record.empty());
+  const std::vector<double> record = {1, 2, 3};
+  cache.add_record(8, record);
+  cache.add_record(6, record);  // not in memory
+  EXPECT_EQ(cache.find(1, 8)->record, record);
+  EXPECT_TRUE(cache.find(1, 7)->record.empty());
+  EXPECT_EQ(count_found(cache, 2), 0u);
+  add_all(cache, 2);
+  EXPECT_TRUE(cache.find(2, 8)->record.empty());
 }
 
 TEST_F(StoredBlobs, OfAnotherStampAreDropped) {
