@@ -2,8 +2,8 @@
 // guesses and prove nothing.
 //
 // For any motion they are found by regula falsi. If a convex outline turns with a straight path, they have a closed
-// form: the path relative to the other object passes a fixed pair of corners on a side that is the sign of
-// A + B cos k + C sin k. Two pairs on opposite sides, both passed while the two objects exist, show that they touch.
+// form. The path relative to the other object passes a pair of corners on one side or the other. The side is the sign
+// of A + B cos k + C sin k. Two pairs on opposite sides, both passed while the two objects exist, show that they touch.
 #pragma once
 
 #include <functional>

@@ -7,8 +7,8 @@
 // The ranges are in ascending order and disjoint. What is between them is not proven clear.
 //
 // Turns at which convex outlines that rotate certainly touch are found first, in closed form; the turns between them
-// are searched. One bisection serves all intruders. A range that is certainly clear of an intruder is so for both halves,
-// so that intruder is left out of them. A range blocked by any intruder is not bisected. So each intruder is
+// are searched. One bisection serves all intruders. A range that is certainly clear of an intruder is so for both
+// halves, so that intruder is left out of them. A range blocked by any intruder is not bisected. So each intruder is
 // tested only near the ends that it causes. A range too narrow to bisect (2^-40 of all, or what rounding
 // hides) is not clear. Where an intruder leaves more ranges undecided than usual, as along a grazing path,
 // narrow ranges are given up earlier: at 2^-22 of all after a million evaluations of that intruder. After four
