@@ -84,8 +84,8 @@ const char* open_chunk(const Layout& layout, std::span<const std::byte> blob, st
 /// What is wrong with the numbers of the legs, but for the velocities between knots; null: nothing.
 const char* check_legs(const StoredChunk& chunk);
 
-/// The legs that exist at some of these times, and perhaps others, as a chunk. Cost: a binary search, where a leg has as
-/// many numbers as each other. Requires: check_legs() accepts the chunk.
+/// The legs that exist at some of these times, and perhaps others, as a chunk. Cost: a binary search, if all legs have
+/// as many numbers. Requires: check_legs() accepts the chunk.
 StoredChunk legs_during(const StoredChunk& chunk, const LegTimes& times);
 
 /// Appends the legs that exist at some of these times. Returns what is wrong with the numbers of all legs, but of the

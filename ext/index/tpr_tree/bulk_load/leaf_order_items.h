@@ -87,9 +87,9 @@ class OrderItems {
     return best;
   }
 
-  /// A time between the objects, near their middle, at which hardly any of them exists: the widest gap between the
-  /// reference times of a sample, if it is longer than half a median life. Nothing in a table where objects exist at all
-  /// times, and where a sample cannot tell.
+  /// A time between the objects, near their middle, at which hardly any of them exists. It is in the widest gap
+  /// between the reference times of a sample, if that is longer than half a median life. Nothing in a table where
+  /// objects exist at all times, and where a sample cannot tell.
   std::optional<float> gap_in_time(std::span<const Item> items) const {
     std::array<float, 256> sample;
     const std::size_t count = draw(items, 2 * D, sample), margin = count / 8;
