@@ -87,18 +87,21 @@ class OrderItems {
     return best;
   }
 
-  /// A time between the objects, near their middle, at which hardly any of them exists. It is in the widest gap
-  /// between the reference times of a sample, if that is longer than half a median life. Nothing in a table where
-  /// objects exist at all times, and where a sample cannot tell.
+  /// A time between the objects, near their middle, at which hardly any of them exists; some are before it, and some
+  /// are not. It is in the widest gap between the reference times of a sample, if that is longer than half a median
+  /// life. Nothing in a table where objects exist at all times, and where a sample cannot tell.
   std::optional<float> gap_in_time(std::span<const Item> items) const {
-    std::array<float, 256> sample;
+    std::array<float, 256> sample{};
     const std::size_t count = draw(items, 2 * D, sample), margin = count / 8;
     const float spacing = (sample[count - 1] - sample[0]) / static_cast<float>(count);
-    float widest = std::max(shared_, 4 * spacing), time = 0;
+    float widest = std::max(shared_, 4 * spacing);
+    std::optional<float> time;
     for (std::size_t i = margin + 1; i + margin < count; ++i)
-      if (const float gap = sample[i] - sample[i - 1]; gap > widest)
+      if (const float gap = sample[i] - sample[i - 1]; gap > widest) {
         widest = gap, time = sample[i - 1] + 0.5f * gap;
-    return time != 0 ? std::optional(time) : std::nullopt;
+        if (!(sample[i - 1] < *time)) time = sample[i];  // no float is between the two
+      }
+    return time;
   }
 
  private:
