@@ -138,9 +138,12 @@ template <int D>
 MovingBox<D> moving_window(const Vec<D>& lower, const Vec<D>& upper, const Vec<D>& velocity,
                            const Horizon& horizon);
 
+inline SharedInterval shared_span(const SharedInterval& a, const SharedInterval& b) {
+  return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
+}
 template <int D>
 SharedInterval shared_span(const MovingBox<D>& a, const MovingBox<D>& b) {
-  return {std::max(a.span.begin, b.span.begin), std::min(a.span.end, b.span.end)};
+  return shared_span(a.span, b.span);
 }
 
 /// Narrows `span` to the times at which gap + speed * tau <= 0; false if no such time exists.

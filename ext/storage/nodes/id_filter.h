@@ -18,6 +18,8 @@
 #include <span>
 #include <vector>
 
+#include "storage/rows/id_hash_map.h"
+
 namespace foresee {
 
 class IdFilter {
@@ -58,15 +60,11 @@ class IdFilter {
     std::array<std::uint64_t, 8> words{};
   };
 
-  /// Hash: MurmurHash3's finalizer. The upper half selects the block; the lower half, mixed again, selects
-  /// six bits in it.
+  /// The upper half of the hash selects the block; the lower half, mixed again, selects six bits in it.
   struct Hash {
     Hash() = default;
     explicit Hash(std::int64_t id) {
-      auto hash = static_cast<std::uint64_t>(id);
-      hash = (hash ^ hash >> 33) * 0xff51afd7ed558ccd;
-      hash = (hash ^ hash >> 33) * 0xc4ceb9fe1a85ec53;
-      hash ^= hash >> 33;
+      const std::uint64_t hash = hash_of(static_cast<std::uint64_t>(id));
       upper = hash >> 32;
       bits = (hash & 0xffffffff) * 0x9e3779b97f4a7c15;
     }

@@ -23,13 +23,7 @@ namespace foresee {
 /// Fingerprint of a set of ids, whatever their order. Different sets have equal ones by accident only.
 class IdSum {
  public:
-  /// The hash is the finalizer of SplitMix64, as in RecordSample.
-  void add(std::int64_t id) {
-    std::uint64_t z = static_cast<std::uint64_t>(id) + 0x9e3779b97f4a7c15;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    ++count_, sum_ += z ^ (z >> 31);
-  }
+  void add(std::int64_t id) { ++count_, sum_ += hash_of(static_cast<std::uint64_t>(id)); }
   std::size_t count() const { return count_; }
   bool operator==(const IdSum&) const = default;
 

@@ -11,12 +11,8 @@ IdHashMap::IdHashMap() {
   sqlite3_randomness(sizeof key_, &key_);
 }
 
-// The mixing is MurmurHash3's finalizer.
 std::size_t IdHashMap::home_of(std::int64_t id) const noexcept {
-  std::uint64_t hash = static_cast<std::uint64_t>(id) ^ key_;
-  hash = (hash ^ hash >> 33) * 0xff51afd7ed558ccd;
-  hash = (hash ^ hash >> 33) * 0xc4ceb9fe1a85ec53;
-  return (hash ^ hash >> 33) & (slots_.size() - 1);
+  return hash_of(static_cast<std::uint64_t>(id) ^ key_) & (slots_.size() - 1);
 }
 
 // The slot of `id`, or the free slot where it belongs.

@@ -7,12 +7,12 @@
 
 #include "index/memory_pages.h"
 #include "index/tpr_tree/search/window_walk.h"
+#include "motion/plan/plan.h"
 #include "tests/never_interrupt.h"
 #include "tests/scenes.h"
 
 namespace foresee::testing {
 
-inline constexpr double no_end = std::numeric_limits<double>::infinity();
 inline constexpr Layout legs{
     .axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true, .has_until = true};
 

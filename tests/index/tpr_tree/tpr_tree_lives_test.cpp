@@ -12,7 +12,6 @@ namespace foresee {
 namespace {
 
 using testing::legs;
-using testing::no_end;
 using testing::Random;
 using testing::random_scene;
 using testing::RandomScene;

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "index/tpr_tree/reference_times.h"
+#include "motion/plan/chunks.h"
+#include "shape/chunk_item.h"
 #include "tests/index/tpr_tree/schedule.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
@@ -13,7 +15,6 @@ namespace foresee {
 namespace {
 
 using testing::legs;
-using testing::no_end;
 using testing::nodes_of_windows;
 using testing::Random;
 using testing::Schedule;
@@ -75,6 +76,53 @@ TEST(TprTreeSchedules, LivesThatNeverMeetHaveLeavesOfTheirOwn) {
       std::count_if(lives.begin(), lives.end(), [](const auto& leaf) { return leaf.second.size() > 1; });
   EXPECT_GT(lives.size(), 20 * generations);
   EXPECT_LE(mixed, generations - 1);
+}
+
+/// Nodes that a window reads among the chunks of movers that wander, each with 100 legs of 10 s.
+double nodes_of_plans(double starts_within) {
+  constexpr Layout robots{.axes = 2,
+                          .law = Law::uniform,
+                          .shape = Shape::ball,
+                          .has_t = true,
+                          .has_until = true,
+                          .has_plan = true};
+  constexpr std::size_t movers = 5000;
+  const double side = std::sqrt(100.0 * movers);
+  const Layout layout = chunk_layout(robots);
+  const Offsets at = record_offsets(robots);
+  std::vector<double> record(static_cast<std::size_t>(at.size), 1);
+  record[static_cast<std::size_t>(at.until)] = no_end;
+  std::vector<double> item(static_cast<std::size_t>(record_offsets(layout).size)), items;
+  std::vector<std::int64_t> numbers;
+  Random random(6);
+  for (std::size_t mover = 0; mover < movers; ++mover) {
+    std::vector<Leg> legs;
+    Leg leg{.x = {random.in(0, side), random.in(0, side)}};
+    leg.t = -random.in(0, starts_within);
+    for (int i = 0; i < 100; ++i) {
+      leg.until = leg.t + 10;
+      for (std::size_t j = 0; j < 2; ++j)
+        leg.v[j] = (std::clamp(leg.x[j] + random.in(-12, 12), 0.0, side) - leg.x[j]) / 10;
+      legs.push_back(leg);
+      for (std::size_t j = 0; j < 2; ++j) leg.x[j] += 10 * leg.v[j];
+      leg.t = leg.until;
+    }
+    for (const ChunkRange& range : cut_into_chunks(legs)) {
+      write_chunk_item(robots, record.data(), std::span(legs).subspan(range.first, range.count), item.data());
+      numbers.push_back(static_cast<std::int64_t>(numbers.size() + 1));
+      items.insert(items.end(), item.begin(), item.end());
+    }
+  }
+  MemoryPages pages(layout);
+  NeverInterrupt never;
+  make_tpr_tree(pages, 60)->bulk_load(numbers, items, never);
+  return nodes_of_windows(pages, side, 530);
+}
+
+TEST(TprTreeSchedules, AWindowReadsFewChunksOfOtherTimes) {
+  // Cut at the median time and with boxes that follow their chords, both are 16.3.
+  EXPECT_LT(nodes_of_plans(10), 10);
+  EXPECT_LT(nodes_of_plans(400), 16);
 }
 
 TEST(TprTreeSchedules, SchedulesOfRestingObjectsAreSeparatedInTimeToo) {

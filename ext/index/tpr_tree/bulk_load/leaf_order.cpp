@@ -99,8 +99,8 @@ class LeafOrder {
       interrupt_.check();
       const std::span<const Item> items(items_.data() + object(first), items_.data() + object(last));
       const std::size_t along = order_.widest_axis(items);
-      const std::optional<float> gap = along == 2 * D ? order_.gap_in_time(items) : std::nullopt;
-      const LeafRange between = gap ? cut_in_time(first, *gap, last) : cut(first, along, last);
+      const std::optional<float> time = along == 2 * D ? order_.time_of_cut(items) : std::nullopt;
+      const LeafRange between = time ? cut_in_time(first, *time, last) : cut(first, along, last);
       halve(first, between.first);
       first = between.first + between.count;
     }
@@ -109,12 +109,13 @@ class LeafOrder {
   /// Moves the objects of leaves [first, last) to the side of a boundary between nodes where they belong.
   LeafRange cut(std::size_t first, std::size_t along, std::size_t last) {
     const std::size_t middle = boundary_near_middle(first, last);
-    order_along(object(first), object(middle), object(last), along);
+    place_nth(object(first), object(middle), object(last),
+              [along](const Item& a, const Item& b) { return a.place[along] < b.place[along]; });
     return {middle, 0};
   }
 
-  /// Separates the objects before a time from those after it, which never exist together. Returns the leaf that has
-  /// objects of both sides; they are those at one border of space, so that few queries visit it.
+  /// Separates the objects before a time from the others. Returns the leaf that has objects of both sides, if there is
+  /// one; they are those at one border of space, so that few queries visit it.
   LeafRange cut_in_time(std::size_t first, float time, std::size_t last) {
     const auto begin = items_.begin() + object(first), end = items_.begin() + object(last);
     const auto later =
@@ -124,20 +125,18 @@ class LeafOrder {
     while (object(mixed) > at) --mixed;
     while (object(mixed + 1) <= at) ++mixed;
     if (object(mixed) == at) return {mixed, 0};
-    order_along(object(first), object(mixed), at, 0);
-    for (auto item = later; item != end; ++item) item->place[0] = -item->place[0];
-    order_along(at, object(mixed + 1), object(last), 0);
-    for (auto item = later; item != end; ++item) item->place[0] = -item->place[0];
+    const auto is_left = [](const Item& a, const Item& b) { return a.place[0] < b.place[0]; };
+    place_nth(object(first), object(mixed), at, is_left);
+    place_nth(at, object(mixed + 1), object(last),
+              [&](const Item& a, const Item& b) { return is_left(b, a); });
     return {mixed, 1};
   }
 
-  /// std::nth_element() of the items [first, last).
-  void order_along(std::ptrdiff_t first, std::ptrdiff_t nth, std::ptrdiff_t last, std::size_t along) {
+  /// std::nth_element() of the items [first, last), with checks for interrupts.
+  template <class Before>
+  void place_nth(std::ptrdiff_t first, std::ptrdiff_t nth, std::ptrdiff_t last, Before before) {
     std::nth_element(items_.begin() + first, items_.begin() + nth, items_.begin() + last,
-                     [this, along](const Item& a, const Item& b) {
-                       step_();
-                       return a.place[along] < b.place[along];
-                     });
+                     [&](const Item& a, const Item& b) { return step_(), before(a, b); });
   }
 
   std::ptrdiff_t object(std::size_t leaf) const {

@@ -87,10 +87,11 @@ class OrderItems {
     return best;
   }
 
-  /// A time between the objects, near their middle, at which hardly any of them exists; some are before it, and some
-  /// are not. It is in the widest gap between the reference times of a sample, if that is longer than half a median
-  /// life. Nothing in a table where objects exist at all times, and where a sample cannot tell.
-  std::optional<float> gap_in_time(std::span<const Item> items) const {
+  /// Where to cut objects in time, near their middle; nothing if any cut is as good. It is within the widest gap
+  /// between the reference times of a sample, if that is longer than half a median life. Then hardly any objects of
+  /// both sides exist together. Without such a gap, objects that share the middle time remain together. Some objects
+  /// are before the time, and some are not.
+  std::optional<float> time_of_cut(std::span<const Item> items) const {
     std::array<float, 256> sample{};
     const std::size_t count = draw(items, 2 * D, sample), margin = count / 8;
     const float spacing = (sample[count - 1] - sample[0]) / static_cast<float>(count);
@@ -101,7 +102,7 @@ class OrderItems {
         widest = gap, time = sample[i - 1] + 0.5f * gap;
         if (!(sample[i - 1] < *time)) time = sample[i];  // no float is between the two
       }
-    return time;
+    return time ? time : beside_equals(std::span(sample).first(count));
   }
 
  private:
@@ -131,6 +132,17 @@ class OrderItems {
       sample[count++] = items[is_schedule_ ? scattered(i, step, items.size()) : i].place[along];
     std::sort(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(count));
     return count;
+  }
+
+  /// The nearer end of the middle times of a sample that are equal; nothing if no two are.
+  static std::optional<float> beside_equals(std::span<const float> sample) {
+    const std::size_t middle = sample.size() / 2;
+    const auto [first, last] = std::equal_range(sample.begin(), sample.end(), sample[middle]);
+    const auto before = static_cast<std::size_t>(first - sample.begin()),
+               after = static_cast<std::size_t>(last - sample.begin());
+    if (after - before < 2) return std::nullopt;
+    if (after < sample.size() && (before == 0 || after - middle < middle - before)) return *last;
+    return before > 0 ? std::optional(sample[middle]) : std::nullopt;
   }
 
   /// The distance between the first and the last tenth of some of the items.

@@ -42,8 +42,7 @@ bool WindowWalk<D>::next(LeafHits& hits) {
 /// Whether some of these lives may share a time with the query. Cheaper than a box, whose span is the same.
 template <int D>
 bool WindowWalk<D>::exists(const Times& lives) const {
-  const SharedInterval span = span_between(lives.t_min, lives.until_max, horizon_);
-  return std::max(span.begin, query_.span.begin) <= std::min(span.end, query_.span.end);
+  return !shared_span(span_between(lives.t_min, lives.until_max, horizon_), query_.span).is_empty();
 }
 
 template <int D>
