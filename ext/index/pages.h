@@ -119,8 +119,8 @@ class Pages : public NodeSource {
   virtual void place(std::span<const std::int64_t> ids, NodeNumber leaf) = 0;
   virtual void forget(std::int64_t id) = 0;
   /// Between the two calls objects are placed, each at most once, and no leaf is looked up: pages may keep the
-  /// places in a list.
-  virtual void start_placing() {}
+  /// places in a list. `new_ids`: of the objects that no leaf has yet.
+  virtual void start_placing(std::span<const std::int64_t> /*new_ids*/) {}
   virtual void finish_placing(Interrupt& /*interrupt*/) {}
 };
 

@@ -38,7 +38,7 @@ void IdMap::set(std::int64_t id, std::int64_t leaf) {
 void IdMap::place(std::span<const std::int64_t> ids, std::int64_t leaf) {
   if (list_ && leaf <= PlacedIds::max_leaf) {
     list_->add(ids, leaf);
-    if (filter_) filter_->add(ids);
+    if (filter_ && lists_new_) filter_->add(ids);
     return;
   }
   if (!filter_ && ids.size() >= few && has_no_ids()) filter_.emplace();
@@ -95,10 +95,17 @@ void IdMap::note_written() {
   held_after_writing_ = held();
 }
 
-void IdMap::start_list(std::size_t ids) {
+void IdMap::start_list(std::span<const std::int64_t> new_ids) {
+  start_list_of_new(new_ids.size());
+  if (filter_) filter_->add(new_ids);
+  lists_new_ = false;
+}
+
+void IdMap::start_list_of_new(std::size_t count) {
   join();
-  if (!filter_ && has_no_ids()) filter_.emplace(ids);
+  if (!filter_ && has_no_ids()) filter_.emplace(count);
   list_.emplace();
+  lists_new_ = true;
 }
 
 void IdMap::keep_list(Interrupt& interrupt) {

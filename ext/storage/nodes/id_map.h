@@ -52,8 +52,10 @@ class IdMap final : public Journal::Participant {
   bool has_unwritten() const { return !leaves_.none_known() || stored_is_void_; }
   void write(Interrupt& interrupt);
 
-  /// From now on place() only lists the ids, until one of the other two or a rewind. `ids`: as many are expected.
-  void start_list(std::size_t ids = 0);
+  /// From now on place() only lists the ids, until one of the other two or a rewind. Of these ids only `new_ids` are
+  /// new to the map; or all are, `count` of them.
+  void start_list(std::span<const std::int64_t> new_ids);
+  void start_list_of_new(std::size_t count);
   /// The listed ids are like all others.
   void keep_list(Interrupt& interrupt);
   /// Writes all changes, and then the listed ids. Throws before if they are not those expected.
@@ -90,6 +92,7 @@ class IdMap final : public Journal::Participant {
   std::optional<IdBlock> last_block_;
   std::optional<IdFilter> filter_;  ///< of the stored ids, and some that are gone
   std::optional<PlacedIds> list_;   ///< in place of leaves_ during a large load or merge
+  bool lists_new_ = false;          ///< the filter lacks the listed ids
 };
 
 }  // namespace foresee

@@ -57,7 +57,7 @@ class NodeCache final : public Pages, public Journal::Participant {
   std::optional<NodeNumber> find_leaf(std::int64_t id) override;
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override { ids_.place(ids, leaf); }
   void forget(std::int64_t id) override { ids_.erase(id); }
-  void start_placing() override { ids_.start_list(); }
+  void start_placing(std::span<const std::int64_t> new_ids) override { ids_.start_list(new_ids); }
   void finish_placing(Interrupt& interrupt) override;
 
   // --- objects
@@ -92,8 +92,8 @@ class NodeCache final : public Pages, public Journal::Participant {
   NodeNumber next_dirty(NodeNumber after, NodeNumber before);
   /// Frees every node, whether or not the tree refers to it, and voids the map.
   void erase_everything();
-  /// As start_placing() and finish_placing(), but all places are written at once. `ids`: as many are expected.
-  void start_placing(std::size_t ids) { ids_.start_list(ids); }
+  /// As start_placing() and finish_placing(), but all objects are new, and all places are written at once.
+  void start_placing_new(std::size_t count) { ids_.start_list_of_new(count); }
   void write_places(const std::optional<IdSum>& expected, Interrupt& interrupt);
   /// Returns what is wrong with a node's bytes; null: nothing.
   const char* fault(NodeNumber number, std::span<const std::byte> blob) const;

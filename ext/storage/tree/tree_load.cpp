@@ -67,7 +67,7 @@ class TreeStore::PartitionedLoad {
     spill_->finish();
     tree_.cache_.drop_nodes(true);
     tree_.cache_.erase_everything();
-    tree_.cache_.start_placing(seen_.count());
+    tree_.cache_.start_placing_new(seen_.count());
     tree_.tree_->bulk_load_partitions(*spill_, interrupt_);
     tree_.cache_.write_places(seen_, interrupt_);
   }

@@ -101,7 +101,7 @@ void TreeStore::add_run(Interrupt& interrupt) {
   const bool is_first = cache_.find_root() == 0;
   cache_.drop_nodes(true);
   with_pending([&](std::span<const std::int64_t> ids, std::span<const double> records) {
-    cache_.start_placing(ids.size());
+    cache_.start_placing_new(ids.size());
     tree_->add_run(ids, records, interrupt);
     cache_.write_places({}, interrupt);
   });

@@ -66,10 +66,12 @@ class BatchDescent {
       const auto node = state_.pages.read(number);
       if (node->size() == 0) throw BrokenTree("an inner node of a tree is empty");
       ChildChoice<D> choice(*node, state_.cost(node->epoch));
+      std::vector<Visit*> below(node->size());
       for (const std::uint32_t i : std::exchange(visit.objects, {})) {
         step_();
         const std::size_t slot = choice.choose(object(i).entry(node->epoch));
-        visit_below(number, *node, slot).objects.push_back(i);
+        if (!below[slot]) below[slot] = &visit_below(number, *node, slot);
+        below[slot]->objects.push_back(i);
       }
     }
   }

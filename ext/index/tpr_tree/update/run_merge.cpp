@@ -29,13 +29,13 @@ class RunMerge {
  public:
   RunMerge(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
            Interrupt& interrupt)
-      : state_(state), interrupt_(interrupt), batch_(state, ids, records, interrupt) {}
+      : state_(state), interrupt_(interrupt), ids_(ids), batch_(state, ids, records, interrupt) {}
 
   Remainder run() {
     auto& all = batch_.root().objects;
     for (std::uint32_t i = 0; i < batch_.size(); ++i) all.push_back(i);
     for (std::size_t level = batch_.levels(); --level > 1;) batch_.sink(level);
-    state_.pages.start_placing();
+    state_.pages.start_placing(ids_);
     for (auto& [number, visit] : batch_.at(1))
       visit.objects.size() >= min_objects ? pack(number, visit) : rest_.add(batch_, visit.objects);
     state_.pages.finish_placing(interrupt_);
@@ -65,7 +65,8 @@ class RunMerge {
   void pack(NodeNumber number, const Visit& visit) {
     interrupt_.check();
     const auto partition = state_.pages.read(number);
-    Remainder objects;
+    Remainder& objects = packing_;
+    objects.clear();
     Packed packed{number, visit.parent, {}, {}};
     for (std::size_t slot = 0; slot < partition->size(); ++slot)
       if (is_loose(*partition, slot, number)) take_leaf(*partition, slot, packed, objects);
@@ -140,10 +141,12 @@ class RunMerge {
 
   TreeState<D>& state_;
   Interrupt& interrupt_;
+  std::span<const std::int64_t> ids_;
   BatchDescent<D> batch_;
   /// Not connected yet: pages may write nodes while others are packed, and none may be overfull then.
   std::vector<Packed> packed_;
   Remainder rest_;
+  Remainder packing_;  ///< the objects of one partition; its memory serves all
 };
 
 }  // namespace
