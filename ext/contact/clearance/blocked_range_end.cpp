@@ -5,17 +5,11 @@
 #include <limits>
 
 #include "contact/clearance/straight_approach.h"
+#include "contact/clearance/turned_lines.h"
 #include "numbers/correct_rounding.h"
 
 namespace foresee {
 namespace {
-
-double dot(const Vec<2>& a, const Vec<2>& b) {
-  return a[0] * b[0] + a[1] * b[1];
-}
-double cross(const Vec<2>& a, const Vec<2>& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
 
 SineCosine<double> sum_of(const SineCosine<double>& a, const SineCosine<double>& b) {
   return {a.sine * b.cosine + a.cosine * b.sine, a.cosine * b.cosine - a.sine * b.sine};
@@ -32,35 +26,6 @@ Corner mean_of(std::span<const Corner> corners) {
 double key_of(const SineCosine<double>& angle) {
   return angle.sine / (1 + angle.cosine);
 }
-
-/// mean + cosine cos k + sine sin k.
-struct Wave {
-  double mean, cosine, sine;
-
-  double at(const SineCosine<double>& k) const { return mean + cosine * k.cosine + sine * k.sine; }
-  Wave operator-() const { return {-mean, -cosine, -sine}; }
-  Wave minus(const Wave& other, double times) const {
-    return {mean - times * other.mean, cosine - times * other.cosine, sine - times * other.sine};
-  }
-  /// With k counted from another angle.
-  Wave from(const SineCosine<double>& k) const {
-    return {mean, cosine * k.cosine + sine * k.sine, sine * k.cosine - cosine * k.sine};
-  }
-  double peak() const { return mean + std::sqrt(cosine * cosine + sine * sine); }
-  /// Requires: these are less than 180 degrees apart.
-  bool peaks_between(const SineCosine<double>& first, const SineCosine<double>& last) const {
-    return first.cosine * sine - first.sine * cosine > 0 && last.cosine * sine - last.sine * cosine < 0;
-  }
-  Wave plus(double more) const { return {mean + more, cosine, sine}; }
-  /// Where it falls through 0, as k increases (1) or decreases (-1).
-  std::optional<SineCosine<double>> falls(int direction) const {
-    const double square = cosine * cosine + sine * sine, size = std::sqrt(square);
-    if (!(std::abs(mean) < size)) return std::nullopt;
-    const double along = -mean, aside = direction * std::sqrt((size - mean) * (size + mean));
-    return SineCosine<double>{(along * sine + aside * cosine) / square,
-                              (along * cosine - aside * sine) / square};
-  }
-};
 
 /// The paths of the other object relative to all turns, and the sum of two outlines.
 struct TurnedPaths {
@@ -103,6 +68,9 @@ class TouchingAbout {
       if (const auto found = wave.falls(direction))
         if (std::min(after_begin(own, other).at(*found), before_end(own, other).at(*found)) > 0)
           middles.push_back(*found);
+    if (const SineCosine<double> nearest = wave.nearest(); !wave.falls(1) && touches(nearest))
+      if (std::min(after_begin(own, other).at(nearest), before_end(own, other).at(nearest)) > 0)
+        middles.push_back(nearest);
     return middles;
   }
 

@@ -34,8 +34,13 @@ OwnOutline::OwnOutline(const Bodies& bodies, std::size_t row, bool turns) : turn
   reach = reach_of(pieces.box(ObjectPieces::root));
 }
 
-OutlinePair::OutlinePair(std::shared_ptr<const OwnOutline> own, const Bodies& others, std::size_t row)
-    : own_(std::move(own)), others_(others), row_(row), other_reach_(reach_of_row(others, row)) {}
+OutlinePair::OutlinePair(std::shared_ptr<const OwnOutline> own, const Bodies& others, std::size_t row,
+                         const SharedOutline* given)
+    : own_(std::move(own)),
+      others_(others),
+      row_(row),
+      given_(given),
+      other_reach_(reach_of_row(others, row)) {}
 
 const ObjectPieces& OutlinePair::other() const {
   if (!other_) other_.emplace().take_row(others_, others_.outlines, row_);
@@ -43,7 +48,7 @@ const ObjectPieces& OutlinePair::other() const {
 }
 
 bool OutlinePair::is_sole() const {
-  return own_->pieces.count() == 1 && other().count() == 1;
+  return own_->pieces.count() == 1 && (given_ ? given_->pieces().count() : other().count()) == 1;
 }
 
 std::vector<OutlinePair::Part> OutlinePair::parts() const {
@@ -59,6 +64,12 @@ std::vector<OutlinePair::Part> OutlinePair::parts(const Part& of) const {
 
 std::unique_ptr<PieceSum> OutlinePair::sum_of(const Part& part) const {
   const ObjectPieces& mine = own_->pieces;
+  if (part.pieces && given_ && is_sole()) {
+    const std::span<const Corner> corners = given_->pieces().corners(0);
+    const double heading = value_or(others_.row(row_), others_.at.heading, 0);
+    return std::make_unique<PieceSum>(mine.piece(0), ConvexPiece{corners, corners.data(), nullptr},
+                                      quick_sine_cosine(heading));
+  }
   if (part.pieces)
     return std::make_unique<PieceSum>(mine.piece(mine.item(part.own)),
                                       other().piece(other().item(part.other)));

@@ -17,6 +17,7 @@
 
 #include "contact/clearance/piece_sum.h"
 #include "contact/outline/object_pieces.h"
+#include "shape/outline/shared_outline.h"
 
 namespace foresee {
 
@@ -39,8 +40,10 @@ class OutlinePair {
     bool pieces = false;
   };
 
-  /// `others` must outlive this.
-  OutlinePair(std::shared_ptr<const OwnOutline> own, const Bodies& others, std::size_t row);
+  /// `given`: the other outline before its rotation, if it is known; then a convex one is not rotated exactly beside an
+  /// own outline that turns. Both this and `others` must outlive the pair.
+  OutlinePair(std::shared_ptr<const OwnOutline> own, const Bodies& others, std::size_t row,
+              const SharedOutline* given = nullptr);
 
   /// Upper bound of the distance from the origin at which the two touch, without an r.
   double reach() const { return own_->reach + other_reach_; }
@@ -66,6 +69,7 @@ class OutlinePair {
   std::shared_ptr<const OwnOutline> own_;
   const Bodies& others_;
   std::size_t row_;
+  const SharedOutline* given_;  ///< null: not known, or not needed
   double other_reach_;
   mutable std::optional<ObjectPieces> other_;  ///< made at its first use
 };

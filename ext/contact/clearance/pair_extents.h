@@ -64,9 +64,4 @@ struct GrowingExtents : PairExtents<D> {
   }
 };
 
-/// The extents at `time`, as of the distance of the two tables.
-template <int D>
-GrowingExtents<D> extents_of_both(const PairRule& rule, const double* row_a, const double* row_b,
-                                  double time);
-
 }  // namespace foresee

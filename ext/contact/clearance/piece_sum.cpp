@@ -40,6 +40,10 @@ const Corner& farthest_corner(std::span<const Corner> corners, double x, double 
   return *found;
 }
 
+Corner rotated(const Corner& corner, const SineCosine<double>& by) {
+  return {corner.x * by.cosine + corner.y * by.sine, corner.y * by.cosine - corner.x * by.sine};
+}
+
 }  // namespace
 
 PieceSum::PieceSum(const ConvexPiece& own, const ConvexPiece& other)
@@ -54,12 +58,16 @@ PieceSum::PieceSum(const ConvexPiece& own, std::shared_ptr<const ObjectPieces> o
   kept_ = std::move(other);
 }
 
+PieceSum::PieceSum(const ConvexPiece& own, const ConvexPiece& other, const SineCosine<double>& pose_of_other)
+    : given_(own.corners.begin(), own.corners.end()), own_(given_) {
+  for (const Corner& corner : other.corners) kept_corners_.push_back(rotated(corner, pose_of_other));
+  other_ = {kept_corners_, kept_corners_.data(), nullptr};
+  own_reach_ = reach_of(given_), size_ = own_reach_ + reach_of(kept_corners_), is_turned_ = true;
+}
+
 void PieceSum::turn(const SineCosine<double>& at) {
   pose_ = at;
-  for (std::size_t i = 0; i < given_.size(); ++i) {
-    const Corner& corner = given_[i];
-    own_[i] = {corner.x * at.cosine + corner.y * at.sine, corner.y * at.cosine - corner.x * at.sine};
-  }
+  for (std::size_t i = 0; i < given_.size(); ++i) own_[i] = rotated(given_[i], at);
   is_turned_ = true;
 }
 
@@ -235,12 +243,6 @@ Corner PieceSum::farthest(double x, double y) const {
 PieceSum::CornerPair PieceSum::farthest_pair(double x, double y, const SineCosine<double>& pose) const {
   return {farthest_corner(given_, x * pose.cosine - y * pose.sine, x * pose.sine + y * pose.cosine),
           farthest_corner(other_.corners, -x, -y)};
-}
-
-Corner PieceSum::farthest(double x, double y, const SineCosine<double>& pose) const {
-  const auto [own, other] = farthest_pair(x, y, pose);
-  return {own.x * pose.cosine + own.y * pose.sine - other.x,
-          own.y * pose.cosine - own.x * pose.sine - other.y};
 }
 
 std::pair<double, double> PieceSum::crossing(double x, double y, double vx, double vy, double begin,

@@ -27,6 +27,8 @@ class PieceSum {
   PieceSum(const ConvexPiece& own, const ConvexPiece& other);
   /// Of the first piece of `other`.
   PieceSum(const ConvexPiece& own, std::shared_ptr<const ObjectPieces> other);
+  /// Of the second piece rotated to a pose, for sums that rotate: no exact rotation is read.
+  PieceSum(const ConvexPiece& own, const ConvexPiece& other, const SineCosine<double>& pose_of_other);
   PieceSum(const PieceSum&) = delete;
   PieceSum& operator=(const PieceSum&) = delete;
 
@@ -44,9 +46,7 @@ class PieceSum {
   double signed_distance(double x, double y, double& normal_x, double& normal_y) const;
   /// The point of the sum that is farthest along (x, y): a corner.
   Corner farthest(double x, double y) const;
-  /// The same after a rotation from the given pose.
-  Corner farthest(double x, double y, const SineCosine<double>& pose) const;
-  /// The two corners whose difference that is, the own one in the given pose.
+  /// The two corners whose difference that is after a rotation, the own one in the given pose.
   struct CornerPair {
     Corner own, other;
   };
@@ -69,6 +69,8 @@ class PieceSum {
   }
   const SineCosine<double>& pose() const { return pose_; }
   std::span<const Corner> given_corners() const { return given_; }
+  /// In the present pose.
+  std::span<const Corner> own_corners() const { return own_; }
   std::span<const Corner> other_corners() const { return other_.corners; }
   /// About the cost of an evaluation.
   std::size_t corners() const { return own_.size() + other_.corners.size(); }
@@ -114,6 +116,7 @@ class PieceSum {
   mutable std::size_t first_other_ = 0;
   SineCosine<double> pose_{0, 1};
   std::shared_ptr<const ObjectPieces> kept_;
+  std::vector<Corner> kept_corners_;
   ConvexPiece other_;
   mutable std::vector<Edge> ring_;
   mutable Corner point_;            ///< the sum, if it has no edges

@@ -6,6 +6,7 @@
 
 #include "contact/clearance/departure.h"
 #include "contact/clearance/separation_case.h"
+#include "contact/clearance/turned_lines.h"
 
 namespace foresee {
 namespace {
@@ -138,36 +139,18 @@ bool has_corner_inside(const SeparationCase<D>& separation, const Encounter<D>& 
                                               {turned.sine, turned.cosine}, extents.radius, slack);
 }
 
-/// Whether one of these motions certainly passes beside the sum and another one certainly crosses it, by corners alone.
-/// Then the range is open. Approximate.
-template <int D>
-bool passes_on_some(const Encounter<D>& encounter, const TrajectoryEstimate<D>* const (&motions)[3],
-                    const SineCosine<double>* const (&poses)[3], const SeparationCase<D>& separation) {
-  if constexpr (D != 2) {
-    return false;
-  } else {
-    if (encounter.extents.grows) return false;
-    bool passes = false, crosses = false;
-    for (int i = 0; i < 3 && !(passes && crosses); ++i) {
-      const TrajectoryEstimate<D> path = relative(encounter, *motions[i]);
-      const double beside =
-          gap_beside_line(encounter.extents, *poses[i], path.x, path.v, separation.begin(), separation.end());
-      passes = passes || beside > 4 * separation.slack_at(separation.end()), crosses = crosses || beside < 0;
-    }
-    return passes && crosses;
-  }
-}
-
-/// The same for a sum that rotates, on paths that are not bent: the pose of each motion is its own.
+/// The verdict on a sum that rotates, on paths that are not bent: the pose of each motion is its own.
 template <int D>
 ClearanceVerdict certified_turns(const SeparationCase<D>& separation, const Encounter<D>& encounter,
                                  const TrajectoryFamily<D>& family) {
   if (separation.never_together()) return ClearanceVerdict::clear;
   if (!separation.is_finite()) return ClearanceVerdict::blocked;
+  if constexpr (D > 1)
+    if (const auto known = verdict_by_lines<D>(encounter, family, separation.begin(), separation.end()))
+      return *known;
   const RangeOfTurns& turns = *family.turns;
   const TrajectoryEstimate<D>* const motions[] = {&family.middle, &family.first, &family.last};
   const SineCosine<double>* const poses[] = {&turns.middle, &turns.ends[0], &turns.ends[1]};
-  if (passes_on_some<D>(encounter, motions, poses, separation)) return ClearanceVerdict::open;
   StraightApproach<D> near[3];
   const auto is_inside = [&](int i) {
     return has_corner_inside<D>(separation, encounter, family, near[i].tau);

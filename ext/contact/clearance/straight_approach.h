@@ -92,29 +92,6 @@ inline std::optional<StraightApproach<2>> passing_line(const PairExtents<2>& ext
   return middle;
 }
 
-/// The gap beside a line that passes a sum in this pose during the time. Below 0: the line crosses it; 0: neither is
-/// certain.
-inline double gap_beside_line(const PairExtents<2>& extents, const SineCosine<double>& pose, const Vec<2>& x,
-                              const Vec<2>& v, double begin, double end) {
-  const double square = (v * v).sum();
-  if (!(square > 0)) return 0;
-  const double speed = std::sqrt(square);
-  Vec<2> normal{v[1] / speed, -v[0] / speed};
-  double beside = (x * normal).sum();
-  if (beside < 0) normal = -normal, beside = -beside;
-  const Corner corner = extents.sum->farthest(normal[0], normal[1], pose);
-  const double gap = beside - (corner.x * normal[0] + corner.y * normal[1]);
-  if (gap > extents.radius) {
-    const double tau = ((corner.x - x[0]) * v[0] + (corner.y - x[1]) * v[1]) / square;
-    return begin <= tau && tau <= end ? gap - extents.radius : 0;
-  }
-  // What it crosses is not farther from the origin than this.
-  const double tau = -(x * v).sum() / square, half = 2 * extents.sum->size() / speed;
-  if (!(gap < 0 && begin <= tau - half && tau + half <= end)) return 0;
-  const Corner opposite = extents.sum->farthest(-normal[0], -normal[1], pose);
-  return opposite.x * normal[0] + opposite.y * normal[1] < beside ? gap : 0;
-}
-
 /// Of x + v tau during [begin, end]. Requires: begin <= end, both finite.
 template <int D>
 StraightApproach<D> straight_approach(const GrowingExtents<D>& extents, const Vec<D>& x, const Vec<D>& v,

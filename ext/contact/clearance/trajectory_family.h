@@ -46,6 +46,11 @@ struct Encounter {
   bool bends() const { return (a != 0).any(); }
 };
 
+/// The extents at `time`, as of the distance of the two tables.
+template <int D>
+GrowingExtents<D> extents_of_both(const PairRule& rule, const double* row_a, const double* row_b,
+                                  double time);
+
 /// `base`: the motion that is changed, at the time of the change. Numbers that overflow are not finite.
 template <int D>
 Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,

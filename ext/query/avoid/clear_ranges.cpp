@@ -101,9 +101,11 @@ template <int D>
 bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::size_t first) {
   const std::uint32_t whole = whole_[intruder];
   ClearanceVerdict verdict = certify(intruders_[intruder], whole, range);
+  const bool known = verdict == ClearanceVerdict::open && parts_.count(intruder) > 0;
   const bool is_split = verdict == ClearanceVerdict::open &&
-                        intruders_[intruder].is_worth_splitting(range.family(intruders_[intruder]));
-  const bool kept = is_split && (parts_.size() < max_split || parts_.count(intruder) > 0);
+                        ((known && intruders_[intruder].is_around_turns()) ||
+                         intruders_[intruder].is_worth_splitting(range.family(intruders_[intruder])));
+  const bool kept = is_split && (parts_.size() < max_split || known);
   if (is_split && !kept) verdict = certify_parts(intruders_[intruder], whole, range);
   if (verdict == ClearanceVerdict::open && !kept) open_.push_back(intruder);
   if (!kept) return verdict == ClearanceVerdict::blocked;

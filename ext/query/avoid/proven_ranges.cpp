@@ -1,9 +1,11 @@
 #include "query/avoid/proven_ranges.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 #include "base/axes.h"
+#include "base/integer_of.h"
 #include "contact/clearance/departure.h"
 
 namespace foresee {
@@ -119,7 +121,9 @@ class ProvenRanges {
     auto encounter = encounter_of<D>(reference, horizon, there, there.row(row), extents);
     if (encounter.begin > encounter.end) return;
     const double far = (encounter.x.abs() - encounter.extents.half).maxCoeff() - encounter.extents.radius;
-    const auto pair = own_outline ? std::make_shared<const OutlinePair>(own_outline, there, row) : nullptr;
+    const auto pair = own_outline ? std::make_shared<const OutlinePair>(own_outline, there, row,
+                                                                        given_outline(table, there, row))
+                                  : nullptr;
     const AtFirst known = at_first(encounter, leg, touches, at_start_[table][row] != 0);
     if (leg == 0 && needs_exact_state(encounter, touches)) {
       const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(row)};
@@ -129,6 +133,17 @@ class ProvenRanges {
     const double t = value_or(there.row(row), there.at.t, 0);
     ordered_.push_back(
         {far, table, manoeuvre_.near[table].scene->ids[row], leg, t, {encounter, known, pair, leg}});
+  }
+
+  /// The outline of a row before its rotation; null: not known.
+  const SharedOutline* given_outline(std::size_t table, const Bodies& there, std::size_t row) {
+    const SearchTarget& target = table == 0 ? question_.others : *question_.also;
+    if (!target.tree || there.layout.shape != Shape::outline) return nullptr;
+    const std::int64_t number = integer_of(there.row(row)[there.at.outline]).value_or(0);
+    if (number == 0) return nullptr;
+    std::shared_ptr<const Form>& form = forms_[{table, number}];
+    if (!form) form = target.tree->forms()->form(number);
+    return static_cast<const SharedOutline*>(form.get());
   }
 
   /// For a delay only the state of a resting intruder is known: it has the same position at every start. What is later
@@ -150,6 +165,7 @@ class ProvenRanges {
   ExactAvoidance& exact_;
   Interrupt& interrupt_;
   Bodies own_;
+  std::map<std::pair<std::size_t, std::int64_t>, std::shared_ptr<const Form>> forms_;
   std::vector<Bodies> others_;  ///< of each table; outlines of certificates refer to them
   Marks first_, at_start_;      ///< of each table: what touches before the change, and where a delay starts
   std::vector<OrderedCertificate<D>> ordered_;
