@@ -52,25 +52,29 @@ void compare_joins(Database& db, const Schedule& schedule, const char* plans, co
   }
 }
 
-/// Microseconds per transaction that gives one mover a new plan, replaces its rows, or updates a plain row.
+/// Microseconds per transaction that gives one mover its plan one second later, or the plan of another mover, replaces
+/// its rows, or updates a plain row.
 void compare_commits(Database& db, const Schedule& schedule, int repetitions) {
   constexpr int movers = 100;
   db.run(
-      "CREATE TABLE new_plans AS SELECT id, plan_shift(plan, 1) AS plan FROM movers WHERE id < 100;"
+      "CREATE TABLE new_plans(id INTEGER PRIMARY KEY, plan);"
       "CREATE VIRTUAL TABLE plain USING moving_objects(id, t, x, y, vx, vy, r, until);"
       "INSERT INTO plain SELECT id, t, x, y, vx, vy, r, until FROM legs");
-  std::vector<double> of_plans, of_rows, of_plain;
+  std::vector<double> of_later, of_others, of_rows, of_plain;
   Statement plan(db, "UPDATE movers SET plan = (SELECT plan FROM new_plans WHERE id = ?1) WHERE id = ?1"),
       plain(db, "UPDATE plain SET t = t + 1 WHERE id = ?1"),
       remove(db, "DELETE FROM legs WHERE id BETWEEN ?1 * 1000 AND ?1 * 1000 + 999"),
       insert(db,
              "INSERT INTO legs SELECT ?1 * 1000 + p.leg - 1, p.t, p.x, p.y, p.vx, p.vy, 1, p.until "
-             "FROM new_plans AS n, plan_rows(n.plan) AS p WHERE n.id = ?1");
+             "FROM new_plans AS n, plan_rows(n.plan) AS p WHERE n.id = ?1"),
+      later(db, "REPLACE INTO new_plans SELECT id, plan_shift(plan, 1) FROM movers WHERE id < 100"),
+      other(db, "REPLACE INTO new_plans SELECT id % 100, plan FROM movers WHERE id / 100 = ?1");
   const auto each = [&](Statement& statement, std::int64_t ids) {
     for (std::int64_t i = 0; i < movers; ++i) statement.bind(1, i * ids), statement.step_all();
   };
   for (int i = 0; i < repetitions; ++i) {
-    of_plans.push_back(seconds_of([&] { each(plan, 1); }));
+    later.step_all();
+    of_later.push_back(seconds_of([&] { each(plan, 1); }));
     of_plain.push_back(seconds_of([&] { each(plain, ids_per_mover); }));
     of_rows.push_back(seconds_of([&] {
       for (std::int64_t mover = 0; mover < movers; ++mover) {
@@ -80,14 +84,16 @@ void compare_commits(Database& db, const Schedule& schedule, int repetitions) {
         db.run("COMMIT");
       }
     }));
+    other.bind(1, std::int64_t{i + 1}), other.step_all();
+    of_others.push_back(seconds_of([&] { each(plan, 1); }));
   }
+  const auto us = [](const std::vector<double>& seconds) { return 1e6 * median(seconds) / movers; };
   std::printf(
-      "  commit of a new plan of %d legs: %.0f us; its rows replaced %.0f us (%.2fx); UPDATE of a plain row "
-      "%.0f us "
-      "(%.2fx)\n",
-      schedule.legs_of_mover, 1e6 * median(of_plans) / movers, 1e6 * median(of_rows) / movers,
-      median(of_plans) / median(of_rows), 1e6 * median(of_plain) / movers,
-      median(of_plans) / median(of_plain));
+      "  commit of a plan of %d legs: a second later %.0f us, of another mover %.0f us; rows replaced %.0f "
+      "us "
+      "(%.3fx, %.3fx); UPDATE of a plain row %.0f us (%.2fx, %.2fx)\n",
+      schedule.legs_of_mover, us(of_later), us(of_others), us(of_rows), us(of_later) / us(of_rows),
+      us(of_others) / us(of_rows), us(of_plain), us(of_later) / us(of_plain), us(of_others) / us(of_plain));
 }
 
 void compare_loads(const Schedule& schedule) {
