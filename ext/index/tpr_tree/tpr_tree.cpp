@@ -37,7 +37,7 @@ class Tree final : public TprTree {
     state_.clock.observe(state_.reader.t(record.data()));
     const NewObject<D> object{id, record, Mover<D>(state_.reader, record.data())};
     renew_stale_above(*leaf);
-    const auto [slot, fits] = place_of(*leaf, object);
+    const auto [slot, fits] = place_of(*leaf, id, object);
     if (fits) {
       overwrite(*leaf, slot, object);
     } else {
@@ -55,6 +55,23 @@ class Tree final : public TprTree {
     const std::size_t slot = slot_in_leaf(*state_.pages.read(*leaf), id);
     take_out(state_, *leaf, slot);
     state_.pages.forget(id);
+    return true;
+  }
+
+  bool replace(std::int64_t id, std::int64_t new_id, std::span<const double> record) override {
+    const auto leaf = state_.pages.find_leaf(id);
+    if (!leaf) return false;
+    const NewObject<D> object{new_id, record, Mover<D>(state_.reader, record.data())};
+    renew_stale_above(*leaf);
+    const auto [slot, fits] = place_of(*leaf, id, object);
+    if (!fits) return false;
+    const bool was_outermost = is_outermost(state_, *leaf, slot, object);
+    state_.clock.observe(object.mover.motion.t);
+    state_.pages.modify(*leaf).keys[slot] = new_id;
+    state_.pages.forget(id);
+    state_.pages.place({&new_id, 1}, *leaf);
+    overwrite(*leaf, slot, object);
+    if (was_outermost) tighten_upward(state_, *leaf);
     return true;
   }
 
@@ -191,9 +208,9 @@ class Tree final : public TprTree {
     std::size_t slot;
     bool fits;  ///< the leaf's entry contains the new object
   };
-  Place place_of(NodeNumber number, const NewObject<D>& object) {
+  Place place_of(NodeNumber number, std::int64_t id, const NewObject<D>& object) {
     const auto leaf = state_.pages.read(number);
-    const std::size_t slot = slot_in_leaf(*leaf, object.id);
+    const std::size_t slot = slot_in_leaf(*leaf, id);
     const auto parent = read_above(state_.pages, number, *leaf);
     return {slot, !parent || entry_contains(*parent, number, object)};
   }

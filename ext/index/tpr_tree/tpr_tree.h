@@ -65,6 +65,9 @@ class TprTree {
   /// Returns false if the tree does not have the object.
   virtual bool update(std::int64_t id, std::span<const double> record) = 0;
   virtual bool erase(std::int64_t id) = 0;
+  /// Puts a new object in the place of another one, if the leaf's entry contains the new one. Else returns false, and
+  /// no object has changed. Requires: no object has `new_id`. Cost: that of an update which writes only the leaf.
+  virtual bool replace(std::int64_t id, std::int64_t new_id, std::span<const double> record) = 0;
 
   /// Replaces all objects by these, in full leaves with consecutive numbers; neighbours in space and velocity
   /// share leaves. Ids are unique.

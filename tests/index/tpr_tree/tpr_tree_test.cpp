@@ -39,6 +39,37 @@ TEST(TprTree, KeepsItsInvariantsInEveryLayout) {
   }
 }
 
+TEST(TprTree, TakesNewObjectsInThePlaceOfOthers) {
+  for (const Layout& layout : varied_layouts()) {
+    SCOPED_TRACE(name_of(layout));
+    const RandomScene scene = random_scene({.layout = layout, .count = 60, .seed = 3});
+    TreeModel model(layout, 3);
+    Random random(9);
+    double clock = 0;
+    model.churn(scene, 150, random, clock);
+    EXPECT_FALSE(model.replace(1000, 1001, model.objects.begin()->second)) << "no such object";
+    std::int64_t next = 1000;
+    for (int step = 0, taken = 0; step < 200 || taken < 10; ++step) {
+      ASSERT_LT(step, 5000);
+      const auto any = [&] {
+        return std::next(model.objects.begin(),
+                         static_cast<std::ptrdiff_t>(random.below(model.objects.size())));
+      };
+      const std::int64_t id = any()->first;
+      const bool is_equal = step % 4 == 0;
+      const std::vector<double> record = is_equal ? model.objects[id] : any()->second;
+      const bool is_taken = model.replace(id, next, record);
+      EXPECT_TRUE(is_taken || !is_equal);
+      if (!is_taken) continue;
+      ++next, taken += !is_equal;
+      if (step % 10 == 0) model.expect_sound();
+    }
+    model.expect_sound();
+    model.churn(scene, 100, random, clock);
+    model.expect_sound();
+  }
+}
+
 TEST(TprTree, KeepsItsInvariantsInEveryKindOfScene) {
   for (auto kind : all_scene_kinds) {
     SCOPED_TRACE(name_of(kind));

@@ -32,6 +32,13 @@ struct TreeModel {
     EXPECT_TRUE(tree->erase(id));
     objects.erase(id);
   }
+  /// Whether the tree took the new object in the place of the other one.
+  bool replace(std::int64_t id, std::int64_t new_id, std::vector<double> record) {
+    if (!tree->replace(id, new_id, record)) return false;
+    objects.erase(id);
+    objects[new_id] = std::move(record);
+    return true;
+  }
   void load(const RandomScene& scene) {
     const std::size_t size = scene.records.size() / scene.size();
     objects.clear();

@@ -141,6 +141,25 @@ void tighten_upward(TreeState<D>& state, NodeNumber number) {
 }
 
 template <int D>
+bool is_outermost(TreeState<D>& state, NodeNumber leaf, std::size_t slot, const NewObject<D>& other) {
+  const auto node = state.pages.read(leaf), above = read_above(state.pages, leaf, *node);
+  if (!above) return false;
+  const Mover<D> mover(state.reader, state.reader.record(*node, slot));
+  const Entry<D> all = entry_at<D>(*above, slot_of(*above, leaf)), before = entry_of(mover, above->epoch),
+                 after = other.entry(above->epoch);
+  const auto leaves = [](const auto& end, const auto& from, const auto& to) {
+    return (from == end && to != end).any();
+  };
+  using End = Vec<D> Bounds<D>::*;
+  for (const End end : {&Bounds<D>::x_lower, &Bounds<D>::x_upper, &Bounds<D>::v_lower, &Bounds<D>::v_upper,
+                        &Bounds<D>::a_lower, &Bounds<D>::a_upper})
+    if (leaves(all.bounds.*end, before.bounds.*end, after.bounds.*end)) return true;
+  const Times &ends = all.times, &from = before.times, &to = after.times;
+  return (from.t_min == ends.t_min && to.t_min != ends.t_min) ||
+         (from.until_max == ends.until_max && to.until_max != ends.until_max);
+}
+
+template <int D>
 double newest_in(const Node& node, const LeafReader<D>& reader) {
   double newest = -std::numeric_limits<double>::infinity();
   for (std::size_t slot = 0; slot < node.size(); ++slot)
@@ -168,11 +187,12 @@ void refresh_newest(TreeState<D>& state, NodeNumber number) {
   }
 }
 
-#define FORESEE_OF_AXES(D)                                           \
-  template void lower_root<D>(TreeState<D>&);                        \
-  template bool take_out<D>(TreeState<D>&, NodeNumber, std::size_t); \
-  template void tighten_upward<D>(TreeState<D>&, NodeNumber);        \
-  template void refresh_newest<D>(TreeState<D>&, NodeNumber);        \
+#define FORESEE_OF_AXES(D)                                                                 \
+  template bool is_outermost(TreeState<D>&, NodeNumber, std::size_t, const NewObject<D>&); \
+  template void lower_root<D>(TreeState<D>&);                                              \
+  template bool take_out<D>(TreeState<D>&, NodeNumber, std::size_t);                       \
+  template void tighten_upward<D>(TreeState<D>&, NodeNumber);                              \
+  template void refresh_newest<D>(TreeState<D>&, NodeNumber);                              \
   template double newest_in<D>(const Node&, const LeafReader<D>&)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);

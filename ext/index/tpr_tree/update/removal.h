@@ -19,6 +19,11 @@ void lower_root(TreeState<D>& state);
 template <int D>
 void tighten_upward(TreeState<D>& state, NodeNumber number);
 
+/// True if the object in this slot reaches an end of the leaf's entry, in space, velocity or time, that `other` does not
+/// reach. Max t does not count.
+template <int D>
+bool is_outermost(TreeState<D>& state, NodeNumber leaf, std::size_t slot, const NewObject<D>& other);
+
 /// Recomputes max t in the entries above a node in which a t has changed.
 template <int D>
 void refresh_newest(TreeState<D>& state, NodeNumber number);
