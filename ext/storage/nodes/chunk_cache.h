@@ -1,10 +1,11 @@
 // Stored chunks of plans in memory, opened and checked, with the records of their objects, as long as the stamp of
-// their table does not change.
+// their table does not change, but for own commits.
 //
 //   ChunkCache cache(memory);
 //   const ChunkCache::Entry* known = cache.find(stamp, 8);
 //   if (!known) cache.add(8, blob, opened);              // opened: the chunk of this blob
 //   cache.add_record(8, record);                         // of its object, whose plan has this chunk
+//   cache.take_commit(stamp, next, changed);             // all but these chunks are valid under the next stamp, too
 //
 // It holds committed rows only: a transaction that has written must read the rows themselves, so no rollback concerns
 // it. Its memory counts as that of clean nodes (memory_budget.h); when it is full, the chunks that no query has used
@@ -12,6 +13,7 @@
 // Cost: a look-up in a hash table, where a row costs a statement, a checksum and the checks of its header.
 #pragma once
 
+#include <iterator>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -21,6 +23,33 @@
 #include "storage/nodes/memory_budget.h"
 
 namespace foresee {
+
+/// Numbers of chunks that a transaction removes, or whose object it changes.
+class ChangedChunks {
+ public:
+  /// Adds the numbers from `first` to `last`.
+  void add(std::int64_t first, std::int64_t last) {
+    if (are_all_) return;
+    if (last - first >= max_numbers || std::ssize(ranges_) >= max_numbers) return add_all();
+    ranges_.emplace_back(first, last);
+  }
+  void add_all() noexcept { are_all_ = true, ranges_.clear(); }
+  void clear() noexcept { are_all_ = false, ranges_.clear(); }
+
+  bool are_all() const { return are_all_; }
+  template <class Each>
+  void for_each(Each each) const {
+    for (const auto& [first, last] : ranges_)
+      for (std::int64_t number = first; number <= last; ++number) each(number);
+  }
+
+ private:
+  /// A commit of more costs more than reading chunks again.
+  static constexpr std::int64_t max_numbers = 10000;
+
+  std::vector<std::pair<std::int64_t, std::int64_t>> ranges_;
+  bool are_all_ = false;
+};
 
 class ChunkCache final : private MemoryHolder {
  public:
@@ -56,6 +85,21 @@ class ChunkCache final : private MemoryHolder {
     made.chunk.starts = moved(chunk.starts), made.chunk.numbers = moved(chunk.numbers);
     const Entry& entry = chunks_.insert_or_assign(number, std::move(made)).first->second;
     bytes_ += size_of(entry);
+    note_memory();
+  }
+
+  /// A transaction of this connection has replaced stamp `before` by `after`. Keeps the chunks of `before` that it has
+  /// not changed.
+  void take_commit(std::optional<std::int64_t> before, std::int64_t after,
+                   const ChangedChunks& changed) noexcept {
+    if (!before || stamp_ != before || changed.are_all()) return;  // the next find() drops them
+    changed.for_each([this](std::int64_t number) {
+      const auto found = chunks_.find(number);
+      if (found == chunks_.end()) return;
+      bytes_ -= size_of(found->second);
+      chunks_.erase(found);
+    });
+    stamp_ = after;
     note_memory();
   }
 

@@ -1,5 +1,6 @@
 // StoredPlans: the numbers, items and rows of the plans that one change adds, keeps and removes.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "base/float_environment.h"
@@ -42,7 +43,7 @@ StoredPlans::Change::~Change() {
 }
 
 std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<const double> record,
-                                                 const Plan& plan) {
+                                                 const Plan& plan, const Head* before) {
   StoredPlans& plans = *plans_;
   const FloatEnvironment environment;
   if (plan.axes != plans.layout_.axes)
@@ -59,12 +60,33 @@ std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<cons
   write_leg(plans.at_, plans.layout_.axes, added_->all_legs().front(), record_.data());
   record_[static_cast<std::size_t>(plans.at_.plan)] = static_cast<double>(first_);
   record_[static_cast<std::size_t>(plans.at_.chunks)] = static_cast<double>(chunks);
-  std::vector<double> item(static_cast<std::size_t>(plans.item_at_.size));
-  for (std::int64_t i = 0; i < chunks; ++i) {
-    write_chunk_item(plans.layout_, record_.data(), added_->legs(static_cast<std::size_t>(i)), item.data());
-    plans.tree_.insert(first_ + i, item);
-  }
+  plans.tree_.with_sound_tree([&] { add_items(before); });
+  if (before) note_removed(*before);
   return record_;
+}
+
+// A plan is often replaced by one that leads through the same places at nearly the same times. So a new chunk takes the
+// place of the old one that starts nearest in time, where it fits: that writes a leaf where an erasure and an insertion
+// write two, and the entries above both.
+void StoredPlans::Change::add_items(const Head* before) {
+  TreeStore& tree = plans_->tree_;
+  const auto t_at = static_cast<std::size_t>(plans_->item_at_.t);
+  std::vector<double> item(static_cast<std::size_t>(plans_->item_at_.size));
+  std::int64_t old = before ? before->first : 1, last = before ? before->last() : 0;
+  const auto away = [&](std::int64_t number) {
+    const double* const other = tree.nodes().find_record(number);
+    return other ? std::abs(other[t_at] - item[t_at]) : 0;
+  };
+  for (std::size_t i = 0; i < added_->chunks(); ++i) {
+    const std::int64_t number = first_ + static_cast<std::int64_t>(i);
+    write_chunk_item(plans_->layout_, record_.data(), added_->legs(i), item.data());
+    while (old < last && away(old + 1) <= away(old)) erase_item(old++);
+    if (old <= last && tree.replace(old, number, item))
+      ++old;
+    else
+      tree.insert(number, item);
+  }
+  while (old <= last) erase_item(old++);
 }
 
 std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t new_id,
@@ -86,6 +108,7 @@ std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t 
   const auto motion_end = static_cast<std::size_t>((at.a == Offsets::absent ? at.v : at.a) + axes);
   std::copy_n(before.begin(), motion_end, record_.begin());
   const Head head = plans.head_of(id, record_.data());
+  plans.changed_.add(head.first, head.last());
   if (new_id != id) moved_ = head, moved_->object = new_id;
   if (equal_bits(item_inputs(at, axes, before), item_inputs(at, axes, record_))) return record_;
   std::vector<double> item(static_cast<std::size_t>(plans.item_at_.size));
@@ -108,11 +131,19 @@ void StoredPlans::Change::remove(std::int64_t id, std::span<const double> record
   if (record.empty() || !has_plan(plans_->at_, record.data())) return;
   const Head head = plans_->head_of(id, record.data());
   plans_->tree_.with_sound_tree([&] {
-    for (std::int64_t number = head.first; number <= head.last(); ++number)
-      if (!plans_->tree_.erase(number))
-        plans_->damaged("chunk " + std::to_string(number) + " is missing in " + plans_->name_.table +
-                        "_chunkmap");
+    for (std::int64_t number = head.first; number <= head.last(); ++number) erase_item(number);
   });
+  note_removed(head);
+}
+
+void StoredPlans::Change::erase_item(std::int64_t number) {
+  if (!plans_->tree_.erase(number))
+    plans_->damaged("chunk " + std::to_string(number) + " is missing in " + plans_->name_.table +
+                    "_chunkmap");
+}
+
+void StoredPlans::Change::note_removed(const Head& head) {
+  plans_->changed_.add(head.first, head.last());
   plans_->last_number_ = std::max(plans_->last_number_, head.last());
   removed_.push_back(head);
 }

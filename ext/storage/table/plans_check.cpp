@@ -12,6 +12,7 @@ namespace foresee {
 // A chunk that is damaged or missing is an error before anything changes; one of no object is deleted.
 void StoredPlans::rebuild(std::vector<Head>& heads, std::span<const double> records, Interrupt& interrupt) {
   const FloatEnvironment environment;
+  changed_.add_all();
   const auto record_size = static_cast<std::size_t>(at_.size),
              item_size = static_cast<std::size_t>(item_at_.size);
   std::vector<std::int64_t> strays;

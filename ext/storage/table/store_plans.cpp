@@ -113,8 +113,9 @@ std::span<const double> Store::change_plans(StoredPlans::Change& plans, std::int
   if (!plan) {
     record = plans.keep(id, new_id, *before, record);
   } else {
-    record = plans.add(new_id, record, *plan);
-    plans.remove(id, *before);
+    std::optional<StoredPlans::Head> old;
+    if (has_plan(format_.at, before->data())) old = plans_->head_of(id, before->data());
+    record = plans.add(new_id, record, *plan, old ? &*old : nullptr);
   }
   require_sound(record);
   return record;

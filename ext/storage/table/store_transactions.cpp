@@ -147,6 +147,8 @@ void Store::close() {
 
 void Store::commit() {
   if (gone_) return;
+  if (plans_ && version_.is_own() && version_.seen())
+    plans_->note_commit(version_.before(), *version_.seen());
   end_transaction(Journal::Ended::committed);
   is_new_ = false;
 }

@@ -85,11 +85,15 @@ class StoredPlans final : public Journal::Participant {
   void check(std::vector<Head>& heads, std::span<const double> records, const Say& say, Interrupt& interrupt);
 
   class Change;
+  /// Call it when a transaction that has replaced stamp `before` by `after` is committed, before the journal ends.
+  void note_commit(std::optional<std::int64_t> before, std::int64_t after) noexcept {
+    cache_.take_commit(before, after, changed_);
+  }
 
  private:
   std::size_t keep() override { return 0; }
   void rewind(std::size_t) noexcept override {}
-  void end(Journal::Ended) noexcept override {}
+  void end(Journal::Ended) noexcept override { changed_.clear(); }
 
   /// Opens a stored chunk of this object; throws for damage.
   StoredChunk opened(std::int64_t number, std::span<const std::byte> blob, const Head* head) const;
@@ -116,6 +120,7 @@ class StoredPlans final : public Journal::Participant {
   Offsets at_, item_at_;
   TreeStore tree_;
   ChunkCache cache_;
+  ChangedChunks changed_;  ///< by this transaction; those of rolled-back changes stay in it
   std::optional<LegRows> rows_;
   std::optional<TreeRows> tree_rows_;
   std::int64_t last_number_ = 0;  ///< of those that this object has written or deleted
@@ -132,8 +137,9 @@ class StoredPlans::Change {
   Change& operator=(const Change&) = delete;
 
   /// Adds the plan, which outlives this; returns the record with its first leg and the numbers of its chunks.
-  /// Valid as long as this.
-  std::span<const double> add(std::int64_t id, std::span<const double> record, const Plan& plan);
+  /// Valid as long as this. `before`: a plan that is removed.
+  std::span<const double> add(std::int64_t id, std::span<const double> record, const Plan& plan,
+                              const Head* before = nullptr);
   /// The same without a new plan. `before`: the object's record, if it exists. Its plan is kept if `record` has its
   /// number; then the first leg is that of `before`.
   std::span<const double> keep(std::int64_t id, std::int64_t new_id, std::span<const double> before,
@@ -147,6 +153,10 @@ class StoredPlans::Change {
   void finish();
 
  private:
+  void add_items(const Head* before);
+  void erase_item(std::int64_t number);
+  void note_removed(const Head& head);
+
   StoredPlans* plans_;
   const bool& rolled_back_;
   std::vector<double> record_;

@@ -61,6 +61,10 @@ bool TreeStore::erase(std::int64_t id) {
   return tree_->erase(id) || is_pending;
 }
 
+bool TreeStore::replace(std::int64_t id, std::int64_t new_id, std::span<const double> record) {
+  return !pending_.find(id) && tree_->replace(id, new_id, record);
+}
+
 void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
   with_sound_tree([&] {
     const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);

@@ -50,6 +50,8 @@ class TreeStore final : private MemoryHolder {
   bool update(std::int64_t id, std::span<const double> record);
   /// False if there is no such object.
   bool erase(std::int64_t id);
+  /// Puts a new object in the place of another one in the tree (TprTree::replace()). False: nothing has changed.
+  bool replace(std::int64_t id, std::int64_t new_id, std::span<const double> record);
   /// Why pending objects go into the tree: a query or command needs it, memory is full, or the transaction ends.
   enum class Reason : std::uint8_t { query, memory, commit };
   /// Moves all pending objects into the tree: in memory, as far as the budget allows. If memory is full in the

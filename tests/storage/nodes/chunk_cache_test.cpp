@@ -87,6 +87,27 @@ TEST_F(StoredBlobs, OfAnotherStampAreDropped) {
   EXPECT_EQ(count_found(cache, 1), 0u) << "they are gone, not hidden";
 }
 
+TEST_F(StoredBlobs, OfAnOwnCommitStayUnlessItHasChangedThem) {
+  MemoryBudget budget;
+  ChunkCache cache(budget);
+  EXPECT_EQ(count_found(cache, 1), 0u);
+  add_all(cache, 1);
+  ChangedChunks changed;
+  changed.add(8, 10);
+  changed.add(5, 6);  // not in memory
+  cache.take_commit(1, 2, changed);
+  EXPECT_EQ(count_found(cache, 2), blobs.size() - 3);
+  EXPECT_EQ(cache.find(2, 9), nullptr);
+  EXPECT_NE(cache.find(2, 11), nullptr);
+  cache.take_commit(1, 3, {});
+  EXPECT_NE(cache.find(2, 11), nullptr) << "a commit of another stamp is not this cache's";
+  cache.take_commit({}, 3, {});
+  EXPECT_NE(cache.find(2, 11), nullptr) << "nothing is known before the first stamp";
+  changed.add(0, 1000000);
+  cache.take_commit(2, 3, changed);
+  EXPECT_EQ(count_found(cache, 3), 0u) << "many changes drop everything";
+}
+
 TEST_F(StoredBlobs, AreEvictedByTheBudgetUnlessTheyWereUsed) {
   std::size_t bytes = 0;
   for (const auto& blob : blobs) bytes += blob.size();
