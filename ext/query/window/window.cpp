@@ -215,11 +215,15 @@ Window::Window(WindowQuestion question, Interrupt& interrupt)
   if (movers_ && question_.objects.scene) return;
   candidates_ =
       window_candidates(question_.objects, faces, question_.zone != nullptr, horizon, interrupt, test);
-  contact_ = make_window_contact(window_, candidates_->bodies(), horizon);
-  contact_->set_interrupt(interrupt);
+  if (!movers_) make_contact();
 }
 
 Window::~Window() = default;
+
+void Window::make_contact() {
+  contact_ = make_window_contact(window_, candidates_->bodies(), {question_.now, question_.h});
+  contact_->set_interrupt(interrupt_);
+}
 
 void Window::find_plans(const WindowFaces& faces, const std::optional<KindTest>& test) {
   const FloatEnvironment environment;
@@ -248,6 +252,7 @@ std::span<const WindowRow> Window::next() {
 
 bool Window::decide_batch() {
   if (!candidates_->next(batch_)) return false;
+  if (!contact_) make_contact();
   interrupt_.check();
   pairs_.clear(), hits_.clear(), times_.clear();
   for (const std::uint32_t row : batch_.doubtful) pairs_.push_back({0, row});

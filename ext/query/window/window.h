@@ -95,6 +95,7 @@ class Window {
   std::span<const WindowRow> next();
 
  private:
+  void make_contact();
   void take_inside();
   void find_plans(const WindowFaces& faces, const std::optional<KindTest>& test);
   bool decide_batch();
@@ -103,7 +104,8 @@ class Window {
   Interrupt& interrupt_;
   MovingWindow window_;
   std::unique_ptr<ObjectCandidates> candidates_;  ///< null: all objects are in movers_
-  std::unique_ptr<Contact> contact_;
+  std::unique_ptr<Contact>
+      contact_;  ///< null until an object without a plan is found, where objects have plans
   std::unique_ptr<MoverWindow> movers_;  ///< of a layout with plans: those with plans, of a scene all
   CandidateBatch batch_;
   std::vector<Pair> pairs_, hits_;

@@ -45,9 +45,9 @@ class PairTable {
   };
   void grow();
 
-  std::vector<Slot> slots_ = std::vector<Slot>(1024);
+  std::vector<Slot> slots_ = std::vector<Slot>(64);  // few: a question about one object has one, too
   std::size_t size_ = 0;
-  int shift_ = 54;
+  int shift_ = 58;
 };
 
 class FoundMovers {
