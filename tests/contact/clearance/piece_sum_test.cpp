@@ -57,7 +57,9 @@ void expect_support_in_pose(const PieceSum& sum, const std::vector<Corner>& all,
     const double x = random.in(-3, 3), y = i % 4 ? random.in(-3, 3) : 0, support = support_of(all, x, y);
     ASSERT_GE(sum.support(x, y, pose), support);
     ASSERT_LE(sum.support(x, y, pose), support + 1e-12 * 6 * size);
-    const Corner farthest = sum.farthest(x, y, pose);
+    const auto [mine, its] = sum.farthest_pair(x, y, pose);
+    const Corner farthest{mine.x * pose.cosine + mine.y * pose.sine - its.x,
+                          mine.y * pose.cosine - mine.x * pose.sine - its.y};
     ASSERT_NEAR(x * farthest.x + y * farthest.y, support, 1e-12 * 6 * size);
   }
 }
