@@ -2,9 +2,9 @@
 //
 //   verdict_by_lines(encounter, family, begin, end)         // clear: a proof; no value: other proofs may know more
 //
-// How far a pair of corners is left of the path of turn k, times the speed, is A + B cos k + C sin k; so is when the
-// path passes it, times the square of the speed. Each is the sum of a wave of the own corner and one of the other.
-// If all pairs are on one side for each turn of the range, all turns are clear, however wide the range is.
+// How far a pair of corners is left of the path of turn k, times the speed, is A + B cos k + C sin k. So is the time at
+// which the path passes it, times the square of the speed. Each is the sum of a wave of the own corner and one of the
+// other. If all pairs are on one side for each turn of the range, all turns are clear, however wide the range is.
 // Cost: linear in the corners of both, some 20 ns each.
 #pragma once
 
@@ -30,8 +30,8 @@ struct Wave {
   double mean, cosine, sine;
 
   double at(const SineCosine<double>& k) const { return mean + cosine * k.cosine + sine * k.sine; }
-  /// The least for |k| up to a half width, below 90 degrees.
-  double least(const SineCosine<double>& half) const {
+  /// The minimum for |k| up to a half width, below 90 degrees.
+  double min_within(const SineCosine<double>& half) const {
     const bool dips = cosine < 0 && std::abs(sine) * half.cosine < -cosine * half.sine;
     return dips ? -(-*this).peak() : std::min(at({-half.sine, half.cosine}), at(half));
   }
@@ -112,8 +112,8 @@ class TurnedLines {
   }
   /// Whether each path passes between two pairs, and all pairs between these times. Approximate.
   bool touch(double begin, double end) const {
-    return (across_[0].top + across_[1].top).least(half_) > 0 &&
-           (-(across_[0].bottom + across_[1].bottom)).least(half_) > 0 &&
+    return (across_[0].top + across_[1].top).min_within(half_) > 0 &&
+           (-(across_[0].bottom + across_[1].bottom)).min_within(half_) > 0 &&
            are_beyond(along_, 1, -begin, 0, 0) && are_beyond(along_, -1, end, 0, 0);
   }
 
@@ -122,19 +122,19 @@ class TurnedLines {
   /// times the speed; -1: minus these waves.
   bool are_beyond(const WavesOfCorners (&of)[2], int sign, double squares, double radius,
                   double margin) const {
-    double least[3];
+    double bound[3];
     for (int i = 0; i < 3; ++i)
-      least[i] = (sign > 0 ? of[0].low[i] + of[1].low[i] : -(of[0].high[i] + of[1].high[i])) +
+      bound[i] = (sign > 0 ? of[0].low[i] + of[1].low[i] : -(of[0].high[i] + of[1].high[i])) +
                  squares * square_.low[i];
     if (radius > 0) {
       // Not below the radius times the speed, and equal at the end where they are nearer: a b <= (a a + b b) / 2.
-      const double there = square_.low[least[0] < least[1] ? 0 : 1], times = radius / (2 * std::sqrt(there));
-      for (int i = 0; i < 3; ++i) least[i] -= times * (square_.low[i] + (i < 2 ? there + slack_ : 0));
+      const double there = square_.low[bound[0] < bound[1] ? 0 : 1], times = radius / (2 * std::sqrt(there));
+      for (int i = 0; i < 3; ++i) bound[i] -= times * (square_.low[i] + (i < 2 ? there + slack_ : 0));
     }
     // Between the ends a wave is below them by up to this share of its cosine.
     const double height = half_.sine * half_.sine / (1 + half_.cosine);
-    const double lowest = std::min(least[0], least[1]) + std::min(0.0, least[2]) * height;
-    return lowest > margin && std::isfinite(least[0] + least[1]);
+    const double lowest = std::min(bound[0], bound[1]) + std::min(0.0, bound[2]) * height;
+    return lowest > margin && std::isfinite(bound[0] + bound[1]);
   }
 
   SineCosine<double> half_;
