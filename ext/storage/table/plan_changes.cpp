@@ -66,7 +66,7 @@ std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<cons
 }
 
 // A plan is often replaced by one that leads through the same places at nearly the same times. So a new chunk takes the
-// place of the old one that starts nearest in time, where it fits: that writes a leaf where an erasure and an insertion
+// place of the old one that starts nearest in time, where it fits. That writes one leaf. An erasure and an insertion
 // write two, and the entries above both.
 void StoredPlans::Change::add_items(const Head* before) {
   TreeStore& tree = plans_->tree_;

@@ -87,7 +87,7 @@ TEST_F(StoredBlobs, OfAnotherStampAreDropped) {
   EXPECT_EQ(count_found(cache, 1), 0u) << "they are gone, not hidden";
 }
 
-TEST_F(StoredBlobs, OfAnOwnCommitStayUnlessItHasChangedThem) {
+TEST_F(StoredBlobs, AreKeptOverAnOwnCommitThatHasNotChangedThem) {
   MemoryBudget budget;
   ChunkCache cache(budget);
   EXPECT_EQ(count_found(cache, 1), 0u);

@@ -19,8 +19,8 @@ void lower_root(TreeState<D>& state);
 template <int D>
 void tighten_upward(TreeState<D>& state, NodeNumber number);
 
-/// True if the object in this slot reaches an end of the leaf's entry, in space, velocity or time, that `other` does not
-/// reach. Max t does not count.
+/// True if the object in this slot reaches an end of the leaf's entry in space, velocity or time, but `other` does not.
+/// Max t does not count.
 template <int D>
 bool is_outermost(TreeState<D>& state, NodeNumber leaf, std::size_t slot, const NewObject<D>& other);
 

@@ -45,7 +45,7 @@ class PairTable {
   };
   void grow();
 
-  std::vector<Slot> slots_ = std::vector<Slot>(64);  // few: a question about one object has one, too
+  std::vector<Slot> slots_ = std::vector<Slot>(64);  // few: a join about one object has them, too
   std::size_t size_ = 0;
   int shift_ = 58;
 };
