@@ -98,7 +98,7 @@ void compare_commits(Database& db, const Schedule& schedule, int repetitions) {
 
 void compare_loads(const Schedule& schedule) {
   const double legs = static_cast<double>(schedule.legs.size());
-  double ns[3], bytes[3];
+  double ns[3] = {}, bytes[3] = {};
   for (int i = 0; i < 3; ++i) {
     Database db(":memory:");
     register_foresee(db);

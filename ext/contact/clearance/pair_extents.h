@@ -57,6 +57,13 @@ struct GrowingExtents : PairExtents<D> {
   PairExtents<D> growth{Vec<D>::Zero(), 0, D};
   bool grows = false;
 
+  /// Whether what passes along this axis, or along any, is in contact for an instant only.
+  bool is_thin(int axis) const { return !grows && !this->sum && this->half[axis] == 0 && this->radius == 0; }
+  bool is_thin() const {
+    bool thin = false;
+    for (int axis = 0; axis < D; ++axis) thin = thin || is_thin(axis);
+    return thin;
+  }
   PairExtents<D> after(double tau) const {
     PairExtents<D> extents = *this;
     if (grows) extents.add(growth, tau);

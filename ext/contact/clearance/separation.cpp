@@ -65,6 +65,16 @@ SeenFromStart<D> seen_from_start(const Encounter<D>& encounter, const Trajectory
   return seen;
 }
 
+/// `nearest`: when the first and the last change touch, about.
+template <int D>
+bool all_touch_between(const SeparationCase<D>& separation, const Encounter<D>& encounter,
+                       const TrajectoryFamily<D>& family, const std::optional<double> (&nearest)[2]) {
+  const auto passing = [&](const TrajectoryEstimate<D>& own, double tau) {
+    return passing_time<D>(encounter.extents, relative(encounter, own), tau);
+  };
+  return separation.all_touch_between(passing(family.first, *nearest[0]), passing(family.last, *nearest[1]));
+}
+
 template <int D>
 ClearanceVerdict certified(SeparationCase<D>& separation, const Encounter<D>& encounter,
                            const TrajectoryFamily<D>& family) {
@@ -111,14 +121,17 @@ ClearanceVerdict certified(SeparationCase<D>& separation, const Encounter<D>& en
         return ClearanceVerdict::clear;
       if (!nearest[i]) nearest[i] = near;
     }
-    return separation.all_touch_between(*nearest[0], *nearest[1]) ? ClearanceVerdict::blocked
-                                                                  : ClearanceVerdict::open;
+    return all_touch_between<D>(separation, encounter, family, nearest) ? ClearanceVerdict::blocked
+                                                                        : ClearanceVerdict::open;
   }
-  if (!family.one_interval)
+  if (!family.one_interval) {
     for (int i = 0; i < 2; ++i) {
-      const double near = nearest[i] ? *nearest[i] : separation.nearest_time(*ends[i]);
-      if (separation.ends_touch_about(near)) return ClearanceVerdict::blocked;
+      if (!nearest[i]) nearest[i] = separation.nearest_time(*ends[i]);
+      if (separation.ends_touch_about(*nearest[i])) return ClearanceVerdict::blocked;
     }
+    if (encounter.extents.is_thin() && all_touch_between<D>(separation, encounter, family, nearest))
+      return ClearanceVerdict::blocked;
+  }
   if (family.one_interval && separation.touches(family.first) && separation.touches(family.last))
     return ClearanceVerdict::blocked;
   return ClearanceVerdict::open;

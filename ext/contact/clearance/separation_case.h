@@ -104,15 +104,16 @@ class SeparationCase {
   /// then are near a chord, and a convex set contains a chord whose ends it contains. Approximate.
   bool all_touch_between(double tau_first, double tau_last) const {
     const double earlier = std::min(tau_first, tau_last), later = std::max(tau_first, tau_last);
-    if (encounter_.extents.sum || earlier < last_begin() || later > first_end()) return false;
+    if (encounter_.extents.sum || !(earlier >= last_begin() && later <= first_end())) return false;
     const double half = 0.5 * (later - earlier);
     const Vec<D> bend = (encounter_.a - family_.upper[2]).abs().max((encounter_.a - family_.lower[2]).abs());
     const Vec<D> wide = (family_.upper[1] - family_.lower[1]) + later * (family_.upper[2] - family_.lower[2]);
     const double turned = family_.turned[0] + later * (family_.turned[1] + 0.5 * later * family_.turned[2]);
-    const Vec<D> beside = 0.5 * half * (half * bend + wide) + turned;
+    Vec<D> beside = 0.5 * half * (half * bend + wide) + turned, ignored;
+    for (int axis = 0; axis < D; ++axis)
+      if (encounter_.extents.is_thin(axis)) beside[axis] = 0;  // each passes there at a time of its own
     const auto touches_at_end = [&](const TrajectoryEstimate<D>& own, double tau) {
       const Vec<D> far = place_at<D>(relative(encounter_, own), tau).abs() + beside;
-      Vec<D> ignored;
       return signed_distance<D>(encounter_.extents.after(earlier), far, ignored) <= slack_at(tau);
     };
     return touches_at_end(family_.first, tau_first) && touches_at_end(family_.last, tau_last);

@@ -167,4 +167,15 @@ double deepest_time(const GrowingExtents<D>& extents, const TrajectoryEstimate<D
   return best;
 }
 
+/// The time near tau at which a path passes a set without thickness: a step of Newton's method.
+template <int D>
+double passing_time(const GrowingExtents<D>& extents, const TrajectoryEstimate<D>& path, double tau) {
+  for (int axis = 0; axis < D; ++axis) {
+    if (!extents.is_thin(axis)) continue;
+    const double speed = path.v[axis] + tau * path.a[axis];
+    if (speed != 0) tau -= place_at<D>(path, tau)[axis] / speed;
+  }
+  return tau;
+}
+
 }  // namespace foresee

@@ -1,6 +1,6 @@
 // The verdict on a range of turns beside a sum that rotates with them, by the line along each path.
 //
-//   verdict_by_lines(encounter, family, begin, end)         // clear: a proof; no value: other proofs may know more
+//   verdict_by_lines<2>(encounter, family, begin, end)       // clear: a proof; no value: other proofs may know more
 //
 // How far a pair of corners is left of the path of turn k, times the speed, is A + B cos k + C sin k. So is the time at
 // which the path passes it, times the square of the speed. Each is the sum of a wave of the own corner and one of the

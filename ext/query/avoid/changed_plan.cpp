@@ -85,14 +85,19 @@ std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& 
     for (Leg& leg : legs) leg = later(leg, k);
     return plan_of_legs(std::move(legs), question, later_knots, own, k);
   }
-  if (k == 0 || question.plan_has_knots || !(waits || question.resume)) return std::nullopt;
+  const bool has_legs = waits || question.resume;
+  const bool needs_plan = takes_plan(question) && (question.lacks_t || question.lacks_velocity);
+  if (k == 0 || question.plan_has_knots || !(has_legs || needs_plan)) return std::nullopt;
   const ChangedLegs changed = changed_legs(question, own, queried);
   const Offsets at = record_offsets(own.layout);
   const bool bends = at.a != Offsets::absent || at.force != Offsets::absent;
   Plan plan{.kind = bends ? PlanKind::accelerated : PlanKind::uniform, .axes = own.layout.axes};
+  double heading = 0;
   for (const auto& leg : changed.legs) {
     const OwnMotion motion = leg->changed(k);
-    if (own.layout.has_heading && motion.heading != own.stored.heading)
+    if (leg == changed.legs.front())
+      heading = motion.heading;
+    else if (own.layout.has_heading && motion.heading != heading)
       return std::nullopt;  // a plan has one heading
     plan.legs.push_back(leg_of(motion));
   }

@@ -57,9 +57,9 @@ struct ChangedLegs {
 /// Requires: `queried` is of `question`.
 ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, const QueriedChanges& queried);
 
-/// The plan to store for k: of an object with a plan, or where the manoeuvre gives several legs. Otherwise nothing,
-/// and nothing for a k that does not change an object without a plan. A plan of knots remains one if knots have just
-/// these legs.
+/// The plan to store for k: of an object with a plan, where the manoeuvre gives several legs, or where no columns
+/// store the changed motion. Otherwise nothing, and nothing for a k that does not change an object without a plan. A
+/// plan of knots remains one if knots have just these legs.
 std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& own,
                                  const QueriedChanges& queried, double k);
 

@@ -41,6 +41,19 @@ void require_range_given(const AvoidQuestion& question, const char* example) {
                 "' has no range of its own: give lo and hi, as in " + example);
 }
 
+/// Whether the object has, or can get, a plan, which has every start and every velocity.
+bool can_have_plan(const AvoidQuestion& question) {
+  return question.plan || takes_plan(question);
+}
+
+bool stores_start(const AvoidQuestion& question) {
+  return question.own->layout.has_t && (!question.lacks_t || can_have_plan(question));
+}
+
+bool stores_velocity(const AvoidQuestion& question) {
+  return question.own->layout.law != Law::rest && (!question.lacks_velocity || can_have_plan(question));
+}
+
 /// The table must have the columns that the manoeuvre changes.
 void require_columns(const AvoidQuestion& question) {
   const Layout& layout = question.own->layout;
@@ -56,7 +69,7 @@ void require_columns(const AvoidQuestion& question) {
   if (*how == Manoeuvre::climb) {
     require_range_given(question, "'climb', -5, 5");
     if (layout.axes < 3) throw Error("'climb' changes vz: " + name + " has no z");
-    if (layout.law == Law::rest) throw Error("'climb' changes vz: declare vx, vy, vz in " + name);
+    if (!stores_velocity(question)) throw Error("'climb' changes vz: declare vx, vy, vz in " + name);
   }
   if (*how == Manoeuvre::accelerate) {
     require_range_given(question, "'accelerate', -1, 1");
@@ -70,7 +83,7 @@ void require_columns(const AvoidQuestion& question) {
   }
   if (*how == Manoeuvre::delay) {
     require_range_given(question, "'delay', 0, 600");
-    if (!layout.has_t) throw Error("'delay' changes t: declare t in " + name);
+    if (!stores_start(question)) throw Error("'delay' changes t: declare t in " + name);
     if (!question.now_given)
       throw Error("'delay' needs an explicit now, because nothing can start before it; write now = ...");
   }
@@ -113,13 +126,34 @@ void require_join(const AvoidQuestion& question, const SearchTarget& others) {
 
 void require_start_to_come(const AvoidQuestion& question, const OwnMotion& stored) {
   const double lo = *question.lo;
-  if (stored.t + lo < question.now)
+  if (stored.t + lo < question.now) {
+    double first = question.now - stored.t;  // rounded, perhaps to an earlier start
+    while (stored.t + first < question.now) first = std::nextafter(first, 0.0);
     throw Error(
         "'delay' cannot make an object start before now: lo must not be less than now - t, which is " +
-        shown(question.now - stored.t) + "; lo is " + shown(lo));
+        shown(first) + "; lo is " + shown(lo));
+  }
   if (lo < 0 && grows(question.own->layout))
     throw Error("'delay' with lo = " + shown(lo) +
                 " is not supported for objects that grow; write lo >= 0 for " + question.own->name);
+}
+
+/// A velocity that has grown until the change must be stored, too.
+void require_velocity_at_change(const AvoidQuestion& question, const OwnState& own) {
+  if (stores_velocity(question) || own.base.v == std::array<double, 3>{}) return;
+  throw Error(question.own->name + ": row " + std::to_string(question.own->ids[0]) + " has a velocity at " +
+              shown(own.base.t) +
+              ", which no column stores: declare vx …, or write now = " + shown(own.stored.t));
+}
+
+void require_one_heading(const AvoidQuestion& question) {
+  const Layout& layout = question.own->layout;
+  if (!question.wants_plan || !takes_plan(question) || !question.resume) return;
+  if (question.how.value_or(Manoeuvre::turn) != Manoeuvre::turn || !layout.has_heading || !question.form)
+    return;
+  throw Error(
+      "a 'turn' with resume turns the outline back, and a plan has one heading: leave plan out and store the "
+      "first leg, or leave resume out");
 }
 
 void require_manoeuvre_of_plan(const AvoidQuestion& question) {
@@ -151,7 +185,8 @@ void require_valid(const AvoidQuestion& question) {
   require_no_meshes(question);
   require_join(question, question.others);
   if (question.also) require_join(question, *question.also);
-  if (!question.own->layout.has_t && question.now != 0)
+  require_one_heading(question);
+  if (!stores_start(question) && question.now != 0)
     throw Error("now must be 0 in a table without t: write now = 0, or declare t in " + question.own->name +
                 "; a change from " + shown(question.now) + " on cannot be stored there");
 }
@@ -162,6 +197,7 @@ bool turns_with_course(const AvoidQuestion& question, const Changes& changes) {
 
 std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnState& own) {
   if (question.plan) require_manoeuvre_of_plan(question);
+  if (question.how != Manoeuvre::delay) require_velocity_at_change(question, own);
   const double m = speed_of(own.base);
   std::vector<QueriedChanges> queried;
   const auto add = [&](Manoeuvre manoeuvre, double lo, double hi) {

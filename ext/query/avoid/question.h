@@ -25,6 +25,8 @@ struct AvoidQuestion {
   std::vector<double> record;             ///< its numbers as they are stored; empty: no object
   std::shared_ptr<const Form> form = {};  ///< its outline, or null
   std::shared_ptr<const Plan> plan = {};  ///< or null; `own` has its legs
+  bool lacks_t = false;                   ///< no column of own's table stores the t of its records
+  bool lacks_velocity = false;            ///< nor the velocity
   SearchTarget others;                    ///< own's table: an object with own's id is own itself
   std::optional<SearchTarget> also = {};
   double now = 0;
@@ -63,6 +65,11 @@ struct AvoidRow {
 /// Throws Error for an unknown name, listing the known ones.
 Manoeuvre manoeuvre_of(std::string_view name);
 Touching touching_of(std::string_view name);
+
+/// Whether own's table can store an object without a plan as one: its motion then needs no other column.
+inline bool takes_plan(const AvoidQuestion& question) {
+  return question.own->layout.has_plan && !question.plan_has_knots;
+}
 
 /// Throws Error for everything that is wrong for any object: numbers that are not limits, shapes without a
 /// distance, a range that the manoeuvre cannot have. Also for columns that the table does not declare.

@@ -12,6 +12,7 @@
 #include "sqlite/names/open_table.h"
 #include "sqlite/plan_values.h"
 #include "sqlite/stored_table.h"
+#include "sqlite/table/column_vocabulary.h"
 #include "sqlite/table/degrees_columns.h"
 #include "storage/rows/value_text.h"
 
@@ -47,13 +48,13 @@ constexpr int in_h = avoid_inputs["h"], in_tbl = avoid_inputs["tbl"], in_id = av
 
 class AvoidRows final : public FunctionRows {
  public:
-  AvoidRows(std::vector<AvoidRow> rows, const Layout& layout, std::array<std::string, 2> tables, Frame frame,
-            std::vector<double> stored, Interrupt& interrupt)
+  AvoidRows(std::vector<AvoidRow> rows, const OpenTables& tables, std::vector<double> stored,
+            Interrupt& interrupt)
       : rows_(std::move(rows)),
-        layout_(layout),
-        at_(record_offsets(layout)),
-        tables_(std::move(tables)),
-        frame_(std::move(frame)),
+        layout_(tables.a.store->declaration().layout),
+        at_(layout_.has_plan ? record_offsets(layout_) : declared_offsets(tables.a.store->declaration())),
+        tables_{tables.a.table, tables.b ? tables.b->table : ""},
+        frame_(tables.a.store->frame()),
         stored_(std::move(stored)),
         interrupt_(interrupt) {}
 
@@ -240,10 +241,11 @@ void read_object(const Connection::OpenTable& table, std::int64_t id, Interrupt&
   Store& store = *table.store;
   auto own = std::make_shared<Scene>();
   own->name = table.table, own->layout = store.declaration().layout;
+  const Offsets &at = store.format().at, declared = declared_offsets(store.declaration());
+  question.lacks_t = at.t != declared.t, question.lacks_velocity = at.v != declared.v;
   if (auto record = store.read(id)) {
     question.record = std::move(*record);
     const double* const numbers = question.record.data();
-    const Offsets& at = store.format().at;
     if (has_plan(at, numbers)) {
       question.plan = std::make_shared<const Plan>(store.read_plan(id, question.record));
       own->add(id, numbers, legs_of(*question.plan));
@@ -277,11 +279,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   std::vector<AvoidRow> rows = avoid(question, interrupt);
   if (const auto clear = call.only(out_clear))
     std::erase_if(rows, [&](const AvoidRow& row) { return *clear != (row.clear ? 1 : 0); });
-  const Layout& layout = question.own->layout;
-  if (layout.has_plan && question.plan_has_knots) show_plans(*tables.a.store, interrupt, rows);
-  std::array<std::string, 2> names{tables.a.table, tables.b ? tables.b->table : ""};
-  return std::make_unique<AvoidRows>(std::move(rows), layout, std::move(names), tables.a.store->frame(),
-                                     std::move(question.record), interrupt);
+  if (question.own->layout.has_plan && question.plan_has_knots) show_plans(*tables.a.store, interrupt, rows);
+  return std::make_unique<AvoidRows>(std::move(rows), tables, std::move(question.record), interrupt);
 }
 
 }  // namespace

@@ -95,6 +95,18 @@ GeoColumn geo_column(std::string_view name, const Frame& frame) {
   return GeoColumn::none;
 }
 
+Offsets declared_offsets(const Declaration& declaration) {
+  Offsets at = record_offsets(declaration.layout);
+  const auto stores = [&](Quantity quantity) {
+    const auto has = [&](const MotionColumn& column) { return find_word(column.name)->quantity == quantity; };
+    return std::any_of(declaration.columns.begin(), declaration.columns.end(), has);
+  };
+  if (!stores(Quantity::reference_time)) at.t = Offsets::absent;
+  if (!stores(Quantity::until)) at.until = Offsets::absent;
+  if (!stores(Quantity::velocity)) at.v = Offsets::absent;
+  return at;
+}
+
 std::string known_words() {
   std::string list = "id";
   for (const Word& word : words) list += ", " + std::string(word.name);

@@ -58,6 +58,9 @@ std::string_view word_for(Quantity quantity, int axis, bool in_degrees = false);
 /// lat, lon, speed or course, on the globe also z and vz; `none` for all other words.
 GeoColumn geo_column(std::string_view name, const Frame& frame = {});
 
+/// Places of a record, without the t, until and velocity that no column stores: plans and accelerations need them.
+Offsets declared_offsets(const Declaration& declaration);
+
 /// "id" and all words as one comma-separated list for messages: "id, t, x, …".
 std::string known_words();
 

@@ -90,7 +90,8 @@ int type_as_number(sqlite3_value* value) {
 const char* rule_for_null(Quantity quantity, bool has_plan) {
   switch (quantity) {
     case Quantity::reference_time:
-      return "a declared reference time is needed; write the time at which the position holds";
+      return has_plan ? "a declared reference time or a plan is needed; write one of them"
+                      : "a declared reference time is needed; write the time at which the position holds";
     case Quantity::mass:
       return "a force needs a mass; write a number greater than 0";
     default:

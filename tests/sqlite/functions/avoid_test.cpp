@@ -253,6 +253,16 @@ TEST_F(NearTouching, TurnsAtWhichTheDistanceOnlyGrowsAreClearOnBentPathsToo) {
   EXPECT_EQ(rows_of("100, 'bent', 1, 0, 'turn', -90, -45"), "0|-90.0|-45.0|2|2");
 }
 
+TEST_F(NearTouching, WallsWithoutThicknessEndWhereTheyEnd) {
+  db.exec(
+      "CREATE VIRTUAL TABLE points USING moving_objects(id, t, x, y, vx, vy);"
+      "CREATE VIRTUAL TABLE walls USING moving_objects(id, x, y, hx, hy);"
+      "INSERT INTO points VALUES (1, 0, 0, 0, 1, 0);"
+      "INSERT INTO walls VALUES (1, 10, 0, 0, 5)");
+  EXPECT_EQ(rows_of("60, 'points', 1, 0, 'turn', -90, 90, 0, 'walls'"),  // atan(1/2)
+            "1|-90.0|-26.565051|NULL|1\n0|-26.565051|26.565051|1|1\n1|26.565051|90.0|1|NULL");
+}
+
 TEST_F(AvoidInSql, EndsSoonWherePathsGrazeOrOverflow) {
   db.exec(
       "CREATE VIRTUAL TABLE boxes USING moving_objects(id, t, until, x, y, vx, vy, ax, ay, hx, hy);"
@@ -267,7 +277,7 @@ TEST_F(AvoidInSql, EndsSoonWherePathsGrazeOrOverflow) {
       "  (3, 0, 1e300, 1e300, 1e300, -1e300, 1e300, 0, 1)");
   EXPECT_EQ(db.rows("SELECT clear, round(k_from, 6), round(k_to, 6) FROM "
                     "predictive_avoid(33.3, 'boxes', 1, 0, 'accelerate', -0.2, 1, 103) WHERE k_from > -0.15"),
-            "0|-0.143258|-0.118555\n1|-0.118555|1.0");
+            "0|-0.143258|-0.118711\n1|-0.118711|1.0");
   EXPECT_EQ(db.rows("SELECT clear, k_from, k_to FROM predictive_avoid(100, 'far', 4, 0, 'turn', -1, 1)"),
             "0|-1.0|0.0\n1|0.0|0.0\n0|0.0|1.0");
 }

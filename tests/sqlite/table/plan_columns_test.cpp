@@ -161,6 +161,8 @@ TEST_F(Plans, NullAndEmptyTextArePlainRows) {
   EXPECT_EQ(db.rows("SELECT x, plan FROM robots ORDER BY id"), "5.0|NULL\n7.0|NULL");
   EXPECT_EQ(db.error_of("INSERT INTO robots(id, t, y) VALUES (7, 0, 0)"),
             "robots.x of row 7 is NULL: a position or a plan is needed; write one of them");
+  EXPECT_EQ(db.error_of("INSERT INTO robots(id, plan) VALUES (7, '')"),
+            "robots.t of row 7 is NULL: a declared reference time or a plan is needed; write one of them");
 }
 
 TEST_F(Plans, ColumnsOfTheFirstLegFollow) {

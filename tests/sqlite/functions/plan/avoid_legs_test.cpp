@@ -113,5 +113,85 @@ TEST_F(AvoidInPlans, AvoidsPlansOfASecondTable) {
       "0|1|robots");
 }
 
+// What no column of the table stores.
+
+struct AvoidWithoutColumns : AvoidInLegs {};
+
+TEST_F(AvoidWithoutColumns, GivesAPlanOfOneLegInATableOfPlansWithoutT) {
+  db.exec(
+      "CREATE VIRTUAL TABLE drones USING moving_objects(id, x, y, vx, vy, plan, r);"
+      "INSERT INTO drones(id, x, y, vx, vy, r) VALUES (1, 0, 0, 2, 0, 1), (2, 30, 0, 0, 0, 1), (3, 40, 12, "
+      "-1, 0, 1)");
+  const std::string change = "FROM predictive_avoid(60, 'drones', 1, 1, 'turn', -28, -28, 5)";
+  EXPECT_EQ(db.rows("SELECT clear, t, x, until, plan IS NULL " + change), "1|5.0|10.0|NULL|0");
+  db.exec("UPDATE drones SET plan = (SELECT plan " + change + ") WHERE id = 1");
+  EXPECT_EQ(
+      db.rows(
+          "SELECT leg, p.t, p.until, p.x, round(p.vx, 3), round(p.vy, 3) FROM drones d, plan_rows(d.plan) p "
+          "WHERE d.id = 1"),
+      "1|5.0|NULL|10.0|1.766|0.939");
+  EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(60, 'drones', 1) WHERE now = 5"), "");
+  EXPECT_EQ(legs("60, 'drones', 2, 1, 'delay', 2, 2, 0", "1"), "1|2.0|NULL|30.0|0.0|0.0|0.0");
+  EXPECT_EQ(db.rows("SELECT plan FROM predictive_avoid(60, 'drones', 2, 1, 'turn', 0, 0, 0)"), "NULL");
+}
+
+TEST_F(AvoidWithoutColumns, RefusesAStartThatATableInDegreesCannotStore) {
+  db.exec(
+      "CREATE VIRTUAL TABLE boats USING moving_objects(id, lat, lon, speed, course, plan, r, origin = '54 "
+      "8');"
+      "INSERT INTO boats(id, lat, lon, speed, course, r) VALUES (1, 54, 8, 2, 90, 1)");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(60, 'boats', 1, 0, 'turn', 0, 1, 5)"),
+            "predictive_avoid: now must be 0 in a table without t: write now = 0, or declare t in boats; a "
+            "change from "
+            "5 on cannot be stored there");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(60, 'boats', 1, 0, 'delay', 0, 1, 0)"),
+            "predictive_avoid: 'delay' changes t: declare t in boats");
+  EXPECT_EQ(db.rows("SELECT clear FROM predictive_avoid(60, 'boats', 1, 0, 'turn', 0, 1, 0)"), "1");
+}
+
+TEST_F(AvoidWithoutColumns, RefusesAVelocityThatNoColumnStores) {
+  db.exec(
+      "CREATE VIRTUAL TABLE sledges USING moving_objects(id, t, x, y, z, ax, ay, az, r);"
+      "INSERT INTO sledges VALUES (1, 0, 0, 0, 0, 1, 0, 0, 1), (2, 0, -10, 0, 0, 0, 0, 0, 1)");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(5, 'sledges', 1, 0, 'accelerate', -2.5, -2.5, 4)"),
+            "predictive_avoid: sledges: row 1 has a velocity at 4, which no column stores: declare vx …, or "
+            "write now "
+            "= 0");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(5, 'sledges', 1, 0, 'climb', -2.5, -2.5, 0)"),
+            "predictive_avoid: 'climb' changes vz: declare vx, vy, vz in sledges");
+  EXPECT_EQ(
+      db.rows(
+          "SELECT clear, vx, round(ay, 3) FROM predictive_avoid(5, 'sledges', 1, 0, 'turn', -90, -90, 0)"),
+      "1|NULL|1.0");
+}
+
+TEST_F(AvoidWithoutColumns, RefusesAPlanOfAnOutlineThatTurnsBack) {
+  db.exec(
+      "CREATE VIRTUAL TABLE hulls USING moving_objects(id, t, x, y, vx, vy, shape, heading, plan);"
+      "INSERT INTO hulls(id, t, x, y, vx, vy, shape, heading) VALUES"
+      "  (1, 0, 0, 0, 2, 0, 'POLYGON((-1 -3, 1 -3, 0 3, -1 -3))', 90)");
+  EXPECT_EQ(db.error_of(
+                "SELECT plan FROM predictive_avoid(60, 'hulls', 1, 1, 'turn', 60, 60, 0) WHERE resume = 12"),
+            "predictive_avoid: a 'turn' with resume turns the outline back, and a plan has one heading: "
+            "leave plan out "
+            "and store the first leg, or leave resume out");
+  EXPECT_EQ(db.rows("SELECT clear, heading FROM predictive_avoid(60, 'hulls', 1, 1, 'turn', 60, 60, 0) "
+                    "WHERE resume = 12"),
+            "1|150.0");
+}
+
+TEST_F(AvoidInLegs, NamesTheFirstDelayThatItTakes) {
+  db.exec(
+      "CREATE VIRTUAL TABLE trams USING moving_objects(id, t, x, vx, r);"
+      "INSERT INTO trams VALUES (1, 10.047163307392325, 0, 1, 1), (2, 0, 5, 0, 1)");
+  const std::string call = "SELECT clear FROM predictive_avoid(60, 'trams', 1, 0.5, 'delay', ",
+                    now = ", 5, 1.9352673989719382)";
+  EXPECT_EQ(db.error_of(call + "1.9352673989719382 - 10.047163307392325" + now),
+            "predictive_avoid: 'delay' cannot make an object start before now: lo must not be less than now "
+            "- t, which "
+            "is -8.111895908420385; lo is -8.111895908420387");
+  EXPECT_EQ(db.error_of(call + "-8.111895908420385" + now), "");
+}
+
 }  // namespace
 }  // namespace foresee::testing
