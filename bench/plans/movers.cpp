@@ -89,9 +89,8 @@ void compare_commits(Database& db, const Schedule& schedule, int repetitions) {
   }
   const auto us = [](const std::vector<double>& seconds) { return 1e6 * median(seconds) / movers; };
   std::printf(
-      "  commit of a plan of %d legs: a second later %.0f us, of another mover %.0f us; rows replaced %.0f "
-      "us "
-      "(%.3fx, %.3fx); UPDATE of a plain row %.0f us (%.2fx, %.2fx)\n",
+      "  commit of a plan of %d legs: a second later %.0f us, of another mover %.0f us; rows replaced "
+      "%.0f us (%.3fx, %.3fx); UPDATE of a plain row %.0f us (%.2fx, %.2fx)\n",
       schedule.legs_of_mover, us(of_later), us(of_others), us(of_rows), us(of_later) / us(of_rows),
       us(of_others) / us(of_rows), us(of_plain), us(of_later) / us(of_plain), us(of_others) / us(of_plain));
 }

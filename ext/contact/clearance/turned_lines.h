@@ -65,7 +65,8 @@ struct Wave {
   }
 };
 
-/// Bounds of the waves of some corners: at both ends and of the cosine; and the outermost waves in the middle.
+/// The ranges of some waves at both ends, and of their cosines. `bottom` and `top` have the lowest and the highest
+/// value in the middle.
 struct WavesOfCorners {
   static constexpr double inf = std::numeric_limits<double>::infinity();
 

@@ -41,17 +41,17 @@ void require_range_given(const AvoidQuestion& question, const char* example) {
                 "' has no range of its own: give lo and hi, as in " + example);
 }
 
-/// Whether the object has, or can get, a plan, which has every start and every velocity.
-bool can_have_plan(const AvoidQuestion& question) {
-  return question.plan || takes_plan(question);
+/// Whether the object has, or can get, a plan, which has every start and every velocity; or there is no object.
+bool needs_no_column(const AvoidQuestion& question) {
+  return question.plan || takes_plan(question) || question.record.empty();
 }
 
 bool stores_start(const AvoidQuestion& question) {
-  return question.own->layout.has_t && (!question.lacks_t || can_have_plan(question));
+  return question.own->layout.has_t && (!question.lacks_t || needs_no_column(question));
 }
 
 bool stores_velocity(const AvoidQuestion& question) {
-  return question.own->layout.law != Law::rest && (!question.lacks_velocity || can_have_plan(question));
+  return question.own->layout.law != Law::rest && (!question.lacks_velocity || needs_no_column(question));
 }
 
 /// The table must have the columns that the manoeuvre changes.

@@ -104,8 +104,8 @@ class Window {
   Interrupt& interrupt_;
   MovingWindow window_;
   std::unique_ptr<ObjectCandidates> candidates_;  ///< null: all objects are in movers_
-  std::unique_ptr<Contact>
-      contact_;  ///< null until an object without a plan is found, where objects have plans
+  /// Where objects have plans: null until one without a plan is found.
+  std::unique_ptr<Contact> contact_;
   std::unique_ptr<MoverWindow> movers_;  ///< of a layout with plans: those with plans, of a scene all
   CandidateBatch batch_;
   std::vector<Pair> pairs_, hits_;

@@ -13,7 +13,6 @@
 // Cost: a look-up in a hash table, where a row costs a statement, a checksum and the checks of its header.
 #pragma once
 
-#include <iterator>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -30,11 +29,12 @@ class ChangedChunks {
   /// Adds the numbers from `first` to `last`.
   void add(std::int64_t first, std::int64_t last) {
     if (are_all_) return;
-    if (last - first >= max_numbers || std::ssize(ranges_) >= max_numbers) return add_all();
+    count_ += last - first + 1;
+    if (count_ > max_numbers) return add_all();
     ranges_.emplace_back(first, last);
   }
   void add_all() noexcept { are_all_ = true, ranges_.clear(); }
-  void clear() noexcept { are_all_ = false, ranges_.clear(); }
+  void clear() noexcept { are_all_ = false, ranges_.clear(), count_ = 0; }
 
   bool are_all() const { return are_all_; }
   template <class Each>
@@ -48,6 +48,7 @@ class ChangedChunks {
   static constexpr std::int64_t max_numbers = 10000;
 
   std::vector<std::pair<std::int64_t, std::int64_t>> ranges_;
+  std::int64_t count_ = 0;
   bool are_all_ = false;
 };
 

@@ -147,6 +147,8 @@ TEST_F(AvoidWithoutColumns, RefusesAStartThatATableInDegreesCannotStore) {
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(60, 'boats', 1, 0, 'delay', 0, 1, 0)"),
             "predictive_avoid: 'delay' changes t: declare t in boats");
   EXPECT_EQ(db.rows("SELECT clear FROM predictive_avoid(60, 'boats', 1, 0, 'turn', 0, 1, 0)"), "1");
+  EXPECT_EQ(db.rows("SELECT clear FROM predictive_avoid(60, 'boats', 9, 0, 'turn', 0, 1, 5)"), "")
+      << "no object";
 }
 
 TEST_F(AvoidWithoutColumns, RefusesAVelocityThatNoColumnStores) {
