@@ -21,7 +21,7 @@ using namespace testing_by_hand;
 
 /// The number of certain answers of each stage.
 struct Certain {
-  int chord = 0, lanes_miss = 0, lanes_touch = 0, doubles = 0, in_128_bits = 0, times = 0;
+  int chord = 0, lanes_miss = 0, lanes_touch = 0, lanes_start = 0, doubles = 0, in_128_bits = 0, times = 0;
 };
 
 template <int D, int Degree>
@@ -77,14 +77,14 @@ class StagesOfPair {
   void check_lanes(bool touches, const ExactLifetime& exact) {
     const AllLengths<Bounded> lengths(set_);
     std::vector<LanesLine> space(lanes_space(set_));
-    const LanesQuestion question{.a = setup_.a.at,
-                                 .b = setup_.b.at,
-                                 .now = setup_.horizon.now,
-                                 .h = setup_.horizon.h,
-                                 .set = set_.arrays(),
-                                 .lengths = lengths.data(),
-                                 .touches_wanted = true,
-                                 .space = reinterpret_cast<double*>(space.data())};
+    LanesQuestion question{.a = setup_.a.at,
+                           .b = setup_.b.at,
+                           .now = setup_.horizon.now,
+                           .h = setup_.horizon.h,
+                           .set = set_.arrays(),
+                           .lengths = lengths.data(),
+                           .times_wanted = false,
+                           .space = reinterpret_cast<double*>(space.data())};
     SetLanes lanes;
     std::fill_n(lanes.a, lanes.width, row_a_.data());
     std::fill_n(lanes.b, lanes.width, row_b_.data());
@@ -96,10 +96,17 @@ class StagesOfPair {
       EXPECT_FALSE(misses && touches) << "side by side: " << case_;
       EXPECT_TRUE(touches || !(lanes.touches[l] > 0)) << "side by side: " << case_;
     }
+    question.times_wanted = true;
+    set_kernel<D, Degree>().classify(question, lanes);
+    expect_from_every_cpu(question, lanes);
+    const bool at_start = lanes.touches[0] > 0;
+    certain_.lanes_start += at_start;
+    EXPECT_TRUE(touches || !at_start) << "side by side: " << case_;
     if (!touches) return;
     PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
     const auto times = exact_times(polynomials, exact);
     ASSERT_TRUE(times) << case_;
+    EXPECT_TRUE(!at_start || times->dt == 0) << "side by side: " << case_;
     EXPECT_GE(times->dt, lanes.begin[0]) << case_;
     EXPECT_LE(times->dt_end, lanes.end[0] * (1 + 0x1p-52)) << case_;
   }
@@ -164,6 +171,7 @@ void check_kind(Shapes shapes, std::uint64_t seed) {
   EXPECT_GT(certain.chord, 20);
   EXPECT_GT(certain.lanes_miss, 40);
   EXPECT_GT(certain.lanes_touch, 40);
+  EXPECT_GT(certain.lanes_start, 20);
   EXPECT_GT(certain.doubles, 100);
   EXPECT_GT(certain.in_128_bits, 1000);
   EXPECT_GT(certain.times, 50);

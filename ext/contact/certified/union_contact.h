@@ -55,8 +55,8 @@ class UnionContact : public Contact {
   void first_contacts(std::span<const Pair> pairs, TimesWanted wanted, std::vector<Pair>& hits,
                       std::vector<ContactTimes>& times) override {
     const FloatEnvironment environment;
-    filter_.for_each(pairs, true, [&](const Pair& pair, const Interval<double>& near, bool) {
-      const auto found = first_contact(pair, near, wanted);
+    filter_.for_each(pairs, true, [&](const Pair& pair, const Interval<double>& near, bool at_start) {
+      const auto found = first_contact(pair, near, wanted, at_start);
       if (!found) return;
       hits.push_back(pair);
       times.push_back(*found);
@@ -100,12 +100,15 @@ class UnionContact : public Contact {
     return Exact(context, staged).touches();
   }
 
-  /// Whether and when the pair touches: the exact times, each rounded once. `near`: as for touches().
+  /// Whether and when the pair touches: the exact times, each rounded once. `near`: as for touches(). `at_start`:
+  /// they certainly touch when the queried time starts.
   [[gnu::noinline]] std::optional<ContactTimes> first_contact(const Pair& pair, const Interval<double>& near,
-                                                              TimesWanted wanted) {
+                                                              TimesWanted wanted, bool at_start = false) {
     const Rows rows = rows_of(pair);
     const PairLifetime lifetime = pair_lifetime_of(setup_, rows.a, rows.b);
     if (lifetime.none) return {};
+    if (at_start && wanted != TimesWanted::both)
+      return ContactTimes{lifetime.t_start, lifetime.t_start, lifetime.dt_start, lifetime.dt_start};
     take_pieces(pair);
     const Context context(setup_, rows.a, rows.b, a_, b_, lifetime, near, *steps_);
     const FilterAnswer plain = filter_answer(context, true);
@@ -116,7 +119,7 @@ class UnionContact : public Contact {
       return ContactTimes{lifetime.t_start, lifetime.t_start, lifetime.dt_start, lifetime.dt_start};
     Staged staged(context, true, space_);
     Instant begin = unknown_instant();
-    const Verdict touches = staged.first_contact(begin);
+    const Verdict touches = at_start ? start_at_once(staged, lifetime, begin) : staged.first_contact(begin);
     if (touches == Verdict::no) return {};
     if (touches == Verdict::uncertain) {
       const auto exact = Exact(context, staged).contact(-UncertainInterval::inf, staged.contact_by());
@@ -159,6 +162,17 @@ class UnionContact : public Contact {
     const double *a, *b;
   };
   Rows rows_of(const Pair& pair) const { return {setup_.a.row(pair.a), setup_.b.row(pair.b)}; }
+
+  /// As Staged::first_contact(), of a pair that certainly touches when the queried time starts.
+  static Verdict start_at_once(Staged& staged, const PairLifetime& lifetime, Instant& begin) {
+    if constexpr (requires { staged.start_at(0.0); }) {
+      staged.start_at(lifetime.dt_start);
+      begin = {lifetime.dt_start, lifetime.t_start};
+      return Verdict::yes;
+    } else {
+      return staged.first_contact(begin);
+    }
+  }
 
   /// Not for windows: their bounded boxes may have the largest doubles as faces.
   FilterAnswer filter_answer(const Context& context, bool times_wanted) const {

@@ -45,14 +45,14 @@ class SetFilter {
                   .h = setup.horizon.h,
                   .set = set.arrays(),
                   .lengths = lengths_.data(),
-                  .touches_wanted = false,
+                  .times_wanted = false,
                   .space = reinterpret_cast<double*>(space_.data())} {}
 
   /// As EachPair::for_each().
   template <class Visit>
   void for_each(std::span<const Pair> pairs, bool times_wanted, Visit&& visit) {
     constexpr std::size_t width = SetLanes::width;
-    question_.touches_wanted = !times_wanted;
+    question_.times_wanted = times_wanted;
     for (std::size_t begin = 0; begin < pairs.size(); begin += width) {
       const auto some = pairs.subspan(begin, std::min(width, pairs.size() - begin));
       for (std::size_t l = 0; l < width; ++l) {
@@ -63,8 +63,7 @@ class SetFilter {
       kernel_.classify(question_, lanes_);
       for (std::size_t l = 0; l < some.size(); ++l)
         if (!(lanes_.begin[l] > lanes_.end[l]))
-          visit(some[l], Interval<double>{lanes_.begin[l], lanes_.end[l]},
-                !times_wanted && lanes_.touches[l] > 0);
+          visit(some[l], Interval<double>{lanes_.begin[l], lanes_.end[l]}, lanes_.touches[l] > 0);
     }
   }
 

@@ -7,10 +7,10 @@
 //   lanes.begin[l] > lanes.end[l];                              // certainly they never touch
 //   lanes.touches[l] > 0;                                       // certainly they do
 //
-// The chord (chord.h) bounds when each pair can touch. In the middle of that interval the primitives of the
-// set are evaluated with error bounds. Pairs that neither decides are for the engine of single pairs, within that
-// interval. The set is read once per register of pairs, so that its interpretation as data costs little: some
-// twenty nanoseconds per pair.
+// The chord (chord.h) bounds when each pair can touch. At one time the primitives of the set are evaluated with
+// error bounds: in the middle of that interval, or now if the start of contact is wanted. Pairs that neither
+// decides are for the engine of single pairs, within that interval. The set is read once per register of pairs,
+// so that its interpretation as data costs little: some twenty nanoseconds per pair.
 #pragma once
 
 #include "base/simd.h"
@@ -24,7 +24,8 @@ struct LanesQuestion {
   double now, h;
   ContactSet::Arrays set;
   const Bounded* lengths;  ///< by number; those that vary from pair to pair are unspecified
-  bool touches_wanted;
+  /// Then `touches` is about the time at which both exist first, if that is now. Else it is about any time.
+  bool times_wanted;
   double* space;  ///< aligned, lanes_space() lines long
 };
 
@@ -34,7 +35,7 @@ struct SetLanes {
   const double *a[width], *b[width];  ///< rows
   // The results; times are measured from now:
   alignas(64) double begin[width], end[width];  ///< they can touch only within
-  double touches[width];                        ///< above 0: certainly; only if touches_wanted
+  double touches[width];                        ///< above 0: certainly
 };
 
 /// As many numbers as the widest register holds, aligned for the kernels.

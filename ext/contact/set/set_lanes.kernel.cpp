@@ -83,6 +83,12 @@ class PairRegister {
     return {select(usual_, near.begin, lives_.queried.begin), select(usual_, near.end, lives_.queried.end)};
   }
 
+  /// Whether both exist already and certainly touch now.
+  DoublesMask touches_at_start() const {
+    const Doubles now(0.0);
+    return (lives_.queried.begin <= now) & touches(now);
+  }
+
   /// Whether they certainly touch at `time`.
   DoublesMask touches(const Doubles& time) const {
     Coefficients<BoundedDoubles, 0> x[D];
@@ -151,9 +157,10 @@ void classify_lanes(const LanesQuestion& q, SetLanes& lanes) {
     const PairRegister<D, Degree> pairs(q, Rows{lanes.a + l}, Rows{lanes.b + l});
     const Interval<Doubles> interval = pairs.interval();
     store(lanes.begin + l, interval.begin.of), store(lanes.end + l, interval.end.of);
-    if (!q.touches_wanted) continue;
     DoublesMask found = interval.begin <= interval.end;
-    if (any(found)) found = found & pairs.touches(0.5 * (interval.begin + interval.end));
+    if (any(found))
+      found = found & (q.times_wanted ? pairs.touches_at_start()
+                                      : pairs.touches(0.5 * (interval.begin + interval.end)));
     store(lanes.touches + l, select(found, Doubles(1.0), Doubles(0.0)).of);
   }
 }
