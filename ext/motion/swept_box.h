@@ -50,6 +50,20 @@ Box<D> swept_box(const Motion<D>& motion, const Horizon& horizon, const Extents<
   return box;
 }
 
+/// The same for a box that also grows by `growth` (>= 0) per second since t, on every side: each face has a velocity
+/// of its own, rounded outward.
+template <int D>
+Box<D> swept_box(const Motion<D>& motion, const Horizon& horizon, const Extents<D>& extents,
+                 const Vec<D>& growth) {
+  Motion<D> lower = motion, upper = motion;
+  for (int axis = 0; axis < D; ++axis) {
+    if (growth[axis] == 0) continue;
+    lower.v[axis] = std::nextafter(motion.v[axis] - growth[axis], -HUGE_VAL);
+    upper.v[axis] = std::nextafter(motion.v[axis] + growth[axis], HUGE_VAL);
+  }
+  return {swept_box<D>(lower, horizon, extents).lower, swept_box<D>(upper, horizon, extents).upper};
+}
+
 /// A box inside the object at time `now`, given that `inner` lies within its shape: every point of the box
 /// touches the object. Empty if the motion does not exist then, or if rounding leaves no such box.
 template <int D>

@@ -46,8 +46,10 @@ Extents<D> largest_extents(const Bodies& bodies, std::size_t i, const Horizon& h
 /// The swept box of object i, grown by `margin` (>= 0) on both sides of every axis.
 template <int D>
 Box<D> swept_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, const Vec<D>& margin) {
-  return swept_box<D>(motion_of<D>(bodies, i), horizon,
-                      grown(largest_extents<D>(bodies, i, horizon), margin));
+  const Motion<D> motion = motion_of<D>(bodies, i);
+  const Extents<D> extents = grown(extents_of<D>(bodies, i), margin);
+  if (!grows(bodies.layout)) return swept_box<D>(motion, horizon, extents);
+  return swept_box<D>(motion, horizon, extents, growth_of<D>(bodies.layout.shape, bodies.row(i), bodies.at));
 }
 
 /// A box inside object i at time `now`: every point of the box touches the object. Empty if the object does

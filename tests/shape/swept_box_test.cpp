@@ -16,14 +16,22 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Object {
   double t, x, v, a, half, until;
+  double growth = 0;
 };
 
 Bodies bodies_of(const Object& object) {
-  static thread_local double row[6];
-  const double values[] = {object.t, object.x, object.v, object.a, object.half, object.until};
-  std::copy_n(values, 6, row);
-  return {Layout{.axes = 1, .law = Law::accelerated, .shape = Shape::box, .has_t = true, .has_until = true},
-          row, 1};
+  static thread_local double row[7];
+  const Layout layout{.axes = 1,
+                      .law = Law::accelerated,
+                      .shape = Shape::box,
+                      .has_t = true,
+                      .has_until = true,
+                      .has_growth = object.growth != 0};
+  const Offsets at = row_offsets(layout);
+  row[at.t] = object.t, row[at.x] = object.x, row[at.v] = object.v, row[at.a] = object.a;
+  row[at.half] = object.half, row[at.until] = object.until;
+  if (at.growth != Offsets::absent) row[at.growth] = object.growth;
+  return {layout, row, 1};
 }
 
 Box<1> sweep(const Object& object, const Horizon& horizon, double margin = 0) {
@@ -33,7 +41,7 @@ Box<1> sweep(const Object& object, const Horizon& horizon, double margin = 0) {
 /// Whether the box contains the exact position at time s after the object's t.
 bool holds(const Box<1>& box, const Object& object, const Rational& s, double margin) {
   const Rational place = Rational(object.x) + Rational(object.v) * s + Rational(object.a) * s * s / 2;
-  const Rational size = Rational(object.half) + Rational(margin);
+  const Rational size = Rational(object.half) + Rational(object.growth) * s + Rational(margin);
   const bool low = box.lower[0] == -infinity || Rational(box.lower[0]) <= place - size;
   const bool high = box.upper[0] == infinity || Rational(box.upper[0]) >= place + size;
   return low && high;
@@ -47,7 +55,9 @@ void expect_outward(const Object& object, const Horizon& horizon, double margin 
   if (object.until != infinity) end = std::min(end, Rational(object.until) - t);
   if (begin > end) return;
   std::vector<Rational> instants{begin, end, (begin + end) / 2, (begin * 7 + end) / 8};
-  if (object.a != 0) instants.push_back(-Rational(object.v) / Rational(object.a));
+  if (object.a != 0)
+    for (const double growth : {-object.growth, object.growth})  // where each face turns
+      instants.push_back(-(Rational(object.v) + Rational(growth)) / Rational(object.a));
   for (const Rational& s : instants)
     if (begin <= s && s <= end) {
       ASSERT_TRUE(holds(box, object, s, margin))
@@ -62,6 +72,12 @@ TEST(SweptBox, HoldsTheTurningPoint) {
   EXPECT_LT(box.upper[0], 5.0000001);
   EXPECT_LE(box.lower[0], -1);
   EXPECT_GT(box.lower[0], -1.0000001);
+}
+
+TEST(SweptBox, FollowsEachFaceOfABoxThatGrows) {
+  const Box<1> box = sweep({0, 0, 10, 0, 1, infinity, 2}, {1, 9});  // from 10 -+ 3 to 100 -+ 21
+  EXPECT_NEAR(box.lower[0], 7, 1e-12);
+  EXPECT_NEAR(box.upper[0], 121, 1e-12);
 }
 
 TEST(SweptBox, IsTightAtRest) {
@@ -126,7 +142,8 @@ void fuzz(std::uint64_t seed, int low, int high, int rounds) {
   for (int i = 0; i < rounds / share; ++i) {
     const double t = any();
     const double until = random() % 3 ? infinity : t + std::abs(any());
-    expect_outward({t, any(), any(), any(), std::abs(any()), until}, {any(), std::abs(any())},
+    const double growth = random() % 2 ? std::abs(any()) : 0;
+    expect_outward({t, any(), any(), any(), std::abs(any()), until, growth}, {any(), std::abs(any())},
                    std::abs(any()));
     if (::testing::Test::HasFatalFailure()) return;
   }

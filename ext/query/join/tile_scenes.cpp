@@ -40,7 +40,7 @@ class Marker {
     const Motion<D> motion = motion_of<D>(bodies, i);
     const Extents<D> extents = largest_extents<D>(bodies, i, horizon_);
     if (is_plainly_inside(motion, extents)) return Tile::owned;
-    return tile_.marks(swept_box<D>(motion, horizon_, grown(extents, margin_)));
+    return tile_.marks(swept_box<D>(bodies, i, horizon_, margin_));
   }
 
  private:
@@ -114,8 +114,7 @@ MarkedScene marked_movers(const Scene& scene, const JoinQuestion& question, Inte
     Box<D> hull = Box<D>::empty();
     for (std::size_t i = scene.first_rows[mover]; i < scene.first_rows[mover + 1]; ++i) {
       if (i % objects_per_check == 0) interrupt.check();
-      const Box<D> box = swept_box<D>(motion_of<D>(bodies, i), horizon,
-                                      grown(largest_extents<D>(bodies, i, horizon), margin));
+      const Box<D> box = swept_box<D>(bodies, i, horizon, margin);
       hull.lower = hull.lower.min(box.lower), hull.upper = hull.upper.max(box.upper);
     }
     const TileMarks marks = question.tile->marks(hull);

@@ -55,9 +55,11 @@ class TiledTables {
   RandomScene scene_;
 };
 
-inline const Layout tiled_layouts[] = {{2, Law::uniform, Shape::ball, true, false},
-                                       {2, Law::accelerated, Shape::box, false, true},
-                                       {3, Law::forced, Shape::cylinder, true, true},
-                                       {1, Law::uniform, Shape::point, true, false}};
+inline const Layout tiled_layouts[] = {
+    {2, Law::uniform, Shape::ball, true, false},
+    {2, Law::accelerated, Shape::box, false, true},
+    {3, Law::forced, Shape::cylinder, true, true},
+    {1, Law::uniform, Shape::point, true, false},
+    {.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_growth = true}};
 
 }  // namespace foresee::testing

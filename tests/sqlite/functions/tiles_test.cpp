@@ -30,6 +30,26 @@ TEST(Tiles, TogetherAreTheWholeJoinOfOneObject) {
   EXPECT_GT(tables.answered, 1000u);
 }
 
+// A box around the largest size and the whole path would be wider than the bounds of its node.
+TEST(Tiles, AndSweepsFindAllThatGrows) {
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE s USING moving_objects(id, x, y, vx, vy, growth);"
+      "WITH RECURSIVE n(i) AS (VALUES(1) UNION ALL SELECT i + 1 FROM n WHERE i < 1000) "
+      "INSERT INTO s SELECT i, 100.0 * i, 0, 15, 0, 1 FROM n");
+  const std::string sweep = "SELECT count(*) FROM predictive_sweep(600, 's', 0, 0) WHERE ";
+  EXPECT_EQ(db.rows(sweep + "x0 < 7000 AND x1 >= 6000"), db.rows(sweep + "+x0 < 7000 AND +x1 >= 6000"));
+  EXPECT_EQ(db.rows("SELECT round(x0, 6), round(x1, 6) FROM predictive_sweep(600, 's', 0, 0) WHERE id = 1"),
+            "100.0|9700.0");
+  EXPECT_EQ(
+      db.rows("SELECT sum(n) FROM (SELECT (SELECT count(*) FROM predictive_join WHERE h = 600 AND tbl = 's'"
+              " AND now = 0 AND own_x0 = iif(i = 0, NULL, i * 1000.0)"
+              " AND own_x1 = iif(i = 110, NULL, i * 1000.0 + 1000)) AS n FROM"
+              " (WITH RECURSIVE k(i) AS (VALUES(0) UNION ALL SELECT i + 1 FROM k WHERE i < 110) SELECT i"
+              " FROM k))"),
+      db.rows("SELECT count(*) FROM predictive_join(600, 's')"));
+}
+
 TEST(Tiles, KeepOrderLimitsAndBounds) {
   TiledTables tables(tiled_layouts[0], SceneKind::uniform);
   Database& db = tables.db;
