@@ -66,8 +66,11 @@ bool Journal::rewind_level(Level& level) {
 
 bool Journal::rewind(Mark mark) {
   bool changed = false;
+  is_whole_ = false;  // until it is done
   for (; depth_ > mark + 1; pop()) changed |= rewind_level(levels_[depth_ - 1]);
-  return rewind_level(levels_[mark]) || changed;
+  changed |= rewind_level(levels_[mark]);
+  is_whole_ = true;
+  return changed;
 }
 
 // Without a search in most cases: a level that a participant has joined, and not abandoned, has it.
@@ -117,6 +120,7 @@ void Journal::end(Ended how) noexcept {
     for (const Joined& joined : levels_[depth_ - 1].joined)
       if (how == Ended::rolled_back && joined.participant->scope_ == Participant::Scope::transaction)
         joined.participant->rewind(joined.position);
+  is_whole_ = true;
   for (Participant* participant : participants_) participant->joined_ = 0;
   for (Participant* participant : participants_) participant->end(how);
 }

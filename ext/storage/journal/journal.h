@@ -83,6 +83,8 @@ class Journal {
   /// A transaction starts. Requires: none is open.
   void begin();
   bool is_open() const { return depth_ > 0; }
+  /// False after a rewind() that threw, until end().
+  bool is_whole() const { return is_whole_; }
   /// Requires: a transaction is open.
   Mark set_mark();
   /// Restores the state as of the mark and forgets newer ones. Returns whether anything had changed. If it throws,
@@ -120,6 +122,7 @@ class Journal {
   std::vector<Participant*> participants_;
   std::vector<Level> levels_;  ///< those from depth_ on are unused, and keep their memory
   std::size_t depth_ = 0;
+  bool is_whole_ = true;
   std::uint64_t newest_ = 0;  ///< number of the newest mark; 0: no transaction
   std::uint64_t last_ = 0;    ///< the last number given; the first is 1
 };

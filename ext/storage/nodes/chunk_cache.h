@@ -109,9 +109,9 @@ class ChunkCache final : private MemoryHolder {
     const auto found = chunks_.find(number);
     if (found == chunks_.end()) return;
     Entry& entry = found->second;
-    bytes_ -= size_of(entry);
+    const std::size_t before = size_of(entry);
     entry.record.assign(record.begin(), record.end());
-    bytes_ += size_of(entry);
+    bytes_ += size_of(entry) - before;
     note_memory();
   }
 

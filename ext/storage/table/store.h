@@ -169,7 +169,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   void rollback();
   void savepoint(int level);
   void release(int level);
-  void rollback_to(int level);
+  void rollback_to(int level) noexcept;
   void rename(const std::string& new_table);
   void drop();
 
@@ -256,6 +256,10 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   void restore(const Savepoint& savepoint);
   /// Forgets what this transaction has changed. It goes on.
   void restart_transaction();
+  /// The same; closes a table that this transaction has created.
+  void undo_transaction();
+  /// Finds out by the stored stamp whether SQLite has rolled back all that this transaction wrote, if in doubt.
+  void settle_doubt();
   void use_table_name(const std::string& table);
   std::size_t savepoints_before(int level) const noexcept;
   void give_up_savepoints(std::size_t from) noexcept;
@@ -284,6 +288,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   bool is_new_;               ///< this transaction has created the table
   bool gone_ = false;         ///< the table is dropped, or its creation was rolled back
   bool torn_ = false;         ///< a change failed after it wrote rows: only a rollback helps
+  bool in_doubt_ = false;     ///< a rollback to a savepoint without a mark: the next access reads the stamp
   int own_statements_ = 0;    ///< own statements in progress: callbacks now are due to them
   bool rolled_back_ = false;  ///< … during which SQLite rolled everything back
   std::vector<Savepoint> savepoints_;

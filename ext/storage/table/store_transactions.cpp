@@ -79,6 +79,7 @@ void Store::forget_nodes() {
 ShadowRows& Store::shadow_rows() {
   if (gone_)
     throw StoreError(SQLITE_SCHEMA, name_.table + ": the table is dropped; prepare the statement again");
+  settle_doubt();
   if (torn_) throw StoreError(SQLITE_ABORT, name_.table + ": a write failed half-way; roll back");
   return *shadow_rows_;
 }
@@ -123,16 +124,17 @@ void Store::end_transaction(Journal::Ended how) {
   journal_.end(how);
   version_.end(how);
   totals_.change().largest = {};
-  torn_ = false;
+  torn_ = in_doubt_ = false;
   note_memory();
 }
 
 // A table that was created after a savepoint gets no callback when SQLite rolls back to it. Then the stamp
-// that this transaction wrote is gone, or all its tables are.
+// that this transaction wrote is gone, or all its tables are. A torn store answers too.
 bool Store::was_rolled_back() {
   if (!version_.is_own()) return false;
+  if (gone_) return true;
   try {
-    return shadow_rows().read_stamp() != version_.seen();
+    return shadow_rows_->read_stamp() != version_.seen();
   } catch (const StoreError& error) {
     if ((error.code & 0xff) != SQLITE_ERROR) throw;
     return true;
@@ -203,24 +205,41 @@ void Store::release(int level) {
   give_up_savepoints(savepoints_before(level));
 }
 
-void Store::rollback_to(int level) {
+// SQLite has rolled the rows back already, and calls no further table once one fails. So this does not fail: a store
+// that cannot follow is torn, or in doubt until it is used.
+void Store::rollback_to(int level) noexcept {
   if (own_statements_ > 0 || gone_ || !journal_.is_open()) return;
   const std::size_t first = savepoints_before(level);
   const bool is_marked = first < savepoints_.size() && savepoints_[first].level == level;
-  if (is_marked || first > 0) {
-    if (first < savepoints_.size()) restore(savepoints_[first]);
-    give_up_savepoints(is_marked ? first + 1 : first);
-    return;
+  try {
+    if (is_marked || first > 0) {
+      if (first < savepoints_.size()) restore(savepoints_[first]);
+    } else if (level < 0 || !version_.is_own()) {  // -1: the savepoint that has opened the transaction
+      undo_transaction();
+    } else {
+      // No mark is that old. Either the mark could not be set, and its statement failed before it changed
+      // anything; or the table joined the transaction after that savepoint.
+      in_doubt_ = true;
+    }
+  } catch (...) {
+    torn_ = true;
   }
-  // No mark is that old. Either the mark could not be set, and its statement failed before it changed
-  // anything; or the table joined the transaction after that savepoint.
-  if (version_.is_own() && !was_rolled_back()) return;
-  if (is_new_ && version_.is_own()) return close();
-  restart_transaction();
+  if (is_marked || first > 0) give_up_savepoints(is_marked ? first + 1 : first);
+}
+
+void Store::settle_doubt() {
+  if (!in_doubt_) return;
+  if (was_rolled_back()) undo_transaction();
+  in_doubt_ = false;
+}
+
+void Store::undo_transaction() {
+  is_new_&& version_.is_own() ? close() : restart_transaction();
 }
 
 void Store::restore(const Savepoint& savepoint) {
   const bool was_torn = std::exchange(torn_, true);  // until it is done
+  if (!journal_.is_whole()) return;
   if (journal_.rewind(savepoint.mark) || was_torn) {
     use_table_name(table_.get());
     version_.note_change();
@@ -241,13 +260,14 @@ void Store::rename(const std::string& new_table) {
 
 void Store::use_table_name(const std::string& table) {
   if (name_.table == table) return;
-  name_.table = table;
-  const ShadowTables tables = shadow_tables(db_, name_, declaration_);
+  const QualifiedName name{name_.schema, table};
+  const ShadowTables tables = shadow_tables(db_, name, declaration_);
   shadow_rows_ = std::make_unique<ShadowRows>(tables, declaration_);
   tree_.connect(shadow_rows_->tree());
   if (forms_) forms_->connect(tables);
   if (plans_) plans_->connect(tables, shadow_rows_->meta());
-  remember_open_store(db_, name_, shared_from_this());
+  remember_open_store(db_, name, shared_from_this());
+  name_ = name;  // last: if anything has thrown, the next call repeats it all
 }
 
 // Unwritten changes from before a savepoint would be lost with this object, although SQLite may roll back to

@@ -1,5 +1,5 @@
-// Rollback of CREATE, RENAME and DROP within savepoints: the earlier state comes back, as with any table,
-// whatever changes were pending in memory.
+// Rollback of CREATE, RENAME and DROP within savepoints: the earlier state comes back, as with any table, whatever
+// changes were pending in memory. So it does if the rollback is interrupted, or if a write has failed half-way.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -84,6 +84,66 @@ TEST_F(SchemaSavepoints, DroppingDoesNotLosePendingChangesOfBeforeASavepoint) {
   // Without a savepoint only the start of the transaction can be restored.
   db.exec("BEGIN; INSERT INTO q VALUES(3, 3); DROP TABLE q; ROLLBACK");
   EXPECT_EQ(contents(), "1|1.0\n2|2.0");
+}
+
+/// Interrupts the statement after so many steps of SQLite, and returns its message.
+std::string error_after(Database& db, int steps, const char* sql) {
+  const auto stop = [](void*) { return 1; };
+  sqlite3_progress_handler(db.handle(), steps, stop, nullptr);
+  const std::string message = db.error_of(sql);
+  sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
+  return message;
+}
+
+// An ordinary table lives the same life: SQLite may have rolled it back, interrupted or not.
+TEST_F(SchemaSavepoints, AnInterruptedRollbackIsFollowed) {
+  db.exec(
+      "CREATE TABLE plain(id INTEGER PRIMARY KEY, x REAL); INSERT INTO plain VALUES(1, 1);"
+      "CREATE VIRTUAL TABLE other USING moving_objects(id, x); INSERT INTO other VALUES(1, 1)");
+  const std::string plain = "SELECT * FROM plain ORDER BY id", other = "SELECT * FROM other ORDER BY id";
+  const auto write = [this](const std::string& values) {
+    for (const char* table : {"q", "plain", "other"})
+      db.exec("INSERT OR REPLACE INTO " + std::string(table) + " VALUES" + values);
+  };
+  int interrupted = 0;
+  for (const std::string begin : {"SAVEPOINT a", "BEGIN; SAVEPOINT a", "BEGIN; SAVEPOINT a; SAVEPOINT b"})
+    for (int steps = 1; steps < 40; ++steps) {
+      db.exec(begin);
+      write("(1, " + std::to_string(steps) + "), (" + std::to_string(steps) + ", 0.5)");
+      interrupted += !error_after(db, steps, "ROLLBACK TO a").empty();
+      if (steps % 3 == 0) {
+        EXPECT_EQ(contents(), db.rows(plain)) << begin << ", " << steps;
+      }
+      write("(50, " + std::to_string(steps) + ")");
+      EXPECT_EQ(contents(), db.rows(plain)) << begin << ", " << steps;
+      db.exec("RELEASE a");
+      if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("COMMIT");
+      EXPECT_EQ(contents(), db.rows(plain)) << begin << ", " << steps;
+      EXPECT_EQ(db.rows(other), db.rows(plain)) << begin << ", " << steps;
+    }
+  EXPECT_GT(interrupted, 0);
+  EXPECT_EQ(db.error_of("INSERT INTO other(other) VALUES('integrity-check')"), "");
+}
+
+TEST_F(SchemaSavepoints, ARollbackRepairsATableThatAWriteTore) {
+  db.exec(
+      "CREATE VIRTUAL TABLE p USING moving_objects(id, x, y, plan);"
+      "INSERT INTO p(id, plan) VALUES(1, 'LINESTRING M(0 0 0, 5 5 5)');"
+      "CREATE TRIGGER no BEFORE DELETE ON p_leg BEGIN SELECT RAISE(ABORT, 'no'); END");
+  const std::string update = "UPDATE p SET plan = 'LINESTRING M(1 1 0, 5 5 5)' WHERE id = 1";
+  for (const std::string begin : {"SAVEPOINT a", "BEGIN; SAVEPOINT a", "BEGIN; SAVEPOINT a; SAVEPOINT b"}) {
+    db.exec(begin);
+    EXPECT_EQ(db.error_of(update), "no");
+    db.exec("UPDATE q SET x = 7 WHERE id = 1; ROLLBACK TO a");
+    EXPECT_EQ(contents(), "1|1.0");
+    EXPECT_EQ(db.rows("SELECT id, x, y FROM p"), "1|0.0|0.0");
+    db.exec("RELEASE a");
+    if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("COMMIT");
+  }
+  db.exec("DROP TRIGGER no");
+  db.exec(update);
+  EXPECT_EQ(db.rows("SELECT id, x, y FROM p"), "1|1.0|1.0");
+  EXPECT_EQ(db.error_of("INSERT INTO p(p) VALUES('integrity-check')"), "");
 }
 
 }  // namespace
