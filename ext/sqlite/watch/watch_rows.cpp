@@ -54,7 +54,7 @@ void WatchRows::use_pairs(bool with_key_tables) {
   if (has_key_tables_ == with_key_tables) return;
   const ShadowTables shadow = tables(db_, name_, with_key_tables);
   shadow.require_tables();
-  has_key_tables_ = with_key_tables;
+  has_key_tables_.reset();  // until all statements are made
   keys_.connect(shadow, with_key_tables);
   const auto sql = [&](const std::string& text) { return shadow.statement(text); };
   const std::string pairs = pair_columns;
@@ -68,6 +68,7 @@ void WatchRows::use_pairs(bool with_key_tables) {
   erase_all_pairs_ = sql("DELETE FROM {pair}");
   count_pairs_ = sql("SELECT count(*) FROM {pair} WHERE state = ?1");
   any_pair_ = sql("SELECT 1 FROM {pair} LIMIT 1");
+  has_key_tables_ = with_key_tables;
 }
 
 void WatchRows::damaged(const std::string& what) const {

@@ -122,6 +122,30 @@ TEST_F(TableMemoryFaults, Degrees) {
       "SELECT * FROM foresee_tables; DROP TABLE g; COMMIT");
 }
 
+/// The first statement on a watch fails at every allocation; then the watch answers, and its table can be written.
+TEST_F(TableMemoryFaults, AWatchThatWasNotReadYet) {
+  TemporaryFile file;
+  Database(file.path())
+      .exec(
+          "CREATE VIRTUAL TABLE ships USING moving_objects(id, x); INSERT INTO ships VALUES(1, 0), (2, 9);"
+          "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 10, within = 10)");
+  for (const std::string statement :
+       {"SELECT count(*) FROM alerts", "UPDATE ships SET x = x + 1 WHERE id = 1"}) {
+    long n = 0;
+    for (bool fired = true; fired && !HasFailure(); n = next_fault(n)) {
+      Database db(file.path());
+      faults = {.armed = true, .for_good = false, .left = n, .fired = false};
+      sqlite3_exec(db.handle(), statement.c_str(), nullptr, nullptr, nullptr);
+      fired = faults.fired;
+      faults = {};
+      EXPECT_EQ(db.rows("SELECT count(*) FROM alerts"), "1")
+          << "after allocation " << n << " of " << statement;
+      EXPECT_EQ(db.error_of("UPDATE ships SET x = 0 WHERE id = 1"), "") << n << " of " << statement;
+    }
+    EXPECT_GT(n, 20) << statement;
+  }
+}
+
 TEST_F(TableMemoryFaults, Plans) {
   run("SELECT plan_points(column1, column2) FROM (VALUES (1, 2), (3, 4));"
       "SELECT plan_accelerated(column1, NULL, column2, 0, 1) FROM (VALUES (1, 2), (3, 4));"
