@@ -74,7 +74,8 @@ struct Frame {
   }
   friend bool same_origin(const Frame& a, const Frame& b) {
     if (!a.origin || !b.origin) return !a.origin && !b.origin;
-    return a.origin->lat == b.origin->lat && a.origin->lon == b.origin->lon;
+    const auto eastward = [](double lon) { return lon == -180 ? 180 : lon; };
+    return a.origin->lat == b.origin->lat && eastward(a.origin->lon) == eastward(b.origin->lon);
   }
 };
 

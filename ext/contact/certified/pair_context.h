@@ -35,8 +35,8 @@ struct EachPair {
   EachPair(const Setup& /*setup*/, const Tables& /*tables*/) {}
 
   /// Calls `visit` with each pair that is not certainly apart, in order. Its other arguments are the time
-  /// outside of which they do not touch, and whether they certainly touch: when the queried time starts if
-  /// times are wanted, else at any time.
+  /// outside of which they do not touch, and whether they certainly touch. That is about the start of the queried
+  /// time if times are wanted, else about any time.
   template <class Visit>
   void for_each(std::span<const Pair> pairs, bool /*times_wanted*/, Visit&& visit) const {
     for (const Pair& pair : pairs) visit(pair, any_time, false);

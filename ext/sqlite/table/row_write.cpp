@@ -165,10 +165,12 @@ void require_integrity(MovingObjectsTable& table) {
   constexpr std::size_t limit = 5;
   const std::vector<std::string> findings = table.store().integrity_check(table.connection->interrupt());
   if (findings.empty()) return;
+  const std::string name = table.name + ": ";  // once is enough
   std::string text;
-  for (std::size_t i = 0; i < findings.size() && i < limit; ++i) text += (i == 0 ? "" : "; ") + findings[i];
+  for (std::size_t i = 0; i < findings.size() && i < limit; ++i)
+    text += (i == 0 ? "" : "; ") + findings[i].substr(findings[i].starts_with(name) ? name.size() : 0);
   if (findings.size() > limit) text += "; and " + std::to_string(findings.size() - limit) + " more";
-  throw StoreError(SQLITE_CORRUPT_VTAB, table.name + ": " + text);
+  throw StoreError(SQLITE_CORRUPT_VTAB, name + text);
 }
 
 void run_command(MovingObjectsTable& table, sqlite3_value* command) {

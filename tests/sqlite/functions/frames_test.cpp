@@ -147,5 +147,15 @@ TEST_F(TableFrames, OfTwoWatchedTablesWithoutAnOrigin) {
   EXPECT_EQ(db.rows("SELECT a, b FROM w"), "1|1");
 }
 
+TEST(Frames, AnOriginOnTheDateLineHasTwoNames) {
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE a USING moving_objects(id, lat, lon, origin = '0 180');"
+      "CREATE VIRTUAL TABLE b USING moving_objects(id, lat, lon, origin = '0 -180');"
+      "INSERT INTO a VALUES(1, 0, 179.5), (2, 5, -179); INSERT INTO b VALUES(1, 0, 179.5), (2, 5, -179)");
+  EXPECT_EQ(db.rows("SELECT sum(a.x = b.x AND a.y = b.y) FROM a JOIN b USING (id)"), "2");
+  EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(0, 'a', 1, 'b') ORDER BY a"), "1|1\n2|2");
+}
+
 }  // namespace
 }  // namespace foresee::testing

@@ -80,7 +80,7 @@ TEST_F(PlanDegrees, Errors) {
             of + "at character 6");
   EXPECT_EQ(error_of("(SELECT plan_uniform(0, 9, 8, 54, 1, 1))"),
             of + "a blob of legs with velocities: with lat, lon a plan has knots; write plan_points(t, lon, "
-                 "lat)");
+                 "lat), or a MULTILINESTRING M if it has gaps");
   const std::string plan = "'LINESTRING M(8 54 0, 8 55 9)'";
   EXPECT_EQ(db.error_of("INSERT INTO ships(id, lat, plan) VALUES (7, 55, " + plan + ")"),
             "ships.lat of row 7 is 55: its plan starts with lat = 54; leave lat out, or set plan to NULL");
