@@ -57,6 +57,7 @@ std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
 }
 
 bool Store::contains(std::int64_t id) {
+  settle_doubt();
   if (tree_.pending().find(id)) return true;
   // New ascending ids, the common case, are larger than any known id.
   const LargestId& largest = totals_->largest;

@@ -206,7 +206,7 @@ void Store::release(int level) {
 }
 
 // SQLite has rolled the rows back already, and calls no further table once one fails. So this does not fail: a store
-// that cannot follow is torn, or in doubt until it is used.
+// that cannot follow is torn; one that cannot read the stamp is in doubt until it is used.
 void Store::rollback_to(int level) noexcept {
   if (own_statements_ > 0 || gone_ || !journal_.is_open()) return;
   const std::size_t first = savepoints_before(level);
@@ -220,9 +220,10 @@ void Store::rollback_to(int level) noexcept {
       // No mark is that old. Either the mark could not be set, and its statement failed before it changed
       // anything; or the table joined the transaction after that savepoint.
       in_doubt_ = true;
+      settle_doubt();
     }
   } catch (...) {
-    torn_ = true;
+    torn_ |= !in_doubt_;
   }
   if (is_marked || first > 0) give_up_savepoints(is_marked ? first + 1 : first);
 }
@@ -234,7 +235,8 @@ void Store::settle_doubt() {
 }
 
 void Store::undo_transaction() {
-  is_new_&& version_.is_own() ? close() : restart_transaction();
+  if (is_new_ && version_.is_own()) return close();
+  restart_transaction();
 }
 
 void Store::restore(const Savepoint& savepoint) {

@@ -54,6 +54,7 @@ const LargestId& Store::read_largest() {
 }
 
 std::int64_t Store::find_next_id() {
+  settle_doubt();
   if (!totals_->largest.known || !totals_->largest.exact) {
     flush();
     totals_.change().largest = {};
@@ -90,6 +91,7 @@ void Store::log_before_change(std::int64_t id) {
 
 void Store::for_each_change(
     const std::function<void(std::int64_t, std::span<const double>, std::span<const double>)>& each) {
+  settle_doubt();
   changes_.for_each([&](std::int64_t id, std::span<const double> before) {
     const std::vector<double> after = read(id).value_or(std::vector<double>());
     // Bit for bit: 0 and -0 differ. (An empty record has no bytes to compare.)
@@ -205,6 +207,7 @@ void Store::merge_pending(TreeStore::Reason reason) {
 // The new stamp comes last: a connection that reads uncommitted rows (shared cache) has seen the first stamp with
 // other rows.
 void Store::flush(TreeStore::Reason reason) {
+  settle_doubt();
   if (!has_unwritten() && !must_merge(reason)) return;
   if (was_rolled_back()) return restart_transaction();
   merge_pending(reason);
