@@ -2,6 +2,10 @@
 // mirrored has the same answers, and greater distances are reached no later.
 #include "contact/form_laws.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 namespace foresee {
 namespace {
 
@@ -45,8 +49,20 @@ TYPED_TEST(FormLaws, LengthsInAnotherUnitChangeNothing) {
 }
 
 /// Law 5.
+/// Whether a product with a power of two is exact: the smallest numbers lose bits.
+bool is_scalable(double number) {
+  return number == 0 || std::abs(number) > 0x1p-980;
+}
+
 TYPED_TEST(FormLaws, TimeInAnotherUnitChangesNothing) {
-  for_each_scene<TypeParam>([](const auto& scene, const std::optional<ContactTimes>& answer) {
+  int skipped = 0;
+  for_each_scene<TypeParam>([&skipped](const auto& scene, const std::optional<ContactTimes>& answer) {
+    const auto all = [](const auto& numbers) {
+      return std::all_of(std::begin(numbers), std::end(numbers), is_scalable);
+    };
+    if (!all(scene.a.row.v) || !all(scene.a.row.a) || !all(scene.b.row.v) || !all(scene.b.row.a) ||
+        (answer && !(is_scalable(answer->dt) && is_scalable(answer->t))))
+      return static_cast<void>(++skipped);
     for (const double unit : {0x1p12, 0x1p-12}) {
       auto other = scene;
       other.question.horizon.now *= unit, other.question.horizon.h *= unit;
@@ -61,6 +77,7 @@ TYPED_TEST(FormLaws, TimeInAnotherUnitChangesNothing) {
       expect_same(answer, found, "in another unit of time");
     }
   });
+  EXPECT_LT(skipped, scaled_count(TypeParam::seeds));
 }
 
 /// Law 11.
