@@ -15,8 +15,9 @@ TEST(Laws, HorizonsCanBeSplit) {
   check_law(
       [](Case& c) {
         const auto [now, h] = c.question.horizon;
-        c.question.horizon.h = h / 2;
-        return (now + h / 2) - now == h / 2 && h / 2 * 2 == h;
+        const double half = h / 2, middle = now + half;
+        c.question.horizon.h = half;
+        return middle - now == half && middle - half == now && half * 2 == h;  // then no sum is rounded
       },
       [](const Case& c, const Case& first_half) {
         const auto whole = contact(c.a, c.b, c.question), first = contact(c.a, c.b, first_half.question);
