@@ -74,8 +74,9 @@ struct Frame {
   }
   friend bool same_origin(const Frame& a, const Frame& b) {
     if (!a.origin || !b.origin) return !a.origin && !b.origin;
-    const auto eastward = [](double lon) { return lon == -180 ? 180 : lon; };
-    return a.origin->lat == b.origin->lat && eastward(a.origin->lon) == eastward(b.origin->lon);
+    // One notation of the date line. At a pole the longitude counts: it turns the axes of the plane.
+    const auto lon_of = [](const Frame& one) { return one.origin->lon == -180 ? 180 : one.origin->lon; };
+    return a.origin->lat == b.origin->lat && lon_of(a) == lon_of(b);
   }
 };
 

@@ -104,9 +104,8 @@ std::optional<Plan> PlanValues::written(sqlite3_value* value) const {
   check_size(*plan);
   if (in_degrees_ && plan->kind != PlanKind::knots)
     throw Error(
-        "a blob of legs with velocities: with lat, lon a plan has knots; write plan_points(t, lon, lat), or "
-        "a "
-        "MULTILINESTRING M if it has gaps");
+        "a blob of legs with velocities: with lat, lon a plan has knots; "
+        "write plan_points(t, lon, lat), or a MULTILINESTRING M if it has gaps");
   require_law(*plan, layout_);
   return plan;
 }

@@ -48,12 +48,12 @@ TYPED_TEST(FormLaws, LengthsInAnotherUnitChangeNothing) {
   });
 }
 
-/// Law 5.
 /// Whether a product with a power of two is exact: the smallest numbers lose bits.
 bool is_scalable(double number) {
   return number == 0 || std::abs(number) > 0x1p-980;
 }
 
+/// Law 5.
 TYPED_TEST(FormLaws, TimeInAnotherUnitChangesNothing) {
   int skipped = 0;
   for_each_scene<TypeParam>([&skipped](const auto& scene, const std::optional<ContactTimes>& answer) {

@@ -107,16 +107,15 @@ class UnionContact : public Contact {
     const Rows rows = rows_of(pair);
     const PairLifetime lifetime = pair_lifetime_of(setup_, rows.a, rows.b);
     if (lifetime.none) return {};
-    if (at_start && wanted != TimesWanted::both)
-      return ContactTimes{lifetime.t_start, lifetime.t_start, lifetime.dt_start, lifetime.dt_start};
+    const ContactTimes at_once{lifetime.t_start, lifetime.t_start, lifetime.dt_start, lifetime.dt_start};
+    if (at_start && wanted != TimesWanted::both) return at_once;
     take_pieces(pair);
     const Context context(setup_, rows.a, rows.b, a_, b_, lifetime, near, *steps_);
     const FilterAnswer plain = filter_answer(context, true);
     if (plain.touches == Verdict::no) return {};
     if (plain.all_along)
       return ContactTimes{lifetime.t_start, lifetime.t_end, lifetime.dt_start, lifetime.dt_end};
-    if (plain.at_start && wanted != TimesWanted::both)
-      return ContactTimes{lifetime.t_start, lifetime.t_start, lifetime.dt_start, lifetime.dt_start};
+    if (plain.at_start && wanted != TimesWanted::both) return at_once;
     Staged staged(context, true, space_);
     Instant begin = unknown_instant();
     const Verdict touches = at_start ? start_at_once(staged, lifetime, begin) : staged.first_contact(begin);

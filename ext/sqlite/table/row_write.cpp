@@ -165,7 +165,7 @@ void require_integrity(MovingObjectsTable& table) {
   constexpr std::size_t limit = 5;
   const std::vector<std::string> findings = table.store().integrity_check(table.connection->interrupt());
   if (findings.empty()) return;
-  const std::string name = table.name + ": ";  // once is enough
+  const std::string name = table.name + ": ";  // each finding starts with it
   std::string text;
   for (std::size_t i = 0; i < findings.size() && i < limit; ++i)
     text += (i == 0 ? "" : "; ") + findings[i].substr(findings[i].starts_with(name) ? name.size() : 0);

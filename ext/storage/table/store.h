@@ -258,7 +258,8 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   void restart_transaction();
   /// The same; closes a table that this transaction has created.
   void undo_transaction();
-  /// Finds out by the stored stamp whether SQLite has rolled back all that this transaction wrote, if in doubt.
+  /// Finds out by the stored stamp whether SQLite has rolled back all that this transaction wrote, if in doubt. What
+  /// reads changes in memory calls it first; revalidate_cache() and shadow_rows() do.
   void settle_doubt();
   void use_table_name(const std::string& table);
   std::size_t savepoints_before(int level) const noexcept;

@@ -38,13 +38,11 @@ void Store::remove_watch(const std::string& name) {
 }
 
 std::optional<std::int64_t> Store::settled_stamp() {
-  settle_doubt();
   if (has_unwritten()) return std::nullopt;
   return shadow_rows().read_stamp();
 }
 
 std::optional<std::int64_t> Store::stamp_before_changes() {
-  settle_doubt();
   if (!changes_.are_complete()) return std::nullopt;
   return version_.is_own() ? version_.before() : shadow_rows().read_stamp();
 }

@@ -207,7 +207,6 @@ void Store::merge_pending(TreeStore::Reason reason) {
 // The new stamp comes last: a connection that reads uncommitted rows (shared cache) has seen the first stamp with
 // other rows.
 void Store::flush(TreeStore::Reason reason) {
-  settle_doubt();
   if (!has_unwritten() && !must_merge(reason)) return;
   if (was_rolled_back()) return restart_transaction();
   merge_pending(reason);
