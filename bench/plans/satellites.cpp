@@ -61,9 +61,10 @@ void load(Database& db, const std::vector<Orbit>& orbits, int legs) {
   db.run(
       "CREATE VIRTUAL TABLE satellites USING moving_objects(id, x, y, z, vx, vy, vz, ax, ay, az, plan, r)");
   Statement insert(db, "INSERT INTO satellites(id, plan, r) VALUES(?, ?, 15)");
+  NeverInterrupt never;
   db.run("BEGIN");
   for (std::size_t i = 0; i < orbits.size(); ++i) {
-    const std::vector<std::byte> blob = encode_plan(plan_of(orbits[i], legs));
+    const std::vector<std::byte> blob = encode_plan(plan_of(orbits[i], legs), never);
     insert.bind(1, static_cast<std::int64_t>(i));
     sqlite3_bind_blob(insert.handle(), 2, blob.data(), static_cast<int>(blob.size()), SQLITE_TRANSIENT);
     insert.step();

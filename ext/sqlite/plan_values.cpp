@@ -75,7 +75,7 @@ std::optional<Plan> plan_of(sqlite3_value* value, Interrupt& interrupt, WktUnit 
   const auto size = static_cast<std::size_t>(sqlite3_value_bytes(value));
   const auto* bytes = static_cast<const std::byte*>(sqlite3_value_blob(value));
   if (size > 0 && bytes == nullptr) throw std::bad_alloc();
-  return decode_plan({bytes, size});
+  return decode_plan({bytes, size}, interrupt);
 }
 
 void result_plan(sqlite3_context* context, const Plan& plan, bool as_text, Interrupt& interrupt) {
@@ -83,13 +83,33 @@ void result_plan(sqlite3_context* context, const Plan& plan, bool as_text, Inter
     const std::string text = write_plan(plan, interrupt);
     sqlite3_result_text64(context, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
   } else {
-    const std::vector<std::byte> blob = encode_plan(plan);
+    const std::vector<std::byte> blob = encode_plan(plan, interrupt);
     sqlite3_result_blob64(context, blob.data(), blob.size(), SQLITE_TRANSIENT);
   }
 }
 
 void result_plan(sqlite3_context* context, const Plan& plan, Interrupt& interrupt) {
   result_plan(context, plan, plan.kind == PlanKind::knots && plan.axes > 1, interrupt);
+}
+
+void require_places(const Plan& plan) {
+  if (plan.axes < 2) require_axes(plan, 2);
+  if (plan.kind != PlanKind::knots)
+    throw Error(
+        "a blob of legs with velocities: with lat, lon a plan has knots; "
+        "write plan_points(t, lon, lat), or a MULTILINESTRING M if it has gaps");
+}
+
+Knot knot_on_plane(const Plan& plan, std::size_t knot, const Frame& frame) {
+  const Metres point = frame.to_metres({{place_of_knot(plan, knot), {}}, 0, 0});
+  require_near_origin(point, knot, *frame.origin);
+  const Knot& written = plan.knots[knot];
+  return {written.t, {point.x[0], point.x[1], written.x[2]}};
+}
+
+Knot knot_in_degrees(const Knot& knot, const Frame& frame) {
+  const LatLon place = frame.shown({{knot.x[0], knot.x[1], 0}, {}}).fix.place;
+  return {knot.t, {place.lon, place.lat, knot.x[2]}};
 }
 
 std::size_t leg_doubles(const Layout& layout) {
@@ -102,25 +122,20 @@ std::optional<Plan> PlanValues::written(sqlite3_value* value) const {
   if (!plan) return plan;
   require_axes(*plan, layout_.axes);
   check_size(*plan);
-  if (in_degrees_ && plan->kind != PlanKind::knots)
-    throw Error(
-        "a blob of legs with velocities: with lat, lon a plan has knots; "
-        "write plan_points(t, lon, lat), or a MULTILINESTRING M if it has gaps");
+  if (in_degrees_) require_places(*plan);
   require_law(*plan, layout_);
   return plan;
 }
 
-Plan PlanValues::stored(const Plan& written, const std::optional<LatLon>& origin) const {
+Plan PlanValues::stored(Plan written, const std::optional<LatLon>& origin) const {
+  if (!in_degrees_) return written;
   Plan plan = written;
-  if (!in_degrees_) return plan;
   const FloatEnvironment environment;
   const Frame frame{.kind = FrameKind::degrees, .origin = origin};
   Steps steps(interrupt_);
   for (std::size_t i = 0; i < plan.knots.size(); ++i) {
     steps.costly(1000);
-    const Metres point = frame.to_metres({{place_of_knot(plan, i), {}}, 0, 0});
-    require_near_origin(point, i, *origin);
-    std::copy_n(point.x.begin(), 2, plan.knots[i].x.begin());
+    plan.knots[i] = knot_on_plane(written, i, frame);
   }
   return plan;
 }
@@ -132,8 +147,7 @@ Plan PlanValues::shown(const Plan& stored, const Frame& frame) const {
   Steps steps(interrupt_);
   for (Knot& knot : plan.knots) {
     steps.costly(1000);
-    const LatLon place = frame.shown({{knot.x[0], knot.x[1], 0}, {}}).fix.place;
-    knot.x[0] = place.lon, knot.x[1] = place.lat;
+    knot = knot_in_degrees(knot, frame);
   }
   return plan;
 }

@@ -1,7 +1,7 @@
 // Conversion of SQL values into plans of a table, and of stored plans into SQL values.
 //
 //   const PlanValues plans(declaration, interrupt);
-//   const Plan plan = plans.stored(*plans.written(value), origin);      // metres, legs checked
+//   const Plan plan = plans.stored(std::move(*plans.written(value)), origin);   // metres, legs checked
 //   result_plan(context, plans.shown(plan, frame), interrupt);
 //
 // A table of metres stores a plan as it is written. A table in degrees takes knots as longitude and latitude; each one
@@ -30,6 +30,13 @@ void result_plan(sqlite3_context* context, const Plan& plan, bool as_text, Inter
 /// Text wherever a text holds the plan, else a blob.
 void result_plan(sqlite3_context* context, const Plan& plan, Interrupt& interrupt);
 
+/// Throws Error unless the plan has knots whose first two axes can be longitude and latitude.
+void require_places(const Plan& plan);
+/// A knot of longitude and latitude on the plane of `frame`, and back as columns show it. Throws Error for numbers
+/// that are not a place, or one beyond 1500 km from the origin.
+Knot knot_on_plane(const Plan& plan, std::size_t knot, const Frame& frame);
+Knot knot_in_degrees(const Knot& knot, const Frame& frame);
+
 /// How many of the first doubles of a record are those of its first leg: t, x…, v…, a…. Requires: a layout with plans.
 std::size_t leg_doubles(const Layout& layout);
 
@@ -43,7 +50,7 @@ class PlanValues {
   std::optional<Plan> written(sqlite3_value* value) const;
   /// The plan as the store takes it. `origin`: of a table in degrees. Throws Error for a place that the table cannot
   /// store.
-  Plan stored(const Plan& written, const std::optional<LatLon>& origin) const;
+  Plan stored(Plan written, const std::optional<LatLon>& origin) const;
   /// A stored plan as the column shows it. `frame`: of the store.
   Plan shown(const Plan& stored, const Frame& frame) const;
 

@@ -14,6 +14,8 @@
 namespace foresee::testing {
 namespace {
 
+NeverInterrupt never;
+
 std::string fuzz_part(FuzzBytes& bytes, int axes, int& t) {
   std::string text;
   for (int n = bytes.in_range(2, 20); n > 0; --n) {
@@ -38,7 +40,7 @@ std::string fuzz_text(FuzzBytes& bytes) {
 void require_sound(const Plan& plan, const std::string& text) {
   const std::vector<Leg> legs = legs_of(plan);
   require(legs.size() == leg_count(plan), "the count of legs is not right", text);
-  const Plan packed = decode_plan(encode_plan(plan));
+  const Plan packed = decode_plan(encode_plan(plan, never), never);
   require(legs_of(packed) == legs, "the blob does not read back the same", text);
   std::size_t next = 0;
   for (const ChunkRange& range : cut_into_chunks(legs)) {
@@ -56,7 +58,6 @@ void run_text(FuzzBytes& bytes) {
   std::string text = fuzz_text(bytes);
   if (bytes.in_range(0, 3) == 0) spoil(text, bytes);
   try {
-    NeverInterrupt never;
     const Plan plan = read_plan(text, never);
     require(read_plan(write_plan(plan, never), never) == plan, "does not read back the same", text);
     require_sound(plan, text);
@@ -83,8 +84,8 @@ void run_blob(FuzzBytes& bytes) {
   if (bytes.in_range(0, 5) == 0 && blob.size() > 9)
     blob[bytes.in_range<std::size_t>(0, 9)] = std::byte(bytes.any<std::uint8_t>());
   try {
-    const Plan plan = decode_plan(blob);
-    require(encode_plan(plan) == blob, "the blob is written otherwise", "");
+    const Plan plan = decode_plan(blob, never);
+    require(encode_plan(plan, never) == blob, "the blob is written otherwise", "");
     require_sound(plan, "");
   } catch (const Error& error) {
     require(std::strlen(error.what()) < 400, "a long message", "");

@@ -118,5 +118,30 @@ TEST(CommitInterrupt, LeavesAllOfATransactionOrNothing) {
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
+TEST(PlanInterrupt, LeavesThePlanOrTheNewOne) {
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE robots USING moving_objects(id, x, y, plan);"
+      "CREATE TABLE p AS WITH RECURSIVE i(n) AS (VALUES (0) UNION ALL SELECT n + 1 FROM i WHERE n < 40000)"
+      "SELECT plan_points(n, n % 77, n % 50) AS plan FROM i;"
+      "INSERT INTO robots(id, plan) SELECT 1, plan_shift(plan, 5) FROM p");
+  static int left;
+  int interrupted = 0;
+  for (int queried = 100;; queried += queried / 2) {
+    left = queried;
+    sqlite3_progress_handler(
+        db.handle(), 1, [](void*) { return --left == 0 ? 1 : 0; }, nullptr);
+    const int rc = db.code_of("UPDATE robots SET plan = (SELECT plan FROM p)");
+    sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
+    const std::string plan = rc == SQLITE_OK ? "LINESTRING M(0 0 0, 1 1 1, " : "LINESTRING M(0 0 5, 1 1 6, ";
+    ASSERT_EQ(db.rows("SELECT substr(plan, 1, 27) FROM robots"), plan) << queried;
+    ASSERT_EQ(db.rows("SELECT count(*) FROM robots, plan_rows(plan)"), "40000") << queried;
+    ASSERT_EQ(db.error_of("INSERT INTO robots(robots) VALUES ('integrity-check')"), "") << queried;
+    if (rc == SQLITE_OK) break;
+    ++interrupted;
+  }
+  EXPECT_GT(interrupted, 5);
+}
+
 }  // namespace
 }  // namespace foresee::testing

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/float_environment.h"
+#include "base/interrupt_steps.h"
 #include "motion/plan/plan_legs.h"
 
 namespace foresee {
@@ -24,7 +25,8 @@ static_assert(std::endian::native == std::endian::little,
 
 class Writer {
  public:
-  Writer(PlanKind kind, int axes, std::size_t items) : axes_(static_cast<std::size_t>(axes)) {
+  Writer(PlanKind kind, int axes, std::size_t items, Interrupt& interrupt)
+      : step_(interrupt), axes_(static_cast<std::size_t>(axes)) {
     bytes_.reserve(header_size + 8 * items * numbers_per_item(kind, axes_));
     bytes_.resize(header_size);
     bytes_[0] = std::byte{'p'}, bytes_[1] = std::byte{'l'}, bytes_[2] = format;
@@ -32,6 +34,7 @@ class Writer {
   }
 
   void put(double number) {
+    step_();
     const auto* first = reinterpret_cast<const std::byte*>(&number);
     bytes_.insert(bytes_.end(), first, first + sizeof number);
   }
@@ -41,13 +44,15 @@ class Writer {
   std::vector<std::byte> finish() { return std::move(bytes_); }
 
  private:
+  Steps step_;
   std::size_t axes_;
   std::vector<std::byte> bytes_;
 };
 
 class Reader {
  public:
-  Reader(std::span<const std::byte> bytes, std::size_t axes) : bytes_(bytes), axes_(axes) {}
+  Reader(std::span<const std::byte> bytes, std::size_t axes, Interrupt& interrupt)
+      : step_(interrupt), bytes_(bytes), axes_(axes) {}
 
   bool at_end() const { return at_ == bytes_.size(); }
 
@@ -71,6 +76,7 @@ class Reader {
 
  private:
   double number() {
+    step_();
     double value;
     std::memcpy(&value, &bytes_[at_], sizeof value);
     at_ += sizeof value;
@@ -80,6 +86,7 @@ class Reader {
     throw Error("byte " + std::to_string(at_ - sizeof(double)) + ": not a finite number");
   }
 
+  Steps step_;
   std::span<const std::byte> bytes_;
   std::size_t axes_;
   std::size_t at_ = header_size;
@@ -111,16 +118,16 @@ PlanKind checked_kind(std::span<const std::byte> blob) {
 
 }  // namespace
 
-std::vector<std::byte> encode_plan(const Plan& plan) {
+std::vector<std::byte> encode_plan(const Plan& plan, Interrupt& interrupt) {
   if (plan.kind == PlanKind::knots && plan.parts() == 1) {
-    Writer writer(plan.kind, plan.axes, plan.knots.size());
+    Writer writer(plan.kind, plan.axes, plan.knots.size(), interrupt);
     for (const Knot& knot : plan.knots) writer.put(knot.t), writer.put(knot.x);
     return writer.finish();
   }
   const PlanKind kind = plan.kind == PlanKind::accelerated ? plan.kind : PlanKind::uniform;
   const std::vector<Leg> own = plan.kind == PlanKind::knots ? legs_of(plan) : std::vector<Leg>();
   const std::vector<Leg>& legs = plan.kind == PlanKind::knots ? own : plan.legs;
-  Writer writer(kind, plan.axes, legs.size());
+  Writer writer(kind, plan.axes, legs.size(), interrupt);
   for (const Leg& leg : legs) {
     writer.put(leg.t), writer.put(leg.until), writer.put(leg.x), writer.put(leg.v);
     if (kind == PlanKind::accelerated) writer.put(leg.a);
@@ -128,7 +135,7 @@ std::vector<std::byte> encode_plan(const Plan& plan) {
   return writer.finish();
 }
 
-Plan decode_plan(std::span<const std::byte> blob) {
+Plan decode_plan(std::span<const std::byte> blob, Interrupt& interrupt) {
   const FloatEnvironment environment;
   Plan plan;
   plan.kind = checked_kind(blob);
@@ -136,7 +143,7 @@ Plan decode_plan(std::span<const std::byte> blob) {
   const auto axes = static_cast<std::size_t>(plan.axes);
   const std::size_t per_item = numbers_per_item(plan.kind, axes),
                     items = (blob.size() - header_size) / 8 / per_item;
-  Reader reader(blob, axes);
+  Reader reader(blob, axes, interrupt);
   if (plan.kind == PlanKind::knots) {
     plan.knots.reserve(items);
     while (!reader.at_end()) {

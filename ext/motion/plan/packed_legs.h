@@ -1,7 +1,7 @@
 // Binary form of a plan: little-endian doubles behind eight bytes. Programs write it, and SQL's aggregates return it.
 //
-//   const std::vector<std::byte> blob = encode_plan(plan);
-//   decode_plan(blob) == plan                                  // every number bit for bit
+//   const std::vector<std::byte> blob = encode_plan(plan, interrupt);
+//   decode_plan(blob, interrupt) == plan                       // every number bit for bit
 //
 //   bytes 0 to 7     'p' 'l' 1 axes kind 0 0 0
 //   then             kind 0: per knot t, x…            one part; the last t may be infinite
@@ -17,13 +17,14 @@
 #include <span>
 #include <vector>
 
+#include "base/error.h"
 #include "motion/plan/plan.h"
 
 namespace foresee {
 
 /// Throws Error if no double holds the velocity of a leg. Requires: check_plan() accepts the plan.
-std::vector<std::byte> encode_plan(const Plan& plan);
+std::vector<std::byte> encode_plan(const Plan& plan, Interrupt& interrupt);
 
-Plan decode_plan(std::span<const std::byte> blob);
+Plan decode_plan(std::span<const std::byte> blob, Interrupt& interrupt);
 
 }  // namespace foresee

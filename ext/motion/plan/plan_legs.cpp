@@ -151,17 +151,9 @@ Leg leg_from(const Leg& leg, double time) {
   return {time, leg.until, later.x, later.v, leg.a};
 }
 
-/// A knot on the way from `before` to `after`.
-Knot knot_between(const Plan& plan, const Knot& before, const Knot& after, double time) {
-  if (time == no_end) return {time, before.x};
-  Leg leg{before.t, after.t, before.x, {}, {}};
-  for (std::size_t j = 0; j < static_cast<std::size_t>(plan.axes); ++j)
-    leg.v[j] = velocity_between(before.x[j], after.x[j], before.t, after.t);
-  return {time, leg_from(leg, time).x};
-}
-
 /// Appends what one part of a plan of knots does between two times.
-void cut_part(const Plan& plan, std::size_t part, double from, double to, Plan& cut) {
+void cut_part(const Plan& plan, std::size_t part, double from, double to, const KnotBetween& between,
+              Plan& cut) {
   const auto first = plan.knots.begin() + static_cast<std::ptrdiff_t>(plan.part_starts[part]);
   const auto end = plan.knots.begin() + static_cast<std::ptrdiff_t>(plan.part_end(part));
   from = std::max(from, first->t), to = std::min(to, std::prev(end)->t);
@@ -170,7 +162,7 @@ void cut_part(const Plan& plan, std::size_t part, double from, double to, Plan& 
   const auto at = [&](double time) {
     const auto next =
         std::lower_bound(first, end, time, [](const Knot& knot, double t) { return knot.t < t; });
-    return next->t == time ? *next : knot_between(plan, *std::prev(next), *next, time);
+    return next->t == time ? *next : between(plan, static_cast<std::size_t>(next - plan.knots.begin()), time);
   };
   cut.knots.push_back(at(from));
   for (auto knot = first; knot != end; ++knot)
@@ -196,11 +188,20 @@ Plan shifted_plan(const Plan& plan, double seconds) {
   return shifted;
 }
 
-std::optional<Plan> cut_plan(const Plan& plan, double from, double to) {
+Knot knot_between(const Plan& plan, std::size_t after, double time) {
+  const Knot &from = plan.knots[after - 1], &to = plan.knots[after];
+  if (time == no_end) return {time, from.x};
+  Leg leg{from.t, to.t, from.x, {}, {}};
+  for (std::size_t j = 0; j < static_cast<std::size_t>(plan.axes); ++j)
+    leg.v[j] = velocity_between(from.x[j], to.x[j], from.t, to.t);
+  return {time, leg_from(leg, time).x};
+}
+
+std::optional<Plan> cut_plan(const Plan& plan, double from, double to, const KnotBetween& between) {
   const FloatEnvironment environment;
   Plan cut{.kind = plan.kind, .axes = plan.axes};
   if (plan.kind == PlanKind::knots)
-    for (std::size_t part = 0; part < plan.parts(); ++part) cut_part(plan, part, from, to, cut);
+    for (std::size_t part = 0; part < plan.parts(); ++part) cut_part(plan, part, from, to, between, cut);
   for (const Leg& leg : plan.legs) {
     const double start = std::max(from, leg.t), end = std::min(to, leg.until);
     if (start > end || (start == end && leg.t < leg.until)) continue;

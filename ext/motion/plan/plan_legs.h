@@ -10,6 +10,8 @@
 // rounding open (some 30 of a million) or the numbers are extreme.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "motion/plan/plan.h"
@@ -37,6 +39,7 @@ std::size_t leg_count(const Plan& plan);
 //
 //   shifted_plan(plan, 86400)                          // the same tomorrow
 //   cut_plan(plan, 60, 120)                            // what the mover does from 60 to 120
+//   cut_plan(plan, 60, 120, knot_on_other_path)        // if legs between knots are not straight in these numbers
 //
 // A plan of knots stays one of knots, with its parts. Each time is rounded once, as t + seconds. A cut between two
 // knots is a new knot at the exact position, rounded once. A leg that is cut starts there with its position and
@@ -46,8 +49,14 @@ std::size_t leg_count(const Plan& plan);
 /// Throws Error if a time is beyond the largest double, or if rounding makes two times equal. Requires: seconds finite.
 Plan shifted_plan(const Plan& plan, double seconds);
 
+/// A new knot of a plan of knots on the leg that ends at knot `after`.
+using KnotBetween = std::function<Knot(const Plan& plan, std::size_t after, double time)>;
+/// The one on the straight leg.
+Knot knot_between(const Plan& plan, std::size_t after, double time);
+
 /// Nothing if the mover does not exist for any time between. Either end may be infinite. Throws Error if a position
 /// at a cut is beyond the largest double. Requires: from <= to.
-std::optional<Plan> cut_plan(const Plan& plan, double from, double to);
+std::optional<Plan> cut_plan(const Plan& plan, double from, double to,
+                             const KnotBetween& between = knot_between);
 
 }  // namespace foresee

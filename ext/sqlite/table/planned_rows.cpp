@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/float_environment.h"
 #include "base/number_text.h"
@@ -59,7 +60,7 @@ void Values::keep_plan() {
 void Values::take_plan(std::int64_t id, sqlite3_value* value, Store& store,
                        std::optional<std::int64_t> updated) try {
   const FloatEnvironment environment;
-  const std::optional<Plan> written = plans_.written(value);
+  std::optional<Plan> written = plans_.written(value);
   if (!written) return;
   std::optional<LatLon> origin;
   if (frame_.in_degrees()) {
@@ -72,9 +73,11 @@ void Values::take_plan(std::int64_t id, sqlite3_value* value, Store& store,
     origin = frame.origin ? *frame.origin : origin_near({first[1], first[0]});
     if (frame.chooses_origin()) new_origin_ = origin;
   }
-  new_plan_ = plans_.stored(*written, origin);
+  new_plan_ = plans_.stored(std::move(*written), origin);
   leg_.resize(leg_doubles(layout_));
-  write_leg(at_, layout_.axes, legs_of(*new_plan_).front(), leg_.data());
+  const bool has_knots = new_plan_->kind == PlanKind::knots;
+  write_leg(at_, layout_.axes, has_knots ? legs_of(*new_plan_).front() : new_plan_->legs.front(),
+            leg_.data());
 } catch (const StoreError&) {
   throw;
 } catch (const Error& error) {

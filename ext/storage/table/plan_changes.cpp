@@ -6,6 +6,7 @@
 #include "base/float_environment.h"
 #include "motion/plan/plan_legs.h"
 #include "shape/chunk_item.h"
+#include "storage/rows/statement.h"
 #include "storage/rows/store_error.h"
 #include "storage/table/stored_plans.h"
 
@@ -17,6 +18,9 @@ std::span<const double> item_inputs(const Offsets& at, int axes, std::span<const
   const auto first = static_cast<std::size_t>((at.a == Offsets::absent ? at.v : at.a) + axes);
   return record.subspan(first, static_cast<std::size_t>(at.plan) - first);
 }
+
+/// About the work on one chunk, in steps of Steps.
+constexpr unsigned chunk_steps = 64;
 
 bool equal_bits(std::span<const double> a, std::span<const double> b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
@@ -50,8 +54,13 @@ std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<cons
     throw Error("a plan of " + std::to_string(plan.axes) + " axes, where objects have " +
                 std::to_string(plans.layout_.axes));
   check_size(plan);
+  StatementInterrupt interrupt(plans.db_);
+  Steps steps(interrupt);
+  const auto legs = static_cast<unsigned>(leg_count(plan));
   check_plan(plan);
+  steps.costly(legs);
   added_.emplace(plan, id);
+  steps.costly(legs);
   first_ = plans.last_number() + 1;
   const auto chunks = static_cast<std::int64_t>(added_->chunks());
   if (first_ > largest_chunk_number - chunks)
@@ -60,7 +69,7 @@ std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<cons
   write_leg(plans.at_, plans.layout_.axes, added_->all_legs().front(), record_.data());
   record_[static_cast<std::size_t>(plans.at_.plan)] = static_cast<double>(first_);
   record_[static_cast<std::size_t>(plans.at_.chunks)] = static_cast<double>(chunks);
-  plans.tree_.with_sound_tree([&] { add_items(before); });
+  plans.tree_.with_sound_tree([&] { add_items(before, steps); });
   if (before) note_removed(*before);
   return record_;
 }
@@ -68,7 +77,7 @@ std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<cons
 // A plan is often replaced by one that leads through the same places at nearly the same times. So a new chunk takes the
 // place of the old one that starts nearest in time, where it fits. That writes one leaf. An erasure and an insertion
 // write two, and the entries above both.
-void StoredPlans::Change::add_items(const Head* before) {
+void StoredPlans::Change::add_items(const Head* before, Steps& steps) {
   TreeStore& tree = plans_->tree_;
   const auto t_at = static_cast<std::size_t>(plans_->item_at_.t);
   std::vector<double> item(static_cast<std::size_t>(plans_->item_at_.size));
@@ -78,6 +87,7 @@ void StoredPlans::Change::add_items(const Head* before) {
     return other ? std::abs(other[t_at] - item[t_at]) : 0;
   };
   for (std::size_t i = 0; i < added_->chunks(); ++i) {
+    steps.costly(chunk_steps);
     const std::int64_t number = first_ + static_cast<std::int64_t>(i);
     write_chunk_item(plans_->layout_, record_.data(), added_->legs(i), item.data());
     while (old < last && away(old + 1) <= away(old)) erase_item(old++);

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/interrupt_steps.h"
 #include "index/chunk_source.h"
 #include "storage/format/chunk_blob.h"
 #include "storage/nodes/chunk_cache.h"
@@ -153,7 +154,7 @@ class StoredPlans::Change {
   void finish();
 
  private:
-  void add_items(const Head* before);
+  void add_items(const Head* before, Steps& steps);
   void erase_item(std::int64_t number);
   void note_removed(const Head& head);
 

@@ -8,14 +8,17 @@
 
 #include "base/error.h"
 #include "motion/plan/plan_legs.h"
+#include "never_interrupt.h"
 #include "scenes.h"
 
 namespace foresee {
 namespace {
 
+using testing::never;
+
 std::string refusal_of_blob(std::span<const std::byte> blob) {
   try {
-    decode_plan(blob);
+    decode_plan(blob, never);
   } catch (const Error& error) {
     return error.what();
   }
@@ -52,15 +55,15 @@ TEST(PackedLegs, ReadBackTheSame) {
   testing::Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const Plan plan = random_plan(random);
-    const std::vector<std::byte> blob = encode_plan(plan);
-    ASSERT_EQ(decode_plan(blob), plan);
-    ASSERT_EQ(encode_plan(decode_plan(blob)), blob);
+    const std::vector<std::byte> blob = encode_plan(plan, never);
+    ASSERT_EQ(decode_plan(blob, never), plan);
+    ASSERT_EQ(encode_plan(decode_plan(blob, never), never), blob);
   }
 }
 
 TEST(PackedLegs, HaveTheDocumentedBytes) {
   const Plan plan{.kind = PlanKind::knots, .axes = 1, .knots = {{0, {1}}, {2, {-0.0}}}};
-  const std::vector<std::byte> blob = encode_plan(plan);
+  const std::vector<std::byte> blob = encode_plan(plan, never);
   const unsigned char expected[] = {'p', 'l', 1, 1,    0, 0, 0, 0, 0,    0,    0, 0,   0, 0,
                                     0,   0,   0, 0,    0, 0, 0, 0, 0xf0, 0x3f, 0, 0,   0, 0,
                                     0,   0,   0, 0x40, 0, 0, 0, 0, 0,    0,    0, 0x80};
@@ -73,14 +76,14 @@ TEST(PackedLegs, OfSeveralPartsAreUniformLegs) {
                   .axes = 2,
                   .knots = {{0, {0, 0}}, {1, {1, 3}}, {5, {7, 7}}, {6, {7, 8}}},
                   .part_starts = {0, 2}};
-  const Plan read = decode_plan(encode_plan(plan));
+  const Plan read = decode_plan(encode_plan(plan, never), never);
   EXPECT_EQ(read.kind, PlanKind::uniform);
   EXPECT_EQ(read.legs, legs_of(plan));
 }
 
 TEST(PackedLegs, SayWhatIsWrong) {
   const Plan knots{.kind = PlanKind::knots, .axes = 2, .knots = {{0, {0, 0}}, {5, {10, 0}}, {9, {10, 0}}}};
-  const std::vector<std::byte> good = encode_plan(knots);
+  const std::vector<std::byte> good = encode_plan(knots, never);
   EXPECT_EQ(refusal_of_blob({}), "an empty blob is no plan");
   EXPECT_EQ(refusal_of_blob(std::vector<std::byte>(9)),
             "a blob of 9 bytes that does not start with 'pl' is no plan: write one of plan_points");
@@ -116,7 +119,7 @@ TEST(PackedLegs, SayWhatIsWrong) {
             "knot 3: t is 5 after 5: times must rise; write MULTILINESTRING M for a jump");
   Plan legs{.kind = PlanKind::accelerated, .axes = 1};
   legs.legs = {{0, no_end, {}, {}, {}}, {5, 9, {}, {}, {}}};
-  EXPECT_EQ(refusal_of_blob(encode_plan(legs)), "byte 16: not a finite number");
+  EXPECT_EQ(refusal_of_blob(encode_plan(legs, never)), "byte 16: not a finite number");
 }
 
 }  // namespace

@@ -41,21 +41,47 @@ void plan_shift(sqlite3_context* context, int, sqlite3_value** values) {
     if (!plan || !seconds) return;
     check_size(*plan);
     if (!std::isfinite(*seconds)) throw Error("seconds is infinite: write a finite number");
-    result_plan(context, shifted_plan(*plan, *seconds), sqlite3_value_type(values[0]) == SQLITE_TEXT,
-                interrupt);
+    const Plan shifted = shifted_plan(*plan, *seconds);
+    interrupt.check();  // a million legs take some ten milliseconds
+    result_plan(context, shifted, sqlite3_value_type(values[0]) == SQLITE_TEXT, interrupt);
   });
 }
 
-void plan_cut(sqlite3_context* context, int, sqlite3_value** values) {
+/// The frame of a plan in degrees; nothing for NULL and ''.
+std::optional<Frame> frame_about(sqlite3_value* origin) {
+  if (is_null_or_empty(origin)) return std::nullopt;
+  const std::optional<LatLon> place =
+      sqlite3_value_type(origin) == SQLITE_TEXT ? parse_origin(text_of(origin)) : std::nullopt;
+  if (!place)
+    throw Error("origin is " + shown(origin) +
+                ": write latitude and longitude, as in '53.9 7.9', or NULL for metres");
+  return Frame{.kind = FrameKind::degrees, .origin = place};
+}
+
+/// A leg in degrees is straight on the plane of its table.
+KnotBetween knot_on_leg(const std::optional<Frame>& frame) {
+  if (!frame) return knot_between;
+  return [&frame](const Plan& plan, std::size_t after, double time) {
+    const Plan leg{.kind = PlanKind::knots,
+                   .axes = plan.axes,
+                   .knots = {knot_on_plane(plan, after - 1, *frame), knot_on_plane(plan, after, *frame)}};
+    return knot_in_degrees(knot_between(leg, 1, time), *frame);
+  };
+}
+
+void plan_cut(sqlite3_context* context, int count, sqlite3_value** values) {
   report_by_name(context, "plan_cut", [&] {
     StatementInterrupt interrupt(sqlite3_context_db_handle(context));
-    const std::optional<Plan> plan = plan_of(values[0], interrupt);
+    const std::optional<Frame> frame = count > 3 ? frame_about(values[3]) : std::nullopt;
+    const std::optional<Plan> plan =
+        plan_of(values[0], interrupt, frame ? WktUnit::degrees : WktUnit::metres);
     const double from = plan_number(values[1], "from").value_or(-no_end);
     const double to = plan_number(values[2], "to").value_or(no_end);
     if (!plan) return;
+    if (frame) require_places(*plan);
     if (from > to)
       throw Error("from is " + shown(from) + ", later than to, which is " + shown(to) + ": exchange them");
-    if (const std::optional<Plan> part = cut_plan(*plan, from, to))
+    if (const std::optional<Plan> part = cut_plan(*plan, from, to, knot_on_leg(frame)))
       result_plan(context, *part, sqlite3_value_type(values[0]) == SQLITE_TEXT, interrupt);
   });
 }
@@ -84,6 +110,7 @@ int register_plan_functions(sqlite3* db) {
   };
   int rc = scalar("plan_shift", 2, plan_shift);
   if (rc == SQLITE_OK) rc = scalar("plan_cut", 3, plan_cut);
+  if (rc == SQLITE_OK) rc = scalar("plan_cut", 4, plan_cut);
   if (rc == SQLITE_OK) rc = scalar("plan_turn", 9, plan_turn);
   if (rc == SQLITE_OK) rc = register_plan_aggregates(db);
   return rc;

@@ -97,6 +97,28 @@ TEST_F(PlanFunctions, LegsAsRowsOfATableMeet) {
             "9.5");
 }
 
+TEST_F(PlanFunctions, ACutInDegreesKeepsThePathOnThePlane) {
+  db.exec("CREATE VIRTUAL TABLE ships USING moving_objects(id, lat, lon, plan, origin = '54 8')");
+  const std::string plan = "'LINESTRING M(7 54 0, 9 54.5 6000, 9.1 54 9000)'";
+  db.exec("INSERT INTO ships(id, plan) VALUES (1, " + plan + "), (2, plan_cut(" + plan +
+          ", 3000, 7000, (SELECT origin FROM foresee_tables))), (3, plan_cut(" + plan + ", 3000, 7000))");
+  const auto aside = [this](int id, int t) {
+    const std::string at = "FROM predictive_position(" + std::to_string(t) + ") WHERE id = ";
+    return std::stod(db.rows("SELECT geo_distance(a.lat, a.lon, b.lat, b.lon) FROM (SELECT * " + at +
+                             "1) AS a, (SELECT * " + at + std::to_string(id) + ") AS b"));
+  };
+  for (const int t : {3000, 4000, 5999, 6000, 6500, 7000}) EXPECT_LT(aside(2, t), 1e-3) << t;
+  EXPECT_GT(aside(3, 3000), 400);
+  EXPECT_EQ(db.rows("SELECT plan_cut(" + plan + ", 6000, 9000, '54 8')"),
+            "LINESTRING M(9 54.5 6000, 9.1 54 9000)");
+  EXPECT_EQ(db.rows("SELECT plan_cut(" + plan + ", 1, 2, NULL) = plan_cut(" + plan + ", 1, 2)"), "1");
+  // Across the date line the numbers of a leg run around the Earth; its path does not.
+  EXPECT_EQ(db.rows("SELECT plan_cut('SRID=4326;LINESTRING M(179 0 0, -179 0 10)', 5, NULL, '0 180')"),
+            "LINESTRING M(180 0 5, -179 0 10)");
+  EXPECT_EQ(db.rows("SELECT plan_cut('LINESTRING ZM(8 54 70 0, 8 54 90 10)', 5, NULL, '54 8')"),
+            "LINESTRING ZM(8 54 80 5, 8 54 90 10)");
+}
+
 TEST_F(PlanFunctions, ShiftAndCutKeepTheForm) {
   EXPECT_EQ(db.rows("SELECT plan_shift('linestring m(0 0 0, 1 0 1)', 60)"), "LINESTRING M(0 0 60, 1 0 61)");
   EXPECT_EQ(db.rows("SELECT typeof(plan_shift(plan_points(t, t), 60)) FROM (SELECT 1 AS t UNION SELECT 2)"),
@@ -149,6 +171,12 @@ TEST_F(PlanFunctions, SayWhichNumberIsWrong) {
             "plan_shift: seconds must be a number, not 'soon'");
   EXPECT_EQ(error(std::string("plan_shift(") + plan + ", 9e999)"),
             "plan_shift: seconds is infinite: write a finite number");
+  EXPECT_EQ(error(std::string("plan_cut(") + plan + ", 0, 4, 54)"),
+            "plan_cut: origin is 54: write latitude and longitude, as in '53.9 7.9', or NULL for metres");
+  EXPECT_EQ(error("plan_cut((SELECT plan_points(value, 7) FROM json_each('[1, 2]')), 1, 2, '54 8')"),
+            "plan_cut: 1 axis, and the table has 2: write LINESTRING M");
+  EXPECT_EQ(error("plan_cut('LINESTRING M(8 54 0, 4 95 9)', 1, 4, '54 8')"),
+            "plan_cut: knot 2 has latitude 95, beyond 90: write longitude, then latitude");
   EXPECT_EQ(error(std::string("plan_cut(") + plan + ", 5, 4)"),
             "plan_cut: from is 5, later than to, which is 4: exchange them");
   EXPECT_EQ(error("plan_turn(0, 0, 0, 0, NULL, 3, 30, 120, 1)"), "plan_turn: vy is NULL: write a number");
