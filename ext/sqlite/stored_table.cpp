@@ -12,9 +12,9 @@ ChangedObjects StoredTable::changes_since(const std::optional<std::int64_t>& sta
   changed.reported = stamp && stamp == store.stamp_before_changes();
   if (!changed.reported) return changed;
   const int t = store.format().at.t;
-  store.for_each_change([&](std::int64_t id, std::span<const double>, std::span<const double> after) {
+  store.for_each_change([&](std::int64_t id, std::span<const double> record) {
     changed.ids.push_back(id);
-    if (!after.empty() && t >= 0) changed.instants.push_back(after[static_cast<std::size_t>(t)]);
+    if (!record.empty() && t >= 0) changed.instants.push_back(record[static_cast<std::size_t>(t)]);
   });
   std::sort(changed.ids.begin(), changed.ids.end());
   return changed;

@@ -59,6 +59,7 @@ class FormValues {
   Interrupt& interrupt_;
 };
 
+/// The columns of one table: their values become the record of a row, as the start of this file shows.
 class Values {
  public:
   /// `interrupt` must outlive the values.

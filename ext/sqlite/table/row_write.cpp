@@ -37,11 +37,9 @@ bool is_null(sqlite3_value* value) {
   return sqlite3_value_type(value) == SQLITE_NULL;
 }
 
-/// Whether the statement replaces an object with this id. Throws Refusal if the object exists and the
-/// statement is not OR REPLACE.
-bool replaces(MovingObjectsTable& table, std::int64_t id) {
-  if (!table.store().contains(id)) return false;
-  if (sqlite3_vtab_on_conflict(table.connection->db()) == SQLITE_REPLACE) return true;
+/// An object has the id of the new row: throws Refusal unless the statement is OR REPLACE.
+void require_replace(const MovingObjectsTable& table) {
+  if (sqlite3_vtab_on_conflict(table.connection->db()) == SQLITE_REPLACE) return;
   throw Refusal(SQLITE_CONSTRAINT, "UNIQUE constraint failed: " + table.name + ".id");
 }
 
@@ -77,7 +75,8 @@ bool passes_columns_at_start(const MovingObjectsTable& table, const NewRow& row)
   return false;
 }
 
-/// Before an UPDATE: keeps the record of a row for MovingObjectsTable::stored_before.
+/// Before an UPDATE of a table in degrees or with plans: keeps the record of the row for
+/// MovingObjectsTable::stored_before. Of other tables nothing is kept.
 void keep_record(MovingObjectsTable& table, const NewRow& row, std::int64_t id) {
   if (!passes_columns_at_start(table, row)) return;
   if (auto record = table.store().read(id)) table.stored_before.try_emplace(id, std::move(*record));
@@ -110,7 +109,8 @@ std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   require_unwritten(table, row, {});
   if (assigned) id = table.store().find_next_id();
   const std::span<const double> record = table.values.record(*id, row.motion, table.store());
-  if (!assigned && replaces(table, *id)) {
+  if (!assigned && table.store().contains(*id)) {
+    require_replace(table);
     table.store().update(*id, *id, record, row.auxiliaries, table.values.new_plan());
   } else {
     require_frame_of_watches(table);
@@ -142,7 +142,7 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
   require_unwritten(table, row, old_id);
   const std::span<const double> record =
       table.values.record(*id, row.motion, table.store(), old_id, record_at_start(table, old_id));
-  if (*id != old_id) replaces(table, *id);  // throws, or the update replaces it
+  if (*id != old_id && table.store().contains(*id)) require_replace(table);
   keep_record(table, row, old_id);
   table.store().update(old_id, *id, record, row.auxiliaries, table.values.new_plan());
   if (*id != old_id) table.moved_to.insert(*id);

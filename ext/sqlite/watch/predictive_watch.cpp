@@ -211,8 +211,8 @@ int watch_rename(sqlite3_vtab* base, const char* new_name) noexcept {
     if (!settled) return;
     WatchState moved = state;
     const OpenTables tables = watched_tables(connection, table.name.schema, state);
-    moved.stamp = tables.a.store->settled_stamp();
-    if (tables.b) moved.other_stamp = tables.b->store->settled_stamp();
+    moved.stamp = tables.a.store->stamp_if_written();
+    if (tables.b) moved.other_stamp = tables.b->store->stamp_if_written();
     table.rows()->write_state(moved, state);
   });
 }

@@ -45,7 +45,7 @@ bool is_lost(Connection& connection, const WatchState& state, const OpenTables& 
 
 /// Throws Error if the table's _meta does not list the watch. A table settles only the watches of that list.
 void require_listed(const Connection::OpenTable& table, const std::string& watch) {
-  const std::vector<std::string>& listed = table.store->watches();
+  const std::vector<std::string>& listed = table.store->watch_names();
   if (std::any_of(listed.begin(), listed.end(), [&](const auto& name) { return same_name(name, watch); }))
     return;
   throw Error(watch + ": " + table.table + "_meta does not list it, so commits pass it over; DROP TABLE " +

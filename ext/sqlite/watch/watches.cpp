@@ -91,7 +91,7 @@ void Watches::settle_table(Connection& connection, std::int64_t number) {
   const Connection::OpenTable table = *open;  // a copy: SQLite may connect the table again meanwhile
   std::vector<std::string> names;
   try {
-    names = table.store->watches();
+    names = table.store->watch_names();
   } catch (const StoreError& error) {
     if (!is_of_watch(error)) throw;  // without a name after a rollback, or damaged: no watches
   }
@@ -101,10 +101,10 @@ void Watches::settle_table(Connection& connection, std::int64_t number) {
 template <class Change>
 void Watches::change_stamp(Connection& connection, const Connection::OpenTable& table, Change change) {
   const KeptInsertRowid kept(connection.db());
-  const auto before = table.store->settled_stamp();
+  const auto before = table.store->stamp_if_written();
   change(*table.store);
-  const auto after = table.store->settled_stamp();
-  for (const std::string& name : std::vector(table.store->watches())) {
+  const auto after = table.store->stamp_if_written();
+  for (const std::string& name : std::vector(table.store->watch_names())) {
     const QualifiedName watch{table.schema, name};
     const auto state = known_state(connection, watch);
     if (!state || !before) continue;
@@ -146,7 +146,7 @@ void Watches::rename_table(Connection& connection, std::int64_t number, const st
   if (!open) return;
   const Connection::OpenTable table = *open;
   const KeptInsertRowid kept(connection.db());
-  for (const std::string& name : std::vector(table.store->watches())) {
+  for (const std::string& name : std::vector(table.store->watch_names())) {
     auto state = known_state(connection, {table.schema, name});
     if (!state) continue;
     if (same_name(state->tbl, old_name)) state->tbl = table.table;
@@ -159,7 +159,7 @@ void Watches::require_frame(Connection& connection, std::int64_t number, const F
   const Connection::OpenTable* open = connection.find(number);
   if (!open) return;
   const Connection::OpenTable table = *open;
-  for (const std::string& name : std::vector(table.store->watches())) {
+  for (const std::string& name : std::vector(table.store->watch_names())) {
     std::string conflict;
     try {
       const auto state = known_state(connection, {table.schema, name});
@@ -181,7 +181,7 @@ void Watches::require_unwatched(Connection& connection, std::int64_t number) {
   if (!open) return;
   const Connection::OpenTable table = *open;
   try {
-    for (const std::string& name : std::vector(table.store->watches())) {
+    for (const std::string& name : std::vector(table.store->watch_names())) {
       const auto state = known_state(connection, {table.schema, name});
       const bool is_watched = state && (same_name(state->tbl, table.table) ||
                                         (state->other && same_name(*state->other, table.table)));

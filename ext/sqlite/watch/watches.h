@@ -4,7 +4,7 @@
 //   watches.rows(connection, {"main", "alerts"})->read_state();
 //   watches.settle(connection, {"main", "alerts"});      // in xSync of a watch or of its tables
 //
-// A table stores the names of its watches (Store::watches), a watch those of its tables. When a table
+// A table stores the names of its watches (Store::watch_names), a watch those of its tables. When a table
 // commits, a damaged or missing watch is skipped without an error. A statement that reads the watch gets the
 // error.
 #pragma once

@@ -42,13 +42,16 @@ class Journal {
 
    protected:
     /// Call it before each change. If it throws, nothing has changed. Cost: a comparison; once per mark, keep().
+    /// Without a transaction, as after Journal::end(), both numbers are 0, and nothing is kept.
     void join() {
       if (joined_ != journal_.newest_) journal_.join(*this);
     }
-    /// True if a change may be rewound: then a log is kept.
+    /// True if a change may be rewound: then a log is kept. Scope::marks keeps nothing for the lowest mark, and
+    /// nothing is kept for an abandoned newest one.
     bool is_marked() const {
-      const bool keeps_start = scope_ == Scope::transaction, keeps_newest = abandoned_ != journal_.newest_;
-      return journal_.depth_ > (keeps_start ? 0u : 1u) + (keeps_newest ? 0u : 1u);
+      const std::size_t unused =
+          std::size_t{scope_ == Scope::marks} + std::size_t{abandoned_ == journal_.newest_};
+      return journal_.depth_ > unused;
     }
     /// The newest mark can restore this state no more, because rows were written: what it keeps is passed on.
     void abandon_newest_mark() { journal_.abandon(*this); }

@@ -10,7 +10,13 @@
 //   journal.end(Journal::Ended::rolled_back);      // 17 again
 //
 // A stamp is a random number in `_meta`, which every transaction that writes replaces. Memory holds the contents
-// under one stamp. A flush stores another stamp for the same contents; readers still see the stamp before it.
+// under one stamp. A transaction that finds stamp S0:
+//
+//   start          seen = shown = S0
+//   first change   stores S1                           seen = shown = S1, own, before = S0
+//   flush          stores S2 for the same contents     seen = S2, shown = S1 still: scenes of readers stay valid
+//   COMMIT         a watch compares its stamp with `before` (S0), and stores S2
+//
 // What a transaction knows dies with it: after any rewind the stamps are those of the mark.
 #pragma once
 
@@ -96,7 +102,8 @@ class Version {
   };
 
   Journaled<Stamps> stamps_;
-  bool differs_ = false, differed_ = false;  ///< from what shown() returned last; the latter at begin()
+  bool differs_ = false;   ///< the contents differ from those of the last shown()
+  bool differed_ = false;  ///< differs_ at begin()
   std::uint64_t transaction_ = 1;
 };
 

@@ -1,11 +1,13 @@
 // Log of the objects that a transaction changes, each with its record from before the transaction.
 //
+//   changes.start_keeping();                             // for the rest of the transaction
 //   if (!changes.knows(42)) changes.add(42, record);     // before the first change; {}: a new object
 //   changes.for_each([&](std::int64_t id, std::span<const double> before) { … });
 //
 // The first change of an object keeps its record, later changes keep nothing: the store has the current
-// record. A rollback to a savepoint forgets the objects that had not been changed before it. Cost: a look-up
-// per change, and about 40 bytes and the record per changed object.
+// record. The old record only decides whether the object differs; a watch has the old pairs as its rows. A rollback
+// to a savepoint forgets the objects that had not been changed before it. Cost: a look-up per change, and about
+// 40 bytes and the record per changed object.
 #pragma once
 
 #include <span>
@@ -19,13 +21,8 @@ class ObjectChanges final : public Journal::Participant {
  public:
   explicit ObjectChanges(Journal& journal) : Participant(journal, Scope::marks) {}
 
-  /// From now on, or from the end of the transaction on.
-  void keep(bool wanted, bool in_transaction) noexcept {
-    wanted_ = wanted;
-    if (wanted || !in_transaction) kept_ = wanted;
-  }
   /// For the rest of the transaction.
-  void keep_here() noexcept { kept_ = true; }
+  void start_keeping() noexcept { kept_ = true; }
   bool are_kept() const noexcept { return kept_; }
   /// True if the object's state from before the transaction is known.
   bool knows(std::int64_t id) const noexcept { return known_.find(id) != IdHashMap::unknown; }
@@ -60,7 +57,7 @@ class ObjectChanges final : public Journal::Participant {
   std::vector<First> firsts_;
   std::vector<double> records_;
   IdHashMap known_;
-  bool kept_ = false, wanted_ = false;
+  bool kept_ = false;
   bool complete_ = true;
 };
 
@@ -91,7 +88,7 @@ inline void ObjectChanges::end(Journal::Ended) noexcept {
   firsts_ = std::vector<First>();
   records_ = std::vector<double>();
   known_.clear();
-  kept_ = wanted_, complete_ = true;
+  kept_ = false, complete_ = true;
 }
 
 }  // namespace foresee

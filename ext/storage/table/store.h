@@ -125,25 +125,20 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   void erase(std::int64_t id);  ///< requires: `id` exists
 
   // --- changes of a transaction
-  /// Enables for_each_change() from now on. Disabling takes effect at the end of the transaction. SQLite may
-  /// open another store after a schema change, so the caller enables it again at each begin().
-  void keep_changes(bool wanted);
-  /// Calls each(id, before, after) for every object whose record differs, bit for bit, from the start of the
-  /// transaction or from keep_changes(); in the order of first changes. An empty record: no such object.
-  /// Rolled-back changes are left out. Cost: a read() per object.
-  void for_each_change(const std::function<void(std::int64_t id, std::span<const double> before,
-                                                std::span<const double> after)>& each);
-  std::size_t changes_memory() const { return changes_.memory(); }
+  /// Calls each(id, record) for every object whose record differs, bit for bit, from the start of the transaction;
+  /// in the order of first changes. An empty record: no such object. Rolled-back changes are left out. Only a
+  /// transaction whose first change finds the name of a watch knows its changes. Cost: a read() per object.
+  void for_each_change(const std::function<void(std::int64_t id, std::span<const double> record)>& each);
 
   // --- watches of this table (sqlite/watch/)
   /// Names of the watches to update at each commit, as this connection sees them now. Cost: one look-up, and
   /// a scan of the names if another connection has written.
-  const std::vector<std::string>& watches();
+  const std::vector<std::string>& watch_names();
   /// Adds or removes a name. Writes a stamp, so that every connection reads the names again.
   void add_watch(const std::string& name);
   void remove_watch(const std::string& name);
   /// The stored stamp; nothing while changes are unwritten. Equal stamps: equal contents.
-  std::optional<std::int64_t> settled_stamp();
+  std::optional<std::int64_t> stamp_if_written();
   /// The stamp under which memory holds committed contents; nothing once this transaction has written.
   std::optional<std::int64_t> committed_stamp() const {
     return version_.is_own() ? std::nullopt : version_.seen();
@@ -195,10 +190,11 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
 
   /// Called by another table of the connection, or by a trigger on a shadow table during a change.
   void write_out();
-  /// The rows. Throws SQLITE_ABORT if the store is torn, until SQLite rolls back; SQLITE_SCHEMA if the table
-  /// is gone, so that SQLite prepares the statement again.
-  ShadowRows& shadow_rows();
-  TreeStore& tree() { return shadow_rows(), tree_; }
+  /// Throws SQLITE_ABORT if the store is torn, until SQLite rolls back; SQLITE_SCHEMA if the table is gone, so that
+  /// SQLite prepares the statement again.
+  void require_usable();
+  ShadowRows& shadow_rows() { return require_usable(), *shadow_rows_; }
+  TreeStore& tree() { return require_usable(), tree_; }
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
   /// Empties the cache if another connection has committed meanwhile. Cost: at most one look-up.
   void revalidate_cache();
@@ -213,7 +209,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
 
   // watches (store_watches.cpp)
   /// Reads the names of the watches unless they are known.
-  void load_watches();
+  void load_watch_names();
   void write_stamp_of_watches();
 
   // writing (store_write.cpp)
@@ -259,8 +255,8 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   /// The same; closes a table that this transaction has created.
   void undo_transaction();
   /// Finds out by the stored stamp whether SQLite has rolled back all that this transaction wrote, if in doubt. What
-  /// reads changes in memory calls it first; revalidate_cache() and shadow_rows() do.
-  void settle_doubt();
+  /// reads changes in memory calls it first; revalidate_cache() and require_usable() do.
+  void resolve_doubt();
   void use_table_name(const std::string& table);
   std::size_t savepoints_before(int level) const noexcept;
   void give_up_savepoints(std::size_t from) noexcept;
@@ -281,8 +277,8 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   std::unique_ptr<StoredPlans> plans_;  ///< null: the layout has no plans
   Journaled<Totals> totals_{journal_};
   ObjectChanges changes_{journal_};
-  Journaled<std::optional<std::vector<std::string>>> watches_{journal_};  ///< nothing: not known
-  Frame frame_ = declaration_.frame;                                      ///< what frame() returns
+  Journaled<std::optional<std::vector<std::string>>> watch_names_{journal_};  ///< nothing: not known
+  Frame frame_ = declaration_.frame;                                          ///< what frame() returns
   Journaled<ChosenOrigin> origin_{journal_};  ///< of a table in degrees without a declared origin
   Journaled<std::string> table_{journal_, name_.table};
 

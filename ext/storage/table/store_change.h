@@ -32,8 +32,10 @@ class Store::OwnStatements {
 };
 
 /// One change, including its own statements. Unless it is done(), its end restores all state in memory. If rows
-/// were written during the change, the store is torn and refuses everything until SQLite rolls back. Cost: a
-/// mark in the journal; a node is copied when it is changed, not before.
+/// were written during the change, the store is torn and refuses everything until SQLite rolls back. At its end
+/// participants of Scope::marks drop what they have kept, unless an older savepoint needs it; those of
+/// Scope::transaction keep it until the transaction ends. Cost: a mark in the journal; a node is copied when it is
+/// changed, not before.
 class Store::AtomicChange {
  public:
   explicit AtomicChange(Store& store) : own_(store), store_(store), mark_(store.journal_.set_mark()) {}

@@ -47,7 +47,7 @@ class StoredChunks final : public ChunkSource {
 // --- reading
 
 Plan Store::read_plan(std::int64_t id, std::span<const double> record) {
-  shadow_rows();
+  require_usable();
   return plans_->read(plans_->head_of(id, record.data()));
 }
 

@@ -7,7 +7,7 @@ namespace foresee {
 
 // While this connection writes no other one can. At any other time another one may have written.
 void Store::revalidate_cache() {
-  settle_doubt();
+  resolve_doubt();
   if (version_.is_own()) return;
   const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
@@ -15,7 +15,7 @@ void Store::revalidate_cache() {
   forget_nodes();
   version_.forget();
   totals_.change().count.stored = shadow_rows().read_objects();
-  watches_.change().reset();
+  watch_names_.change().reset();
   origin_.change() = {};
   version_.read(*stamp);
 }
@@ -57,7 +57,7 @@ std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
 }
 
 bool Store::contains(std::int64_t id) {
-  settle_doubt();
+  resolve_doubt();
   if (tree_.pending().find(id)) return true;
   // New ascending ids, the common case, are larger than any known id.
   const LargestId& largest = totals_->largest;
@@ -66,7 +66,7 @@ bool Store::contains(std::int64_t id) {
 }
 
 std::optional<std::vector<double>> Store::read(std::int64_t id) {
-  settle_doubt();
+  resolve_doubt();
   const auto size = static_cast<std::size_t>(format_.at.size);
   const double* found = tree_.pending().find(id);
   if (!found && version_.is_own()) found = nodes().find_record(id);
@@ -79,7 +79,7 @@ std::optional<std::vector<double>> Store::read(std::int64_t id) {
 std::span<const double> Store::find(std::int64_t id, StatementReadState& statement_state) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   const auto found = [size](const double* record) { return std::span(record, record ? size : 0); };
-  settle_doubt();
+  resolve_doubt();
   if (const double* record = tree_.pending().find(id)) return found(record);
   if (version_.is_own()) return found(nodes().find_record(id));
   if (version_.is_checked(&statement_state)) {

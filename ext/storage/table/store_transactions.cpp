@@ -76,12 +76,11 @@ void Store::forget_nodes() {
   if (forms_) forms_->forget_all();
 }
 
-ShadowRows& Store::shadow_rows() {
+void Store::require_usable() {
   if (gone_)
     throw StoreError(SQLITE_SCHEMA, name_.table + ": the table is dropped; prepare the statement again");
-  settle_doubt();
+  resolve_doubt();
   if (torn_) throw StoreError(SQLITE_ABORT, name_.table + ": a write failed half-way; roll back");
-  return *shadow_rows_;
 }
 
 void Store::damaged(const std::string& what) const {
@@ -115,7 +114,7 @@ void Store::begin() {
 // Several watches may call this in one COMMIT.
 void Store::sync() {
   if (gone_) return;
-  shadow_rows();
+  require_usable();
   flush(TreeStore::Reason::commit);
 }
 
@@ -177,7 +176,7 @@ void Store::restart_transaction() {
 
 void Store::savepoint(int level) {
   if (own_statements_ > 0 || gone_ || !journal_.is_open()) return;
-  shadow_rows();
+  require_usable();
   // Two virtual tables that share this store both get the callback.
   if (!savepoints_.empty() && savepoints_.back().level >= level) return;
   // Reserve first, by doubling: once the mark is set nothing may throw.
@@ -220,7 +219,7 @@ void Store::rollback_to(int level) noexcept {
       // No mark is that old. Either the mark could not be set, and its statement failed before it changed
       // anything; or the table joined the transaction after that savepoint.
       in_doubt_ = true;
-      settle_doubt();
+      resolve_doubt();
     }
   } catch (...) {
     torn_ |= !in_doubt_;
@@ -228,7 +227,7 @@ void Store::rollback_to(int level) noexcept {
   if (is_marked || first > 0) give_up_savepoints(is_marked ? first + 1 : first);
 }
 
-void Store::settle_doubt() {
+void Store::resolve_doubt() {
   if (!in_doubt_) return;
   if (was_rolled_back()) undo_transaction();
   in_doubt_ = false;

@@ -5,20 +5,20 @@
 
 namespace foresee {
 
-void Store::load_watches() {
-  if (!watches_.get()) watches_.change() = shadow_rows().read_watches();
+void Store::load_watch_names() {
+  if (!watch_names_.get()) watch_names_.change() = shadow_rows().read_watches();
 }
 
-const std::vector<std::string>& Store::watches() {
+const std::vector<std::string>& Store::watch_names() {
   revalidate_cache();
-  load_watches();
-  return watches_->value();
+  load_watch_names();
+  return watch_names_->value();
 }
 
 // SQLite may not have called begin() for this transaction, and then calls neither commit() nor rollback(). So
 // memory is left unchanged, and the cache is revalidated when the new stamp is read.
 void Store::write_stamp_of_watches() {
-  watches_.change().reset();
+  watch_names_.change().reset();
   if (version_.is_own()) return write_new_stamp();
   std::int64_t stamp;
   sqlite3_randomness(sizeof stamp, &stamp);
@@ -37,7 +37,7 @@ void Store::remove_watch(const std::string& name) {
   write_stamp_of_watches();
 }
 
-std::optional<std::int64_t> Store::settled_stamp() {
+std::optional<std::int64_t> Store::stamp_if_written() {
   if (has_unwritten()) return std::nullopt;
   return shadow_rows().read_stamp();
 }

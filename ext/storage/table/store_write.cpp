@@ -8,6 +8,7 @@
 #include "storage/table/store_change.h"
 
 namespace foresee {
+
 void Store::require_sound(std::span<const double> record) const {
   if (const char* fault = record_fault(format_, record.data())) throw Error(name_.table + ": " + fault);
 }
@@ -24,18 +25,18 @@ void Store::start_change(std::span<const double> record) {
   // COMMIT would reach what is written from here on.
   if (!journal_.is_open())
     throw StoreError(SQLITE_ABORT_ROLLBACK, name_.table + ": a rollback ended this statement; run it again");
-  shadow_rows();
+  require_usable();
   if (!version_.is_own()) {
     revalidate_cache();
-    load_watches();
-    if (!watches_->value().empty()) changes_.keep_here();
+    load_watch_names();
+    if (!watch_names_->value().empty()) changes_.start_keeping();
   }
   note_memory();
   if (memory_->too_much_waits()) memory_->write_out();
   if (version_.is_own()) return;
   const OwnStatements own(*this);
   write_new_stamp();
-  version_.note_change();  // even if this change fails: the stamp is not committed yet
+  version_.note_change();  // the contents count as another version from here on, also if this change fails
 }
 
 void Store::write_new_stamp(bool same_contents) {
@@ -54,7 +55,7 @@ const LargestId& Store::read_largest() {
 }
 
 std::int64_t Store::find_next_id() {
-  settle_doubt();
+  resolve_doubt();
   if (!totals_->largest.known || !totals_->largest.exact) {
     flush();
     totals_.change().largest = {};
@@ -79,25 +80,20 @@ StoredForms::Known Store::find_or_add_form(std::string_view text, const StoredFo
 
 // --- changes of a transaction
 
-void Store::keep_changes(bool wanted) {
-  changes_.keep(wanted, journal_.is_open());
-}
-
 void Store::log_before_change(std::int64_t id) {
   if (!changes_.are_kept() || changes_.knows(id)) return;
   const std::optional<std::vector<double>> before = read(id);
   changes_.add(id, before ? std::span<const double>(*before) : std::span<const double>());
 }
 
-void Store::for_each_change(
-    const std::function<void(std::int64_t, std::span<const double>, std::span<const double>)>& each) {
-  settle_doubt();
+void Store::for_each_change(const std::function<void(std::int64_t, std::span<const double>)>& each) {
+  resolve_doubt();
   changes_.for_each([&](std::int64_t id, std::span<const double> before) {
     const std::vector<double> after = read(id).value_or(std::vector<double>());
     // Bit for bit: 0 and -0 differ. (An empty record has no bytes to compare.)
     const bool equal = before.size() == after.size() &&
                        (before.empty() || std::memcmp(before.data(), after.data(), before.size_bytes()) == 0);
-    if (!equal) each(id, before, after);
+    if (!equal) each(id, after);
   });
 }
 
@@ -154,8 +150,8 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
   if (plans_) record = change_plans(plans.emplace(*plans_, rolled_back_), id, new_id, record, plan);
   tree_.with_sound_tree([&] {
     log_before_change(id);
-    log_before_change(new_id);
     if (new_id != id) {
+      log_before_change(new_id);
       if (contains(new_id)) remove(new_id);
       remove(id);
       add(new_id, record);
@@ -196,11 +192,11 @@ bool Store::must_merge(TreeStore::Reason reason) const {
 
 void Store::merge_pending(TreeStore::Reason reason) {
   if (!must_merge(reason)) return;
-  shadow_rows();
+  require_usable();
   StatementInterrupt interrupt(db_);
   AtomicChange atomic_change(*this);
-  if (tree_.must_merge(reason)) tree_.merge_pending(reason, interrupt);
-  if (plans_ && plans_->tree().must_merge(reason)) plans_->tree().merge_pending(reason, interrupt);
+  tree_.merge_pending(reason, interrupt);
+  if (plans_) plans_->tree().merge_pending(reason, interrupt);
   atomic_change.done_with_same_contents();
 }
 
@@ -210,7 +206,7 @@ void Store::flush(TreeStore::Reason reason) {
   if (!has_unwritten() && !must_merge(reason)) return;
   if (was_rolled_back()) return restart_transaction();
   merge_pending(reason);
-  shadow_rows();
+  require_usable();
   const OwnStatements own(*this);
   StatementInterrupt interrupt(db_);
   tree_.write(interrupt);

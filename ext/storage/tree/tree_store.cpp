@@ -65,25 +65,6 @@ bool TreeStore::replace(std::int64_t id, std::int64_t new_id, std::span<const do
   return !pending_.find(id) && tree_->replace(id, new_id, record);
 }
 
-void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
-  with_sound_tree([&] {
-    const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
-    const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
-    const bool packs_runs = reason == Reason::commit && has_runs_.get();
-    const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
-    const bool many = pending > stored * (packs_new ? min_reload_of_new : min_reload_ratio);
-    const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
-    if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count()))
-      return add_run(interrupt);
-    if (stored > 0 && !many && !packs_runs) return merge_into_tree(interrupt);
-    stored > 0 && bytes > static_cast<double>(memory_.max_ordered()) ? load_partitioned(interrupt)
-                                                                     : reload(interrupt);
-    note_packed();
-  });
-  pending_.take_all();
-  if (pending_updates_.get()) pending_updates_.change() = false;
-}
-
 template <class Use>
 auto TreeStore::with_pending(Use use) const {
   if (!pending_.has_holes()) return use(pending_.all_ids(), pending_.all_records());
@@ -93,11 +74,32 @@ auto TreeStore::with_pending(Use use) const {
   return use(std::span<const std::int64_t>(ids), std::span<const double>(records));
 }
 
-void TreeStore::merge_into_tree(Interrupt& interrupt) {
-  with_pending([&](auto ids, auto records) {
-    pending_updates_.get() ? tree_->merge(ids, records, interrupt)
-                           : tree_->merge_new(ids, records, interrupt);
+void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
+  if (!must_merge(reason)) return;
+  with_sound_tree([&] {
+    const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
+    const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
+    const bool many = pending > stored * (packs_new ? min_reload_of_new : min_reload_ratio);
+    const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
+    const bool packs_runs = reason == Reason::commit && has_runs_.get();
+    if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count())) {
+      add_run(interrupt);  // of a large load: the commit packs everything once
+    } else if (stored > 0 && !many && !packs_runs) {
+      with_pending([&](auto ids, auto records) {  // a few objects: the common case
+        pending_updates_.get() ? tree_->merge(ids, records, interrupt)
+                               : tree_->merge_new(ids, records, interrupt);
+      });
+    } else {  // the whole tree is built
+      const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
+      if (stored > 0 && bytes > static_cast<double>(memory_.max_ordered()))
+        load_partitioned(interrupt);  // more than may be sorted together
+      else
+        reload(interrupt);
+      note_packed();
+    }
   });
+  pending_.take_all();
+  if (pending_updates_.get()) pending_updates_.change() = false;
 }
 
 // Their places are written at once: in memory each would take five times as much until the transaction ends.

@@ -56,7 +56,7 @@ class TreeStore final : private MemoryHolder {
   enum class Reason : std::uint8_t { query, memory, commit };
   /// Moves all pending objects into the tree: in memory, as far as the budget allows. If memory is full in the
   /// middle of a large load, they become a run beside the other objects (TprTree::add_run()); the commit packs
-  /// everything once.
+  /// everything once. Does nothing unless must_merge().
   void merge_pending(Reason reason, Interrupt& interrupt);
   /// True if merge_pending() has something to do.
   bool must_merge(Reason reason) const {
@@ -105,7 +105,6 @@ class TreeStore final : private MemoryHolder {
   void write_out() override { write_out_(); }
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
   [[noreturn]] void damaged(const std::string& what) const;
-  void merge_into_tree(Interrupt& interrupt);
   void add_run(Interrupt& interrupt);
   void note_packed() {
     if (has_runs_.get()) has_runs_.change() = false;
