@@ -53,7 +53,7 @@ void Connection::finalize() noexcept {
   if (watches_) watches_->finalize();
 }
 
-const Connection::OpenTable* Connection::find(std::int64_t number) const {
+const OpenTable* Connection::find(std::int64_t number) const {
   const auto open = tables_.find(number);
   return open == tables_.end() ? nullptr : &open->second;
 }

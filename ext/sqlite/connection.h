@@ -26,6 +26,13 @@ namespace foresee {
 
 class TableCursor;
 
+/// A connected moving_objects table.
+struct OpenTable {
+  std::shared_ptr<Store> store;
+  std::string schema, table;
+  std::int64_t number;  ///< the key of Connection::find()
+};
+
 class Connection {
  public:
   static constexpr std::size_t scene_memory_limit = 256 << 20;  ///< bytes
@@ -50,11 +57,6 @@ class Connection {
   /// fails if a statement is left; a query may outlive the tables that it reads.
   void finalize() noexcept;
 
-  struct OpenTable {
-    std::shared_ptr<Store> store;
-    std::string schema, table;
-    std::int64_t number;
-  };
   /// Null if no table has this number. Valid until leave(). Only SQLite resolves a name (open_table.h): a
   /// table that it has replaced stays connected while an old statement is prepared.
   const OpenTable* find(std::int64_t number) const;

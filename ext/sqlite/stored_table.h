@@ -17,8 +17,7 @@ namespace foresee {
 class StoredTable final : public TableSource {
  public:
   /// Requires: the connection outlives this.
-  StoredTable(Connection& connection, Connection::OpenTable table)
-      : connection_(connection), table_(std::move(table)) {}
+  StoredTable(Connection& connection, OpenTable table) : connection_(connection), table_(std::move(table)) {}
 
   const std::string& name() const override { return table_.table; }
   const Layout& layout() const override { return table_.store->declaration().layout; }
@@ -45,13 +44,13 @@ class StoredTable final : public TableSource {
 
  private:
   Connection& connection_;
-  Connection::OpenTable table_;
+  OpenTable table_;
 };
 
 /// The tables of a join or of a watch.
 struct OpenTables {
-  Connection::OpenTable a;
-  std::optional<Connection::OpenTable> b = {};  ///< nothing: pairs within a, each once
+  OpenTable a;
+  std::optional<OpenTable> b = {};  ///< nothing: pairs within a, each once
 
   /// Whether both are the same table: then pairs occur in both orders.
   bool are_one() const { return b && b->store == a.store; }

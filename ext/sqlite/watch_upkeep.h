@@ -1,14 +1,13 @@
-// Interface through which a table keeps its watches up to date; sqlite/watch/ implements it. Tables know no
-// more of watches than this.
+// Interface through which a table keeps its watches up to date. Tables know no more of watches than this, since
+// sqlite/watch/ includes them. Watches (sqlite/watch/watches.h) is the only implementation: watches_of() relies on it.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 namespace foresee {
 
-class Connection;
 struct Frame;
+struct OpenTable;
 
 class WatchUpkeep {
  public:
@@ -16,13 +15,13 @@ class WatchUpkeep {
 
   /// Applies the table's changes to each of its watches. Called before COMMIT, when its rows hold the
   /// changes.
-  virtual void settle_table(Connection& connection, std::int64_t table) = 0;
+  virtual void settle_table(const OpenTable& table) = 0;
   /// Makes the watches of a renamed table use its new name.
-  virtual void rename_table(Connection& connection, std::int64_t table, const std::string& old_name) = 0;
+  virtual void rename_table(const OpenTable& table, const std::string& old_name) = 0;
   /// Throws StoreError (SQLITE_LOCKED) if a watch needs the table, which is about to be dropped.
-  virtual void require_unwatched(Connection& connection, std::int64_t table) = 0;
+  virtual void require_unwatched(const OpenTable& table) = 0;
   /// Throws Refusal if another table of a watch has another frame than `frame`, which the table has from now on.
-  virtual void require_frame(Connection& connection, std::int64_t table, const Frame& frame) = 0;
+  virtual void require_frame(const OpenTable& table, const Frame& frame) = 0;
   /// Releases all statements.
   virtual void finalize() noexcept = 0;
 };

@@ -191,7 +191,7 @@ bool reads_any(const FunctionCall& call, int first, int last) {
   return false;
 }
 
-SearchTarget searched(const Connection::OpenTable& table) {
+SearchTarget searched(const OpenTable& table) {
   return {table.table, nullptr, table.store->take_snapshot(), table.store->chunks()};
 }
 
@@ -235,8 +235,7 @@ double read_newest_t_of_both(const AvoidQuestion& question) {
 }
 
 /// Sets its numbers, plan and outline, and a scene of all its legs; if it does not exist, an empty scene.
-void read_object(const Connection::OpenTable& table, std::int64_t id, Interrupt& interrupt,
-                 AvoidQuestion& question) {
+void read_object(const OpenTable& table, std::int64_t id, Interrupt& interrupt, AvoidQuestion& question) {
   const FloatEnvironment environment;  // accelerations are computed on loading
   Store& store = *table.store;
   auto own = std::make_shared<Scene>();

@@ -66,19 +66,19 @@ bool fits_in_sql(const TableName& name) {
 
 /// The table that SQLite finds under this name; nothing if it is not a moving_objects table. Throws
 /// StoreError if SQLite finds no table.
-std::optional<Connection::OpenTable> find_open(Connection& connection, const TableName& name) {
+std::optional<OpenTable> find_open(Connection& connection, const TableName& name) {
   TableLookups& lookups = connection.lookups();
-  const auto find = [&]() -> const Connection::OpenTable* {
+  const auto find = [&]() -> const OpenTable* {
     const auto number = lookups.number_of(name);
     return number ? connection.find(*number) : nullptr;
   };
-  const Connection::OpenTable* open = find();
+  const OpenTable* open = find();
   if (!open) {  // SQLite may have reconnected the table since
     lookups.forget(name);
     open = find();
   }
   if (!open || !same_name(open->table, *name.table)) return std::nullopt;
-  const Connection::OpenTable found = *open;
+  const OpenTable found = *open;
   // A look-up that found an attached database's table is not kept: a table created in main later would
   // precede it, and the witness would not detect that.
   if (name.schema || same_name(found.schema, "main") || same_name(found.schema, "temp"))
@@ -88,12 +88,12 @@ std::optional<Connection::OpenTable> find_open(Connection& connection, const Tab
 
 }  // namespace
 
-void require_one_frame(const Connection::OpenTable& a, const Connection::OpenTable& b) {
+void require_one_frame(const OpenTable& a, const OpenTable& b) {
   const std::string conflict = frame_conflict(a.table, a.store->frame(), b.table, b.store->frame());
   if (!conflict.empty()) throw Error(conflict);
 }
 
-void require_upright(const Connection::OpenTable& table, const std::optional<double>& within_z) {
+void require_upright(const OpenTable& table, const std::optional<double>& within_z) {
   if (within_z && table.store->declaration().frame.on_globe())
     throw Error("within_z is for tables whose z points up, and " + table.table +
                 " is on the globe; leave it out: within covers every direction");
@@ -120,7 +120,7 @@ void require_moving_objects(sqlite3* db, const std::string& table, const std::op
               list_tables(tables, schema.has_value()));
 }
 
-Connection::OpenTable open_table(Connection& connection, const TableName& given) {
+OpenTable open_table(Connection& connection, const TableName& given) {
   const TableName name = given.table ? given : only_table(connection.db(), given.schema);
   try {
     if (fits_in_sql(name))

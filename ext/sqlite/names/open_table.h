@@ -17,13 +17,13 @@ namespace foresee {
 /// The table; equal tables have equal stores. Returns a copy, because the look-up of another table may make
 /// SQLite reconnect this one. Throws Error if no such table exists or the choice is ambiguous; the message
 /// lists the tables.
-Connection::OpenTable open_table(Connection& connection, const TableName& name);
+OpenTable open_table(Connection& connection, const TableName& name);
 
 /// Throws Error if metres of one table are not those of the other (frame_conflict()).
-void require_one_frame(const Connection::OpenTable& a, const Connection::OpenTable& b);
+void require_one_frame(const OpenTable& a, const OpenTable& b);
 
 /// Throws Error for a `within_z` if the table is on the globe, where no axis points up.
-void require_upright(const Connection::OpenTable& table, const std::optional<double>& within_z);
+void require_upright(const OpenTable& table, const std::optional<double>& within_z);
 
 /// 'name', as messages show it.
 std::string quoted(const std::string& name);

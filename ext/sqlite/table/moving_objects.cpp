@@ -80,7 +80,7 @@ int table_destroy(sqlite3_vtab* base) noexcept {
   const int rc = guarded(&base->zErrMsg, [&] {
     MovingObjectsTable& table = table_of(base);
     if (WatchUpkeep* watches = table.connection->watches(); watches && table.has_store())
-      watches->require_unwatched(*table.connection, table.number);
+      watches->require_unwatched(table.opened());
     table.drop();
   });
   return rc == SQLITE_OK ? table_disconnect(base) : rc;
@@ -146,8 +146,7 @@ int table_sync(sqlite3_vtab* base) noexcept {
   if (!table.has_store() || table.store().is_gone()) return SQLITE_OK;
   return guarded(&base->zErrMsg, [&] {
     table.store().sync();
-    if (WatchUpkeep* watches = table.connection->watches())
-      watches->settle_table(*table.connection, table.number);
+    if (WatchUpkeep* watches = table.connection->watches()) watches->settle_table(table.opened());
   });
 }
 
@@ -171,8 +170,7 @@ int table_rename(sqlite3_vtab* base, const char* new_name) noexcept {
     for (TableCursor* cursor : table.cursors()) cursor->keep_ids();
     const std::string old_name = table.name;
     table.rename(new_name);
-    if (WatchUpkeep* watches = table.connection->watches())
-      watches->rename_table(*table.connection, table.number, old_name);
+    if (WatchUpkeep* watches = table.connection->watches()) watches->rename_table(table.opened(), old_name);
   });
 }
 

@@ -41,6 +41,8 @@ struct MovingObjectsTable : sqlite3_vtab {
     return *store_.store;
   }
   bool has_store() const { return store_.store != nullptr; }
+  /// For watches: a copy, since SQLite may connect the table again while they read it. Requires: has_store().
+  OpenTable opened() const { return {store_.store, schema, name, number}; }
   /// Store::likely_objects(); 0 for a table that cannot be read.
   std::int64_t likely_objects() const noexcept { return has_store() ? store_.store->likely_objects() : 0; }
 

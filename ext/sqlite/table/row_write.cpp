@@ -93,8 +93,7 @@ void require_frame_of_watches(MovingObjectsTable& table) {
   if (!table.values.new_origin()) return;
   Frame frame = table.declaration().frame;
   frame.origin = table.values.new_origin();
-  if (WatchUpkeep* watches = table.connection->watches())
-    watches->require_frame(*table.connection, table.number, frame);
+  if (WatchUpkeep* watches = table.connection->watches()) watches->require_frame(table.opened(), frame);
 }
 
 std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {

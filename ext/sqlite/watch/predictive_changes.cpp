@@ -120,7 +120,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   if (!name) throw Error("watch is missing or NULL: write predictive_changes('alerts', since)");
   const QualifiedName watch = find_watch(connection.db(), *name, call.text(in_schema));
   const ReadTransaction transaction(connection.db(), watch.schema);
-  const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(connection, watch);
+  const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(watch);
   const WatchState state = rows->read_state();
   const std::int64_t since = call.number(in_since) ? call.required_integer(in_since) : 0;
   if (since < 0) throw Error("since must be a whole number >= 0, not " + std::to_string(since));

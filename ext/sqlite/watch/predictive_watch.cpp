@@ -60,7 +60,7 @@ int watch_create(sqlite3* db, void* aux, int argc, const char* const* argv, sqli
     WatchRows::tables(db, watch->name).create();
     watch->watches().forget(watch->name);
     watch->rows()->write_declaration(declaration);
-    watch->watches().add_to_tables(connection, watch->name, declaration);
+    watch->watches().add_to_tables(watch->name, declaration);
     settle_watch(connection, *watch->rows(), Settlement::Log::nothing);
     *table = watch.release();
     return SQLITE_OK;
@@ -85,7 +85,7 @@ int watch_destroy(sqlite3_vtab* base) noexcept {
     WatchTable& table = table_of(base);
     Connection& connection = *table.connection;
     try {
-      table.watches().remove_from_tables(connection, table.name, table.rows()->read_state());
+      table.watches().remove_from_tables(table.name, table.rows()->read_state());
     } catch (const StoreError& error) {  // damaged or missing: it can still be dropped
       const int code = error.code & 0xff;
       if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
@@ -189,9 +189,8 @@ int watch_begin(sqlite3_vtab*) noexcept {
 int watch_sync(sqlite3_vtab* base) noexcept {
   return guarded(&base->zErrMsg, [&] {
     WatchTable& table = table_of(base);
-    table.watches().settle(*table.connection, table.name);
-    for (const std::string& name : table.old_names)
-      table.watches().settle(*table.connection, {table.name.schema, name});
+    table.watches().settle(table.name);
+    for (const std::string& name : table.old_names) table.watches().settle({table.name.schema, name});
   });
 }
 
@@ -203,11 +202,11 @@ int watch_rename(sqlite3_vtab* base, const char* new_name) noexcept {
     const bool has_key_tables = table.rows()->has_key_tables();
     const bool settled = is_settled(connection, state, watched_tables(connection, table.name.schema, state));
     parse_watch(new_name, {"ships", "horizon = 0"});  // throws for a name that a watch cannot have
-    table.watches().remove_from_tables(connection, table.name, state);
+    table.watches().remove_from_tables(table.name, state);
     table.watches().forget(table.name);
     WatchRows::tables(connection.db(), table.name, has_key_tables).rename(new_name);
     table.old_names.push_back(std::exchange(table.name.table, new_name));
-    table.watches().add_to_tables(connection, table.name, state);
+    table.watches().add_to_tables(table.name, state);
     if (!settled) return;
     WatchState moved = state;
     const OpenTables tables = watched_tables(connection, table.name.schema, state);
@@ -254,7 +253,7 @@ constexpr sqlite3_module watch_module = {
 }  // namespace
 
 int register_predictive_watch(sqlite3* db, const std::shared_ptr<Connection>& connection) {
-  connection->keep_watches(std::make_unique<Watches>());
+  connection->keep_watches(std::make_unique<Watches>(*connection));
   int rc = sqlite3_create_module_v2(db, "predictive_watch", &watch_module, new Holder(connection),
                                     [](void* aux) { delete static_cast<Holder*>(aux); });
   for (const TableFunction* function : {&predictive_changes(), &predictive_watches()})

@@ -44,7 +44,7 @@ bool is_lost(Connection& connection, const WatchState& state, const OpenTables& 
 }
 
 /// Throws Error if the table's _meta does not list the watch. A table settles only the watches of that list.
-void require_listed(const Connection::OpenTable& table, const std::string& watch) {
+void require_listed(const OpenTable& table, const std::string& watch) {
   const std::vector<std::string>& listed = table.store->watch_names();
   if (std::any_of(listed.begin(), listed.end(), [&](const auto& name) { return same_name(name, watch); }))
     return;
@@ -55,7 +55,7 @@ void require_listed(const Connection::OpenTable& table, const std::string& watch
 ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool counts) {
   ListedWatch watch{name};
   try {
-    const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(connection, name);
+    const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(name);
     watch.state = rows->read_state();
     watch.oldest = rows->oldest().value_or(watch.state.seq);
     if (counts) watch.pairs = rows->count_pairs(true), watch.waiting = rows->count_pairs(false);

@@ -29,7 +29,7 @@ void result_key(sqlite3_context* context, const JoinRow& row) {
 }  // namespace
 
 bool is_settled(Connection& connection, const WatchState& state, const OpenTables& tables) {
-  const auto holds = [](const Connection::OpenTable& table, const std::optional<std::int64_t>& stamp) {
+  const auto holds = [](const OpenTable& table, const std::optional<std::int64_t>& stamp) {
     return stamp && table.store->stamp_if_written() == stamp;
   };
   return !state.anew && !state.asked && holds(tables.a, state.stamp) &&

@@ -38,7 +38,7 @@ struct WatchTable : sqlite3_vtab {
 
   Watches& watches() const { return watches_of(*connection); }
   /// Throws StoreError for a watch whose tables are damaged or missing.
-  std::shared_ptr<WatchRows> rows() const { return watches().rows(*connection, name); }
+  std::shared_ptr<WatchRows> rows() const { return watches().rows(name); }
 
   std::shared_ptr<Connection> connection;
   QualifiedName name;

@@ -20,10 +20,10 @@ void mark_damaged(WatchRows& rows) try { rows.write_damaged(); } catch (const St
   if (!is_of_watch(error)) throw;  // _meta is damaged too, which a reader detects
 }
 
-Connection::OpenTable find_table(Connection& connection, const std::string& schema, const std::string& name) {
+OpenTable find_table(Connection& connection, const std::string& schema, const std::string& name) {
   const TableName table{name, schema};
   if (const auto number = connection.lookups().kept_number(table))
-    if (const Connection::OpenTable* open = connection.find(*number)) return *open;
+    if (const OpenTable* open = connection.find(*number)) return *open;
   // A damaged file may name a watch, or a view of one: a query of it would recurse into this function.
   require_moving_objects(connection.db(), name, schema);
   return open_table(connection, table);
@@ -41,6 +41,7 @@ OpenTables watched_tables(Connection& connection, const std::string& schema,
 void settle_watch(Connection& connection, WatchRows& rows, Settlement::Log log) {
   const WatchState before = rows.read_state();
   const OpenTables tables = watched_tables(connection, rows.name().schema, before);
+  // The xSync of a table has written that table alone, the xSync of a watch none.
   tables.a.store->sync();
   if (tables.b) tables.b->store->sync();
   Settlement settlement(sources_of(connection, tables), before, rows, rows, resources_of(connection));
@@ -56,9 +57,9 @@ Watches& watches_of(Connection& connection) {
   return static_cast<Watches&>(*connection.watches());
 }
 
-std::shared_ptr<WatchRows> Watches::rows(Connection& connection, const QualifiedName& watch) {
+std::shared_ptr<WatchRows> Watches::rows(const QualifiedName& watch) {
   std::shared_ptr<WatchRows>& known = rows_[{watch.schema, watch.table}];
-  if (!known) known = std::make_shared<WatchRows>(connection.db(), watch);
+  if (!known) known = std::make_shared<WatchRows>(connection_.db(), watch);
   return known;
 }
 
@@ -66,18 +67,18 @@ void Watches::forget(const QualifiedName& watch) noexcept {
   rows_.erase({watch.schema, watch.table});
 }
 
-std::optional<WatchState> Watches::known_state(Connection& connection, const QualifiedName& watch) try {
-  return rows(connection, watch)->read_state();
+std::optional<WatchState> Watches::known_state(const QualifiedName& watch) try {
+  return rows(watch)->read_state();
 } catch (const StoreError& error) {
   if (!is_of_watch(error)) throw;
   forget(watch);
   return std::nullopt;
 }
 
-void Watches::settle(Connection& connection, const QualifiedName& watch) try {
-  const KeptInsertRowid kept(connection.db());
-  const std::shared_ptr<WatchRows> rows = this->rows(connection, watch);
-  settle_watch(connection, *rows, Settlement::Log::changes);
+void Watches::settle(const QualifiedName& watch) try {
+  const KeptInsertRowid kept(connection_.db());
+  const std::shared_ptr<WatchRows> rows = this->rows(watch);
+  settle_watch(connection_, *rows, Settlement::Log::changes);
 } catch (const StoreError& error) {
   if (!is_of_watch(error)) throw;
   forget(watch);
@@ -85,52 +86,47 @@ void Watches::settle(Connection& connection, const QualifiedName& watch) try {
   forget(watch);  // one of its tables is missing or damaged; a read of the watch reports that
 }
 
-void Watches::settle_table(Connection& connection, std::int64_t number) {
-  const Connection::OpenTable* open = connection.find(number);
-  if (!open) return;
-  const Connection::OpenTable table = *open;  // a copy: SQLite may connect the table again meanwhile
+void Watches::settle_table(const OpenTable& table) {
   std::vector<std::string> names;
   try {
     names = table.store->watch_names();
   } catch (const StoreError& error) {
     if (!is_of_watch(error)) throw;  // without a name after a rollback, or damaged: no watches
   }
-  for (const std::string& name : names) settle(connection, {table.schema, name});
+  for (const std::string& name : names) settle({table.schema, name});
 }
 
 template <class Change>
-void Watches::change_stamp(Connection& connection, const Connection::OpenTable& table, Change change) {
-  const KeptInsertRowid kept(connection.db());
+void Watches::change_stamp(const OpenTable& table, Change change) {
+  const KeptInsertRowid kept(connection_.db());
   const auto before = table.store->stamp_if_written();
   change(*table.store);
   const auto after = table.store->stamp_if_written();
   for (const std::string& name : std::vector(table.store->watch_names())) {
     const QualifiedName watch{table.schema, name};
-    const auto state = known_state(connection, watch);
+    const auto state = known_state(watch);
     if (!state || !before) continue;
     WatchState moved = *state;
     if (same_name(state->tbl, table.table) && state->stamp == before) moved.stamp = after;
     if (state->other && same_name(*state->other, table.table) && state->other_stamp == before)
       moved.other_stamp = after;
-    rows(connection, watch)->write_state(moved, *state);
+    rows(watch)->write_state(moved, *state);
   }
 }
 
-void Watches::add_to_tables(Connection& connection, const QualifiedName& watch,
-                            const WatchDeclaration& declaration) {
-  const OpenTables tables = watched_tables(connection, watch.schema, declaration);
+void Watches::add_to_tables(const QualifiedName& watch, const WatchDeclaration& declaration) {
+  const OpenTables tables = watched_tables(connection_, watch.schema, declaration);
   const auto add = [&](Store& store) { store.add_watch(watch.table); };
-  change_stamp(connection, tables.a, add);
-  if (tables.b && !tables.are_one()) change_stamp(connection, *tables.b, add);
+  change_stamp(tables.a, add);
+  if (tables.b && !tables.are_one()) change_stamp(*tables.b, add);
 }
 
-void Watches::remove_from_tables(Connection& connection, const QualifiedName& watch,
-                                 const WatchDeclaration& declaration) {
+void Watches::remove_from_tables(const QualifiedName& watch, const WatchDeclaration& declaration) {
   const auto remove = [&](const std::string& name) {
     try {
       WatchDeclaration one = declaration;
       one.tbl = name, one.other.reset();
-      change_stamp(connection, watched_tables(connection, watch.schema, one).a,
+      change_stamp(watched_tables(connection_, watch.schema, one).a,
                    [&](Store& store) { store.remove_watch(watch.table); });
     } catch (const StoreError& error) {
       if (!is_of_watch(error)) throw;
@@ -141,31 +137,25 @@ void Watches::remove_from_tables(Connection& connection, const QualifiedName& wa
   if (declaration.other && !same_name(*declaration.other, declaration.tbl)) remove(*declaration.other);
 }
 
-void Watches::rename_table(Connection& connection, std::int64_t number, const std::string& old_name) {
-  const Connection::OpenTable* open = connection.find(number);
-  if (!open) return;
-  const Connection::OpenTable table = *open;
-  const KeptInsertRowid kept(connection.db());
+void Watches::rename_table(const OpenTable& table, const std::string& old_name) {
+  const KeptInsertRowid kept(connection_.db());
   for (const std::string& name : std::vector(table.store->watch_names())) {
-    auto state = known_state(connection, {table.schema, name});
+    auto state = known_state({table.schema, name});
     if (!state) continue;
     if (same_name(state->tbl, old_name)) state->tbl = table.table;
     if (state->other && same_name(*state->other, old_name)) state->other = table.table;
-    rows(connection, {table.schema, name})->write_tables(*state);
+    rows({table.schema, name})->write_tables(*state);
   }
 }
 
-void Watches::require_frame(Connection& connection, std::int64_t number, const Frame& frame) {
-  const Connection::OpenTable* open = connection.find(number);
-  if (!open) return;
-  const Connection::OpenTable table = *open;
+void Watches::require_frame(const OpenTable& table, const Frame& frame) {
   for (const std::string& name : std::vector(table.store->watch_names())) {
     std::string conflict;
     try {
-      const auto state = known_state(connection, {table.schema, name});
+      const auto state = known_state({table.schema, name});
       if (!state || !state->other) continue;
-      const OpenTables tables = watched_tables(connection, table.schema, *state);
-      const Connection::OpenTable& other = tables.a.store == table.store ? *tables.b : tables.a;
+      const OpenTables tables = watched_tables(connection_, table.schema, *state);
+      const OpenTable& other = tables.a.store == table.store ? *tables.b : tables.a;
       if (other.store != table.store)
         conflict = frame_conflict(other.table, other.store->frame(), table.table, frame);
     } catch (const StoreError& error) {
@@ -176,13 +166,10 @@ void Watches::require_frame(Connection& connection, std::int64_t number, const F
   }
 }
 
-void Watches::require_unwatched(Connection& connection, std::int64_t number) {
-  const Connection::OpenTable* open = connection.find(number);
-  if (!open) return;
-  const Connection::OpenTable table = *open;
+void Watches::require_unwatched(const OpenTable& table) {
   try {
     for (const std::string& name : std::vector(table.store->watch_names())) {
-      const auto state = known_state(connection, {table.schema, name});
+      const auto state = known_state({table.schema, name});
       const bool is_watched = state && (same_name(state->tbl, table.table) ||
                                         (state->other && same_name(*state->other, table.table)));
       if (!is_watched) continue;

@@ -1,8 +1,8 @@
 // Maintenance of all watches of a connection: settles them at COMMIT and follows renames of their tables.
 //
 //   Watches& watches = watches_of(connection);
-//   watches.rows(connection, {"main", "alerts"})->read_state();
-//   watches.settle(connection, {"main", "alerts"});      // in xSync of a watch or of its tables
+//   watches.rows({"main", "alerts"})->read_state();
+//   watches.settle({"main", "alerts"});                  // in xSync of a watch or of its tables
 //
 // A table stores the names of its watches (Store::watch_names), a watch those of its tables. When a table
 // commits, a damaged or missing watch is skipped without an error. A statement that reads the watch gets the
@@ -23,30 +23,33 @@ namespace foresee {
 
 class Watches final : public WatchUpkeep {
  public:
+  /// `connection` owns this.
+  explicit Watches(Connection& connection) : connection_(connection) {}
+
   /// The prepared statements of a watch, from a cache. Throws StoreError if a shadow table is not a table.
-  std::shared_ptr<WatchRows> rows(Connection& connection, const QualifiedName& watch);
+  std::shared_ptr<WatchRows> rows(const QualifiedName& watch);
   void forget(const QualifiedName& watch) noexcept;
 
   /// Updates the rows of the watch by the changes of its tables; does nothing for a damaged or missing watch.
-  void settle(Connection& connection, const QualifiedName& watch);
+  void settle(const QualifiedName& watch);
   /// Adds the watch to the lists of its tables, or removes it. Their other watches stay up to date.
-  void add_to_tables(Connection& connection, const QualifiedName& watch, const WatchDeclaration& declaration);
-  void remove_from_tables(Connection& connection, const QualifiedName& watch,
-                          const WatchDeclaration& declaration);
+  void add_to_tables(const QualifiedName& watch, const WatchDeclaration& declaration);
+  void remove_from_tables(const QualifiedName& watch, const WatchDeclaration& declaration);
 
-  void settle_table(Connection& connection, std::int64_t table) override;
-  void rename_table(Connection& connection, std::int64_t table, const std::string& old_name) override;
-  void require_unwatched(Connection& connection, std::int64_t table) override;
-  void require_frame(Connection& connection, std::int64_t table, const Frame& frame) override;
+  void settle_table(const OpenTable& table) override;
+  void rename_table(const OpenTable& table, const std::string& old_name) override;
+  void require_unwatched(const OpenTable& table) override;
+  void require_frame(const OpenTable& table, const Frame& frame) override;
   void finalize() noexcept override { rows_.clear(); }
 
  private:
   /// The stored state of the watch; nothing if it is damaged or missing.
-  std::optional<WatchState> known_state(Connection& connection, const QualifiedName& watch);
+  std::optional<WatchState> known_state(const QualifiedName& watch);
   /// Runs `change`, which writes a new stamp of the table. Watches that were up to date stay so.
   template <class Change>
-  void change_stamp(Connection& connection, const Connection::OpenTable& table, Change change);
+  void change_stamp(const OpenTable& table, Change change);
 
+  Connection& connection_;
   std::map<std::pair<std::string, std::string>, std::shared_ptr<WatchRows>> rows_;
 };
 
