@@ -118,8 +118,8 @@ std::shared_ptr<const Scene> MemoryTable::objects(std::span<const std::int64_t> 
 
 ChangedObjects MemoryTable::changes_since(const std::optional<std::int64_t>& stamp) {
   ChangedObjects changed;
-  changed.reported = stamp && (*stamp == committed_ || *stamp == stamp_);
-  if (!changed.reported || *stamp == stamp_) return changed;
+  changed.are_known = stamp && (*stamp == committed_ || *stamp == stamp_);
+  if (!changed.are_known || *stamp == stamp_) return changed;
   const int t = record_offsets(layout()).t;
   for (const std::int64_t id : changed_ids_) {
     changed.ids.push_back(id);

@@ -25,7 +25,7 @@ namespace foresee {
 
 /// The objects of one table that a transaction has changed.
 struct ChangedObjects {
-  bool reported = true;           ///< false: any object may have changed
+  bool are_known = true;          ///< false: any object may have changed
   std::vector<std::int64_t> ids;  ///< in rising order
   std::vector<double> instants;   ///< their current reference times
 

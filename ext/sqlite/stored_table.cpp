@@ -9,8 +9,8 @@ namespace foresee {
 ChangedObjects StoredTable::changes_since(const std::optional<std::int64_t>& stamp) {
   Store& store = *table_.store;
   ChangedObjects changed;
-  changed.reported = stamp && stamp == store.stamp_before_changes();
-  if (!changed.reported) return changed;
+  changed.are_known = stamp && stamp == store.stamp_before_changes();
+  if (!changed.are_known) return changed;
   const int t = store.format().at.t;
   store.for_each_change([&](std::int64_t id, std::span<const double> record) {
     changed.ids.push_back(id);

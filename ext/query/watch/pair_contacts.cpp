@@ -96,6 +96,7 @@ JoinQuestion question_of(const JoinedTables& tables, const WatchDeclaration& dec
   if (tables.b) question.b = tables.are_one() ? question.a : empty_scene(*tables.b);
   question.now = horizon.now, question.h = horizon.h;
   question.within = declaration.within, question.within_z = declaration.within_z;
+  question.wants.approach = false;
   return question;
 }
 

@@ -18,7 +18,8 @@
 
 namespace foresee {
 
-/// The join query of the watch during `horizon`, with empty scenes.
+/// The join query of the watch during `horizon`, with empty scenes. It wants the times of contacts, not the closest
+/// approach.
 JoinQuestion question_of(const JoinedTables& tables, const WatchDeclaration& declaration,
                          const Horizon& horizon);
 /// The same query with the scenes of all objects but inert ones (pair_kinds.h).

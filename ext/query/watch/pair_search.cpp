@@ -48,35 +48,33 @@ void PairSearch::probe(Side side, std::int64_t id, const SearchTarget& others, c
   const bool by_a = side == Side::a;
   const std::shared_ptr<const Scene> object = table(side).objects(std::span(&id, 1), times());
   if (object->size() == 0) return;
-  const bool within_one = tables_.is_within_one();
+  const bool finds_itself = tables_.is_within_one();
   const auto near = objects_near(*object, others, {question_.now, question_.h}, reach_, resources_.interrupt,
-                                 [&](std::int64_t other) { return !within_one || other != id; });
+                                 [&](std::int64_t other) { return !finds_itself || other != id; });
   if (near->size() == 0) return;
   JoinQuestion question = question_;
   question.a = by_a ? object : near, question.b = by_a ? near : object;
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < near->object_count(); ++i) pairs.push_back(by_a ? Pair{0, i} : Pair{i, 0});
-  take(pair_contacts(question, pairs, resources_.interrupt));
+  pass_on(pair_contacts(question, pairs, resources_.interrupt), take);
 }
 
 void PairSearch::join(Side side, std::span<const std::int64_t> ids, const Take& take) {
   JoinQuestion question = question_;
-  const bool within_one = tables_.is_within_one();
   const auto changed = table(side).objects(ids, times());
   const auto all = all_that_may_meet(table(side == Side::a ? Side::b : Side::a), table(side));
   question.a = side == Side::a ? changed : all, question.b = side == Side::a ? all : changed;
   question.space = resources_.space, question.helpers = resources_.helpers;
   Join join(std::move(question), resources_.interrupt);
-  std::vector<JoinRow> others;
-  for (auto rows = join.next(); !rows.empty(); rows = join.next()) {
-    if (!within_one) {
-      take(rows);
-      continue;
-    }
-    others.clear();  // without each object's contact with itself
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(others),
-                 [](const JoinRow& row) { return row.a != row.b; });
-    take(others);
+  for (auto rows = join.next(); !rows.empty(); rows = join.next()) pass_on(rows, take);
+}
+
+/// The search is between the changed objects and all, which are the same table perhaps.
+void PairSearch::pass_on(std::span<const JoinRow> found, const Take& take) const {
+  for (JoinRow row : found) {
+    if (tables_.is_within_one() && row.a == row.b) continue;
+    if (!tables_.b && row.b < row.a) std::swap(row.a, row.b);
+    take(row);
   }
 }
 

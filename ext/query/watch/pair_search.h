@@ -2,11 +2,11 @@
 //
 //   const ChangedSides changed = changes_since(tables, state);
 //   PairSearch search(tables, question_of(tables, state, {clock, h}), resources);
-//   search.pairs_of(Side::a, changed.a.ids, [&](std::span<const JoinRow> rows) { … });
+//   search.pairs_of(Side::a, changed.a.ids, [&](const JoinRow& row) { … });
 //
 // Guarantee: reports every pair of these objects that is in contact within the horizon, once for each of its
-// changed objects. Within one table a pair may have either order. Cost: a probe of the other side's tree per
-// object; for many objects, one join of them with all others.
+// changed objects. No object is paired with itself; for pairs within a table the smaller id is first. Cost: a probe
+// of the other side's tree per object; for many objects, one join of them with all others.
 #pragma once
 
 #include <functional>
@@ -34,9 +34,9 @@ bool is_majority(const ChangedObjects& changed, const TableSource& table);
 
 class PairSearch {
  public:
-  using Take = std::function<void(std::span<const JoinRow>)>;
+  using Take = std::function<void(const JoinRow&)>;
 
-  /// `question`: from question_of(), with `wants` set. All arguments must outlive the search.
+  /// `question`: from question_of(), with `wants` as needed. All arguments must outlive the search.
   PairSearch(const JoinedTables& tables, JoinQuestion question, const JoinResources& resources);
 
   /// The pairs with one of these objects on this side; within one table, on either side.
@@ -45,6 +45,7 @@ class PairSearch {
  private:
   void probe(Side side, std::int64_t id, const SearchTarget& others, const Take& take);
   void join(Side side, std::span<const std::int64_t> ids, const Take& take);
+  void pass_on(std::span<const JoinRow> found, const Take& take) const;
   LegTimes times() const { return leg_times_of({question_.now, question_.h}); }
   TableSource& table(Side side) const { return side == Side::b ? tables_.last() : *tables_.a; }
 

@@ -25,14 +25,9 @@ void sort_and_unique(std::vector<WatchedPair>& pairs) {
 
 }  // namespace
 
-Settlement::Settlement(JoinedTables tables, const WatchState& before, WatchPairs& pairs, WatchLog& log,
+Settlement::Settlement(JoinedTables tables, const WatchState& before, WatchStorage& storage,
                        const JoinResources& resources)
-    : tables_(std::move(tables)),
-      rows_(pairs),
-      log_(log),
-      resources_(resources),
-      before_(before),
-      state_(before) {
+    : tables_(std::move(tables)), storage_(storage), resources_(resources), before_(before), state_(before) {
   state_.stamp = tables_.a->stamp();
   if (tables_.b) state_.other_stamp = tables_.b->stamp();
 }
@@ -49,7 +44,7 @@ std::optional<WatchState> Settlement::settle(Log log) {
     apply_changes();
   state_.anew = false;
   if (!logs_) state_.seq = new_.empty() ? 0 : 1;
-  if (state_.seq != before_.seq && state_.seq > state_.keep) log_.trim(state_.seq - state_.keep);
+  if (state_.seq != before_.seq && state_.seq > state_.keep) storage_.trim(state_.seq - state_.keep);
   return state_;
 }
 
@@ -58,11 +53,10 @@ std::optional<WatchState> Settlement::settle(Log log) {
 void Settlement::recompute() {
   if (before_.clock && !before_.anew) adapt_look_ahead();
   extend_look_ahead();
-  old_ = rows_.pairs();
-  JoinQuestion all = question_of_all(tables_, state_, queried_horizon(), resources_);
-  all.wants = {.contact = true, .ends = true, .approach = false};
-  Join join(std::move(all), resources_.interrupt);
-  for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows);
+  old_ = storage_.pairs();
+  Join join(question_of_all(tables_, state_, queried_horizon(), resources_), resources_.interrupt);
+  for (auto rows = join.next(); !rows.empty(); rows = join.next())
+    for (const JoinRow& row : rows) take(row);
   write_differences(true);
 }
 
@@ -73,18 +67,15 @@ void Settlement::apply_changes() {
     adapt_look_ahead();
     extend_look_ahead();
   } else {
-    const double beyond = next_above(next_above(known_to)) - clock_;  // rounded, and at least known_to
-    reach_ = std::min(std::max(state_.horizon, beyond), std::numeric_limits<double>::max());
+    // The sum of the clock and this is not below known_to, in spite of rounding.
+    const double beyond = next_above(next_above(known_to)) - clock_;
+    queried_length_ = std::min(std::max(state_.horizon, beyond), std::numeric_limits<double>::max());
   }
-  read_old_pairs();
+  old_ = storage_.pairs_of(changed_.a.ids, changed_.b.ids);
   query_due_pairs();
   search_changed();
   if (looks_ahead) look_ahead(known_to);
   write_differences(false);
-}
-
-void Settlement::read_old_pairs() {
-  old_ = rows_.pairs_of(changed_.a.ids, changed_.b.ids);
 }
 
 /// Reads the due pairs whose objects have not changed, with a contact query for each.
@@ -98,72 +89,61 @@ void Settlement::query_due_pairs() {
     old_.push_back(pair);
     uncertain.push_back({pair.a, pair.b});
   };
-  for (const WatchedPair& pair : rows_.due_pairs(true, clock_)) read_pair(pair);
-  for (const WatchedPair& pair : rows_.due_pairs(false, horizon_end_)) read_pair(pair);
-  take(contacts_of(tables_, question(queried_horizon()), uncertain, resources_.interrupt));
+  for (const WatchedPair& pair : storage_.due_pairs(PairState::held, clock_)) read_pair(pair);
+  for (const WatchedPair& pair : storage_.due_pairs(PairState::waiting, horizon_end_)) read_pair(pair);
+  const JoinQuestion question = question_of(tables_, state_, queried_horizon());
+  for (const JoinRow& row : contacts_of(tables_, question, uncertain, resources_.interrupt)) take(row);
 }
 
 void Settlement::search_changed() {
   if (changed_.a.ids.empty() && changed_.b.ids.empty()) return;
-  PairSearch search(tables_, question(queried_horizon()), resources_);
-  const auto take_all = [&](std::span<const JoinRow> rows) { take(rows); };
-  search.pairs_of(Side::a, changed_.a.ids, take_all);
-  if (tables_.b) search.pairs_of(Side::b, changed_.b.ids, take_all);
+  PairSearch search(tables_, question_of(tables_, state_, queried_horizon()), resources_);
+  const auto take_row = [&](const JoinRow& row) { take(row); };
+  search.pairs_of(Side::a, changed_.a.ids, take_row);
+  if (tables_.b) search.pairs_of(Side::b, changed_.b.ids, take_row);
 }
 
 /// Adds the contacts that start at or after `from`, and those whose end is within reach only now.
 void Settlement::look_ahead(double from) {
-  JoinQuestion all = question_of_all(tables_, state_, queried_horizon(), resources_);
-  all.wants = {.contact = true, .ends = true, .approach = false};
   const std::size_t first = new_.size();
-  std::vector<JoinRow> unknown;
-  Join join(std::move(all), resources_.interrupt);
-  for (auto rows = join.next(); !rows.empty(); rows = join.next()) {
-    unknown.clear();
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(unknown), [&](const JoinRow& row) {
+  const double ends_from = ends_known_to(before_), ends_to = ends_known_to(state_);
+  Join join(question_of_all(tables_, state_, queried_horizon(), resources_), resources_.interrupt);
+  for (auto rows = join.next(); !rows.empty(); rows = join.next())
+    for (const JoinRow& row : rows) {
       const double end = row.contact.t_end;
-      return row.contact.t >= from || (end >= ends_known_to(before_) && end <= ends_known_to(state_));
-    });
-    take(unknown);
-  }
+      if (row.contact.t >= from || (end >= ends_from && end <= ends_to)) take(row);
+    }
   std::sort(new_.begin() + static_cast<std::ptrdiff_t>(first), new_.end(), by_ids);  // as the rows are
   for (std::size_t i = first; i < new_.size(); ++i)
-    if (const auto known = rows_.pair(new_[i].a, new_[i].b)) old_.push_back(*known);
+    if (const auto known = storage_.pair(new_[i].a, new_[i].b)) old_.push_back(*known);
 }
 
 // --- the difference
 
-JoinQuestion Settlement::question(const Horizon& horizon) const {
-  JoinQuestion question = question_of(tables_, state_, horizon);
-  question.wants = {.contact = true, .ends = true, .approach = false};
-  return question;
-}
-
-// Ends beyond the reach are clipped to it. A contact that lasts beyond ends_known_to() is never due: the next
+// Ends beyond queried_horizon() are clipped to it. A contact that lasts beyond ends_known_to() is never due: the next
 // look-ahead finds its end.
-void Settlement::take(std::span<const JoinRow> found) {
-  const double last_due = ends_known_to(state_);
-  const bool within_one = tables_.is_within_one();
-  for (const JoinRow& row : found) {
-    if (within_one && row.a == row.b) continue;
-    const ContactTimes& contact = row.contact;
-    WatchedPair pair{row.a, row.b, contact.t, contact.t_end, contact.t, false};
-    if (!tables_.b && pair.b < pair.a) std::swap(pair.a, pair.b);
-    pair.held = pair.t < horizon_end_ || reach_ == state_.horizon;
-    if (pair.due > last_due) pair.due = never_due;
-    new_.push_back(pair);
-  }
+void Settlement::take(const JoinRow& found) {
+  const double t = found.contact.t, t_end = found.contact.t_end;
+  const bool none_waits = queried_length_ == state_.horizon;  // nothing beyond the horizon was searched
+  new_.push_back({.a = found.a,
+                  .b = found.b,
+                  .t = t,
+                  .due = t_end > ends_known_to(state_) ? never_due : t_end,
+                  .told = t,
+                  .held = t < horizon_end_ || none_waits});
 }
 
 // A start below or above the rounded end of the horizon decides. An equal one does not: then a contact query
 // over the exact horizon decides.
-void Settlement::decide_ties() {
+void Settlement::decide_which_wait() {
   std::vector<PairIds> ties, held;
   for (const WatchedPair& pair : new_)
     if (!pair.held && pair.t == horizon_end_) ties.push_back({pair.a, pair.b});
-  const JoinQuestion exactly = question({clock_, state_.horizon});
-  for (const JoinRow& row : contacts_of(tables_, exactly, ties, resources_.interrupt))
-    held.push_back({row.a, row.b});
+  if (!ties.empty()) {
+    const JoinQuestion exactly = question_of(tables_, state_, {clock_, state_.horizon});
+    for (const JoinRow& row : contacts_of(tables_, exactly, ties, resources_.interrupt))
+      held.push_back({row.a, row.b});
+  }
   std::sort(held.begin(), held.end());
   for (WatchedPair& pair : new_) {
     if (!pair.held && pair.t == horizon_end_)
@@ -184,15 +164,15 @@ void Settlement::for_each_difference(const std::function<void(const WatchedPair*
 }
 
 void Settlement::write_differences(bool all_are_known) {
-  decide_ties();
+  decide_which_wait();
   sort_and_unique(old_), sort_and_unique(new_);
   if (all_are_known && (before_.anew || differ_mostly())) {
     replaces_ = has_written_ = true;
-    rows_.erase_all_pairs();
+    storage_.erase_all_pairs();
   }
   for_each_difference(
       [&](const WatchedPair* before, const WatchedPair* after) { write_difference(before, after); });
-  rows_.write_keys();
+  storage_.write_keys();
 }
 
 bool Settlement::differ_mostly() {
@@ -214,13 +194,14 @@ void Settlement::write_difference(const WatchedPair* before, const WatchedPair* 
   has_written_ |= change.erases || change.writes || change.op;
   const bool with_told = state_.tolerance > 0;
   if (replaces_) {
-    if (!change.erases) rows_.write_pair(nullptr, change.writes ? row : *before, with_told);
+    if (!change.erases) storage_.write_pair(nullptr, change.writes ? row : *before, with_told);
   } else if (change.erases) {
-    rows_.erase_pair(row);
+    storage_.erase_pair(row);
   } else if (change.writes) {
-    rows_.write_pair(before, row, with_told);
+    storage_.write_pair(before, row, with_told);
   }
-  if (change.op && logs_) log_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
+  if (change.op && logs_)
+    storage_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
 }
 
 }  // namespace foresee

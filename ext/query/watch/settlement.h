@@ -1,7 +1,7 @@
 // Incremental update of one watch: writes the difference between its stored pairs and the current pairs as
 // rows and in its log.
 //
-//   Settlement settlement(tables, before, pairs, log, {interrupt});       // before COMMIT, or after CREATE
+//   Settlement settlement(tables, before, storage, {interrupt});           // before COMMIT, or after CREATE
 //   if (const auto after = settlement.settle()) keep(*after);
 //
 // The watch stores all pairs whose first contact starts in [clock, known_to]. Pairs beyond the horizon wait:
@@ -45,7 +45,7 @@ class Settlement {
   enum class Log : std::uint8_t { changes, nothing };
 
   /// Requires: the contents of the tables are those of their stamps, nothing waits to be written.
-  Settlement(JoinedTables tables, const WatchState& before, WatchPairs& pairs, WatchLog& log,
+  Settlement(JoinedTables tables, const WatchState& before, WatchStorage& storage,
              const JoinResources& resources);
 
   /// Writes the changes of the tables since `before` as rows. Returns the state after them, for the caller to
@@ -66,14 +66,14 @@ class Settlement {
 
   void recompute();
   void apply_changes();
-  void read_old_pairs();
   void query_due_pairs();
   void search_changed();
   void look_ahead(double from);
 
-  /// Adds the contacts found as pairs: held, or waiting.
-  void take(std::span<const JoinRow> found);
-  void decide_ties();
+  /// Adds a contact that was found as a new pair: held, or waiting.
+  void take(const JoinRow& found);
+  /// Decides finally which new pairs are held, and sets `due` of those that wait.
+  void decide_which_wait();
   /// `all_are_known`: old_ has every stored row.
   void write_differences(bool all_are_known);
   /// In order of the ids; null if the pair does not exist before or after.
@@ -82,19 +82,17 @@ class Settlement {
   bool differ_mostly();
   void write_difference(const WatchedPair* before, const WatchedPair* after);
 
-  Horizon queried_horizon() const { return {clock_, reach_}; }
+  Horizon queried_horizon() const { return {clock_, queried_length_}; }
   WatchClock watch_clock() const { return {clock_, state_.tolerance, horizon_end_}; }
-  JoinQuestion question(const Horizon& horizon) const;
 
   JoinedTables tables_;
-  WatchPairs& rows_;
-  WatchLog& log_;
+  WatchStorage& storage_;
   JoinResources resources_;
   WatchState before_, state_;
   ChangedSides changed_;
-  double clock_ = 0;        ///< new value
-  double horizon_end_ = 0;  ///< clock + horizon, rounded
-  double reach_ = 0;        ///< length of the contact queries, from the clock
+  double clock_ = 0;           ///< new value
+  double horizon_end_ = 0;     ///< clock + horizon, rounded: a time
+  double queried_length_ = 0;  ///< of the contact queries, from the clock
   std::vector<WatchedPair> old_, new_;
   bool logs_ = true, has_written_ = false;
   bool replaces_ = false;  ///< every row is written, into an empty table, and every key

@@ -37,9 +37,9 @@ void Settlement::move_clock() {
 std::vector<double> Settlement::reported_times() const {
   std::vector<double> instants;
   const auto add = [&](const ChangedObjects& changed, TableSource& table) {
-    if (changed.reported && table.layout().has_t)
+    if (changed.are_known && table.layout().has_t)
       instants.insert(instants.end(), changed.instants.begin(), changed.instants.end());
-    else if (changed.reported)
+    else if (changed.are_known)
       instants.resize(instants.size() + changed.ids.size());
     else
       append_times(*table.all(), instants);
@@ -54,7 +54,7 @@ std::vector<double> Settlement::reported_times() const {
 /// have no clock to compare with: it starts at their median, since most times are right.
 void Settlement::follow_reports() {
   const std::vector<double> instants = reported_times();
-  const bool counts = !state_.clock || (changed_.a.reported && changed_.b.reported);
+  const bool counts = !state_.clock || (changed_.a.are_known && changed_.b.are_known);
   if (!state_.clock && !instants.empty()) state_.clock = instants[(instants.size() - 1) / 2];
   for (const double t : instants) {
     if (t > *state_.clock + *state_.ahead)
@@ -72,7 +72,7 @@ double ends_known_to(const WatchState& state) {
 }
 
 bool Settlement::must_recompute() const {
-  if (!changed_.a.reported || !changed_.b.reported || before_.anew || !before_.clock) return true;
+  if (!changed_.a.are_known || !changed_.b.are_known || before_.anew || !before_.clock) return true;
   if (clock_ < *before_.clock || clock_ > ends_known_to(before_)) return true;
   return is_majority(changed_.a, *tables_.a) || is_majority(changed_.b, tables_.last());
 }
@@ -101,9 +101,9 @@ void Settlement::extend_look_ahead() {
   if (state_.further <= 0) state_.further = state_.horizon / 4;
   state_.further = std::clamp(state_.further, shortest, longest);
   state_.waited = state_.dropped = 0;
-  reach_ = state_.horizon + state_.further;
-  if (!std::isfinite(reach_)) reach_ = state_.horizon;
-  state_.known_to = std::nextafter(clock_ + reach_, -std::numeric_limits<double>::infinity());
+  queried_length_ = state_.horizon + state_.further;
+  if (!std::isfinite(queried_length_)) queried_length_ = state_.horizon;
+  state_.known_to = std::nextafter(clock_ + queried_length_, -std::numeric_limits<double>::infinity());
 }
 
 }  // namespace foresee

@@ -43,33 +43,12 @@ struct WatchState : WatchDeclaration {
 
 // What a watch keeps: the rows of its pairs, and the log of what was reported.
 //
-//   pairs.write_pair(nullptr, {.a = 1, .b = 2, .t = 95, .due = 105, .told = 95, .held = true}, false);
-//   pairs.write_keys();
-//   log.append({.seq = 7, .op = '+', .a = 1, .b = 2, .t = 95, .now = 0});
+//   storage.write_pair(nullptr, {.a = 1, .b = 2, .t = 95, .due = 105, .told = 95, .held = true}, false);
+//   storage.write_keys();
+//   storage.append({.seq = 7, .op = '+', .a = 1, .b = 2, .t = 95, .now = 0});
 //
-// A settlement (settlement.h) reads and writes through these interfaces. Shadow tables of a database implement
-// them (sqlite/watch/watch_rows.h), and so does memory in tests.
-
-class WatchPairs {
- public:
-  virtual ~WatchPairs() = default;
-
-  /// In order of (a, b).
-  virtual std::vector<WatchedPair> pairs() = 0;
-  /// Those with one of these ids on its side, in any order. Requires: ids in rising order.
-  virtual std::vector<WatchedPair> pairs_of(std::span<const std::int64_t> a,
-                                            std::span<const std::int64_t> b) = 0;
-  /// Those of this state whose `due` is at most `until`, in any order.
-  virtual std::vector<WatchedPair> due_pairs(bool held, double until) = 0;
-  virtual std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) = 0;
-
-  /// `before`: the stored row, null for a new pair. `with_told`: otherwise `told` equals t and is not stored.
-  virtual void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_told) = 0;
-  virtual void erase_pair(const WatchedPair& pair) = 0;
-  virtual void erase_all_pairs() = 0;
-  /// Call it after the last write: keys by b and by `due` may wait until then.
-  virtual void write_keys() {}
-};
+// A settlement (settlement.h) reads and writes through this interface. Shadow tables of a database implement
+// it (sqlite/watch/watch_rows.h), and so does memory in tests.
 
 struct LoggedChange {
   std::int64_t seq;
@@ -79,10 +58,29 @@ struct LoggedChange {
   double now;
 };
 
-class WatchLog {
+class WatchStorage {
  public:
-  virtual ~WatchLog() = default;
+  virtual ~WatchStorage() = default;
 
+  // --- pairs
+
+  /// In order of (a, b).
+  virtual std::vector<WatchedPair> pairs() = 0;
+  /// Those with one of these ids on its side, in any order. Requires: ids in rising order.
+  virtual std::vector<WatchedPair> pairs_of(std::span<const std::int64_t> a,
+                                            std::span<const std::int64_t> b) = 0;
+  /// Those of this state whose `due` is at most `until`, in any order.
+  virtual std::vector<WatchedPair> due_pairs(PairState state, double until) = 0;
+  virtual std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) = 0;
+
+  /// `before`: the stored row, null for a new pair. `with_told`: otherwise `told` equals t and is not stored.
+  virtual void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_told) = 0;
+  virtual void erase_pair(const WatchedPair& pair) = 0;
+  virtual void erase_all_pairs() = 0;
+  /// Call it after the last write: keys by b and by `due` may wait until then.
+  virtual void write_keys() {}
+
+  // --- log
   virtual void append(const LoggedChange& change) = 0;
   /// Removes the changes up to this number.
   virtual void trim(std::int64_t up_to) = 0;

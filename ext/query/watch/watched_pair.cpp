@@ -10,7 +10,8 @@ namespace {
 // share has more pairs tested before they end.
 constexpr double early_share = 0.9;
 
-/// A time not after `end`, and after the clock if that is.
+/// A `due` that is unlikely to be too late after the next report: a time not after `end`, and after the clock if that
+/// is.
 double early(double end, const WatchClock& clock) {
   if (!(end < never_due)) return end;
   const double due = clock.clock + early_share * (end - clock.clock);
@@ -20,11 +21,12 @@ double early(double end, const WatchClock& clock) {
 /// Requires: both are held. The stored row stays if it states the same.
 PairChange compare_held(const WatchedPair& before, const WatchedPair& after, const WatchClock& clock) {
   PairChange change{.row = after};
-  const double before_t = clock.shown(before.told), now = clock.shown(after.t);
-  const bool moved = before_t != now && !(std::abs(before_t - now) <= clock.tolerance);
+  const double shown_before = clock.shown(before.told), shown_after = clock.shown(after.t);
+  const bool moved =
+      shown_before != shown_after && !(std::abs(shown_before - shown_after) <= clock.tolerance);
   if (moved) change.op = '~';
   change.row.told = moved ? after.t : before.told;
-  const bool same_time = clock.shown(before.t) == now;
+  const bool same_time = clock.shown(before.t) == shown_after;
   // A pair that was tested at its due time gets the end itself, or it would be tested again and again.
   const bool was_due = before.due <= clock.clock;
   change.row.due = was_due ? after.due : before.due <= after.due ? before.due : early(after.due, clock);
@@ -44,9 +46,9 @@ PairChange change_between(const WatchedPair* before, const WatchedPair* after, c
     change.op = '+', change.row.due = early(after->due, clock);
   else if (before && before->held)
     change.op = '-';
-  const bool is_valid =
+  const bool keeps_stored_row =
       before && !before->held && !after->held && before->due > clock.horizon_end && before->due <= after->t;
-  change.writes = !is_valid;
+  change.writes = !keeps_stored_row;
   return change;
 }
 

@@ -23,6 +23,8 @@ namespace foresee {
 /// The end of the contact lies beyond all that was computed: only a longer horizon finds it.
 inline constexpr double never_due = std::numeric_limits<double>::infinity();
 
+enum class PairState : std::uint8_t { waiting, held };
+
 struct WatchedPair {
   std::int64_t a = 0, b = 0;
   double t = 0;

@@ -50,10 +50,10 @@ void PairKeys::append_of_b(std::int64_t b, std::vector<PairIds>& pairs) {
   append_ids(run, pairs);
 }
 
-std::vector<PairIds> PairKeys::due(bool held, double until) {
+std::vector<PairIds> PairKeys::due(PairState state, double until) {
   std::vector<PairIds> pairs;
   Statement::Run run(due_);
-  run.bind(1, std::int64_t{held});
+  run.bind(1, static_cast<std::int64_t>(state));
   run.bind(2, until);
   append_ids(run, pairs);
   return pairs;

@@ -32,7 +32,7 @@ class PairKeys {
   /// The pairs with this b, in order of a.
   void append_of_b(std::int64_t b, std::vector<PairIds>& pairs);
   /// The pairs of this state whose `due` is at most `until`, in order of `due`.
-  std::vector<PairIds> due(bool held, double until);
+  std::vector<PairIds> due(PairState state, double until);
   /// Whether the keys are those of exactly these pairs.
   bool agree(std::vector<WatchedPair> pairs);
 

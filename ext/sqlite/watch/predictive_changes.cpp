@@ -53,7 +53,7 @@ class ChangeRows final : public FunctionRows {
     row_ = 0;
     const auto count = static_cast<std::int64_t>(batch_.size());
     if (count == 0 || batch_.front().seq != after_ + 1 || batch_.back().seq != after_ + count)
-      refuse_trimmed(rows_->name().table, rows_->oldest().value_or(last_));
+      refuse_trimmed(rows_->name().table, rows_->readable_after().value_or(last_));
     after_ += count;
     return true;
   }
@@ -88,6 +88,7 @@ std::string list_watches(const std::vector<VisibleTable>& tables, bool with_sche
                       : " (watches here: " + list + ")";
 }
 
+/// The watch of this name, as SQLite resolves names. By the list of all tables, which the messages need too.
 QualifiedName find_watch(sqlite3* db, const std::string& name, const std::optional<std::string>& schema) {
   const std::vector<VisibleTable> tables = visible_tables(db);
   const VisibleTable* other = nullptr;
@@ -128,7 +129,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   if (since > state.seq)
     throw Error("since = " + std::to_string(since) + " is beyond the last change of " + watch.table + ", " +
                 std::to_string(state.seq) + ": was the file restored? Read again with since = 0");
-  const std::int64_t oldest = rows->oldest().value_or(state.seq);
+  const std::int64_t oldest = rows->readable_after().value_or(state.seq);
   if (since < oldest) refuse_trimmed(watch.table, oldest);
   return std::make_unique<ChangeRows>(rows, since, state.seq);
 }

@@ -38,7 +38,7 @@ bool is_lost(Connection& connection, const WatchState& state, const OpenTables& 
   if (is_settled(connection, state, tables)) return false;
   const JoinedTables sources = sources_of(connection, tables);
   const ChangedSides changed = changes_since(sources, state);
-  if (state.anew || !changed.a.reported || !changed.b.reported) return true;
+  if (state.anew || !changed.a.are_known || !changed.b.are_known) return true;
   // Objects without a clock: it is lost, unless this transaction has added them.
   return changed.a.ids.empty() && changed.b.ids.empty() && !state.clock && any_object(sources);
 }
@@ -57,8 +57,9 @@ ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool c
   try {
     const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(name);
     watch.state = rows->read_state();
-    watch.oldest = rows->oldest().value_or(watch.state.seq);
-    if (counts) watch.pairs = rows->count_pairs(true), watch.waiting = rows->count_pairs(false);
+    watch.oldest = rows->readable_after().value_or(watch.state.seq);
+    if (counts)
+      watch.pairs = rows->count_pairs(PairState::held), watch.waiting = rows->count_pairs(PairState::waiting);
     const OpenTables tables = watched_tables(connection, name.schema, watch.state);
     require_listed(tables.a, name.table);
     if (tables.b) require_listed(*tables.b, name.table);

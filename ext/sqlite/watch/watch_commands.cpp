@@ -23,7 +23,7 @@ std::vector<ShownPair> joined_pairs(Connection& connection, const OpenTables& ta
                                     const WatchState& state) {
   JoinQuestion question = question_of_all(sources_of(connection, tables), state, {state.now(), state.horizon},
                                           resources_of(connection));
-  question.wants = {.contact = true, .ends = false, .approach = false};
+  question.wants.ends = false;
   Join join(std::move(question), connection.interrupt());
   std::vector<ShownPair> pairs;
   for (auto rows = join.next(); !rows.empty(); rows = join.next())

@@ -80,22 +80,17 @@ bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const O
   if (state.anew || state.asked || !state.clock) return false;
   const JoinedTables sources = sources_of(*table_.connection, tables);
   const ChangedSides changed = changes_since(sources, state);
-  if (!changed.a.reported || !changed.b.reported || is_majority(changed.a, *sources.a)) return false;
+  if (!changed.a.are_known || !changed.b.are_known || is_majority(changed.a, *sources.a)) return false;
   if (is_majority(changed.b, sources.last())) return false;
   // For one object, all its pairs are recomputed, however many other objects have changed.
   const bool of_one = only_a_ || only_b_;
   std::vector<ShownPair> pairs = of_one ? std::vector<ShownPair>{} : kept_pairs(rows, changed);
   if (of_one) rows.pair(0, 0);  // throws if the table of pairs is missing
   JoinQuestion question = question_of(sources, state, {now_, state.horizon});
-  question.wants = {.contact = true, .ends = false, .approach = false};
+  question.wants.ends = false;
   const JoinResources resources = resources_of(*table_.connection);
   PairSearch search(sources, std::move(question), resources);
-  const auto take = [&](std::span<const JoinRow> found) {
-    for (const JoinRow& row : found) {
-      const bool exchanged = !tables.b && row.b < row.a;
-      pairs.push_back({exchanged ? row.b : row.a, exchanged ? row.a : row.b, row.contact.t});
-    }
-  };
+  const auto take = [&](const JoinRow& row) { pairs.push_back({row.a, row.b, row.contact.t}); };
   if (of_one) {
     const std::int64_t id = only_a_ ? *only_a_ : *only_b_;
     search.pairs_of(only_a_ || !tables.b ? Side::a : Side::b, std::span(&id, 1), take);

@@ -134,8 +134,8 @@ std::vector<WatchedPair> WatchRows::pairs_of(std::span<const std::int64_t> a,
   return pairs;
 }
 
-std::vector<WatchedPair> WatchRows::due_pairs(bool held, double until) {
-  return pairs_with(keys_.due(held, until));
+std::vector<WatchedPair> WatchRows::due_pairs(PairState state, double until) {
+  return pairs_with(keys_.due(state, until));
 }
 
 std::optional<WatchedPair> WatchRows::pair(std::int64_t a, std::int64_t b) {
@@ -185,9 +185,9 @@ void WatchRows::write_keys() try { keys_.write(); } catch (const StoreError&) {
   damaged("pair");
 }
 
-std::int64_t WatchRows::count_pairs(bool held) {
+std::int64_t WatchRows::count_pairs(PairState state) {
   Statement::Run run(count_pairs_);
-  run.bind(1, std::int64_t{held});
+  run.bind(1, static_cast<std::int64_t>(state));
   return run.step() ? run.integer(0) : 0;
 }
 
@@ -215,7 +215,7 @@ void WatchRows::trim(std::int64_t up_to) {
   run.step();
 }
 
-std::optional<std::int64_t> WatchRows::oldest() {
+std::optional<std::int64_t> WatchRows::readable_after() {
   Statement::Run run(oldest_);
   if (!run.step() || !run.is_integer(0)) return std::nullopt;
   return run.integer(0) - 1;

@@ -25,7 +25,7 @@ namespace foresee {
 /// True for pair, back, due, log and meta.
 bool is_watch_suffix(std::string_view suffix);
 
-class WatchRows final : public WatchPairs, public WatchLog {
+class WatchRows final : public WatchStorage {
  public:
   /// `has_key_tables`: false for a watch of an older version, whose pairs have indexes.
   static ShadowTables tables(sqlite3* db, const QualifiedName& name, bool has_key_tables = true);
@@ -37,6 +37,7 @@ class WatchRows final : public WatchPairs, public WatchLog {
   bool has_key_tables() const { return has_key_tables_.value_or(true); }
 
   // --- _meta
+  /// Also prepares the statements of pairs, and forgets keys that a failed settlement has left.
   WatchState read_state();
   void write_declaration(const WatchDeclaration& declaration);
   /// Writes what changes with time. Rows with an equal value are not written.
@@ -51,14 +52,14 @@ class WatchRows final : public WatchPairs, public WatchLog {
   std::vector<WatchedPair> pairs() override;
   std::vector<WatchedPair> pairs_of(std::span<const std::int64_t> a,
                                     std::span<const std::int64_t> b) override;
-  std::vector<WatchedPair> due_pairs(bool held, double until) override;
+  std::vector<WatchedPair> due_pairs(PairState state, double until) override;
   std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) override;
   void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_told) override;
   void erase_pair(const WatchedPair& pair) override;
   /// Cost: the pages of the tables are released without reading rows.
   void erase_all_pairs() override;
   void write_keys() override;
-  std::int64_t count_pairs(bool held);
+  std::int64_t count_pairs(PairState state);
   /// True if each key table, or index, holds exactly the keys of the rows.
   bool keys_agree() { return keys_.agree(pairs()); }
 
@@ -66,7 +67,7 @@ class WatchRows final : public WatchPairs, public WatchLog {
   void append(const LoggedChange& change) override;
   void trim(std::int64_t up_to) override;
   /// The position after which changes can be read; nothing if the log is empty.
-  std::optional<std::int64_t> oldest();
+  std::optional<std::int64_t> readable_after();
   /// At most `limit` changes with seq in (after, last], ascending.
   std::vector<LoggedChange> changes(std::int64_t after, std::int64_t last, std::int64_t limit);
 

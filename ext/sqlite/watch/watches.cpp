@@ -44,7 +44,7 @@ void settle_watch(Connection& connection, WatchRows& rows, Settlement::Log log) 
   // The xSync of a table has written that table alone, the xSync of a watch none.
   tables.a.store->sync();
   if (tables.b) tables.b->store->sync();
-  Settlement settlement(sources_of(connection, tables), before, rows, rows, resources_of(connection));
+  Settlement settlement(sources_of(connection, tables), before, rows, resources_of(connection));
   try {
     if (const auto after = settlement.settle(log)) rows.write_state(*after, before);
   } catch (const StoreError& error) {

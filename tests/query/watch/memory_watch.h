@@ -15,7 +15,7 @@ namespace foresee::testing {
 
 inline constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
 
-class MemoryWatch final : public WatchPairs, public WatchLog {
+class MemoryWatch final : public WatchStorage {
  public:
   using Ids = std::pair<std::int64_t, std::int64_t>;
 
@@ -28,7 +28,8 @@ class MemoryWatch final : public WatchPairs, public WatchLog {
       return std::binary_search(a.begin(), a.end(), pair.a) || std::binary_search(b.begin(), b.end(), pair.b);
     });
   }
-  std::vector<WatchedPair> due_pairs(bool held, double until) override {
+  std::vector<WatchedPair> due_pairs(PairState state, double until) override {
+    const bool held = state == PairState::held;
     return those([&](const WatchedPair& pair) { return pair.held == held && pair.due <= until; });
   }
   std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) override {
@@ -86,7 +87,7 @@ struct Watched {
 
   void settle() {
     const std::size_t known = watch.log.size();
-    Settlement settlement(tables, state, watch, watch, {never});
+    Settlement settlement(tables, state, watch, {never});
     if (const auto after = settlement.settle()) state = *after;
     EXPECT_FALSE(watch.keys_wait);
     ships->commit(), ferries->commit();

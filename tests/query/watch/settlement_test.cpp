@@ -49,7 +49,7 @@ TEST(Settlement, NothingIsWrittenIfNothingChanged) {
   watched.settle();
   const std::size_t changes = watched.watch.log.size();
   EXPECT_GT(changes, 0u);
-  Settlement settlement(watched.tables, watched.state, watched.watch, watched.watch, {watched.never});
+  Settlement settlement(watched.tables, watched.state, watched.watch, {watched.never});
   EXPECT_FALSE(settlement.settle());
   EXPECT_FALSE(settlement.has_written());
   EXPECT_EQ(watched.watch.log.size(), changes);
@@ -78,7 +78,7 @@ TEST(Settlement, ChangesThatAreUnknownAreRecomputed) {
   watched.ships->put(1, report(random, 1));
   watched.ships->commit();  // without a settlement: its changes are forgotten
   watched.ships->put(2, report(random, 1));
-  EXPECT_FALSE(watched.ships->changes_since(watched.state.stamp).reported);
+  EXPECT_FALSE(watched.ships->changes_since(watched.state.stamp).are_known);
   watched.settle();
   watched.expect_join();
 }
