@@ -111,14 +111,16 @@ Flight from_globe(const OnGlobe& point) {
   Vector v = point.motion->v;
   const int exponent = exponent_of(std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}));
   for (double& part : v) part = std::ldexp(part, -exponent);
-  const double east = dot(v, here.east), north = dot(v, here.north);
-  const double speed = std::ldexp(std::hypot(east, north), exponent);
+  const double east = dot(v, here.east), north = dot(v, here.north), across_ground = std::hypot(east, north);
+  // What the rounding of a vertical motion leaves has no direction.
+  const bool moves = across_ground > 0x1p-50 * std::abs(dot(v, here.up));
+  const double speed = moves ? std::ldexp(across_ground, exponent) : 0;
   flight.climb = std::ldexp(dot(v, here.up), exponent) + 0.0;
   if (!std::isfinite(speed) || !std::isfinite(flight.climb))
     throw Error("vx, vy, vz are " + shown(point.motion->v[0]) + ", " + shown(point.motion->v[1]) + ", " +
                 shown(point.motion->v[2]) +
                 ": their speed or climb is more than a double holds; write metres per second, or NULL");
-  flight.fix.course = Course{speed, speed > 0 ? course_of(east, north) : std::nan("")};
+  flight.fix.course = Course{speed, moves ? course_of(east, north) : std::nan("")};
   return flight;
 }
 

@@ -129,6 +129,19 @@ TEST(Globe, LeadsBackToTheReport) {
   }
 }
 
+TEST(Globe, VerticalMotionHasNoCourse) {
+  Random random(4);
+  for (int i = 0; i < 4000; ++i) {
+    const LatLon place{i % 7 == 0 ? 90 - std::pow(10, random.in(-9, 0)) : random.in(-90, 90),
+                       random.in(-180, 180)};
+    const double height = random.in(-11000, i % 2 == 0 ? 15000 : 4e7), climb = random.in(-10, 10);
+    const Flight back = from_globe(to_globe({{place, Course{0, 90}}, height, climb}));
+    EXPECT_EQ(back.fix.course->speed, 0) << place.lat << ' ' << place.lon << ' ' << height << ' ' << climb;
+    EXPECT_TRUE(std::isnan(back.fix.course->degrees)) << i;
+  }
+  EXPECT_EQ(from_globe(to_globe({{{0, 0}, Course{1e-12, 90}}, 0, 100})).fix.course->degrees, 90);
+}
+
 TEST(Globe, AtThePoleHasAHeight) {
   const Flight flight = from_globe({{0, 0, 6400000}, {}});
   EXPECT_EQ(flight.fix.place.lat, 90);
