@@ -91,19 +91,16 @@ struct Hint {
   sqlite3_value* value;
 };
 
-/// How many outputs of a function may be known to be read, each on its own.
-inline constexpr int max_output_bits = 30;
-
 class FunctionCall {
  public:
   FunctionCall(const TableFunction& function, Connection& connection, std::span<sqlite3_value* const> inputs,
-               std::vector<Hint> hints, std::uint32_t outputs_read, std::span<const int> order,
+               std::vector<Hint> hints, std::uint64_t columns_read, std::span<const int> order,
                const RowLimit& limit, UsedInputs& used)
       : function_(function),
         connection_(connection),
         inputs_(inputs),
         hints_(std::move(hints)),
-        outputs_read_(outputs_read),
+        columns_read_(columns_read),
         order_(order),
         limit_(limit),
         used_(used) {}
@@ -132,8 +129,8 @@ class FunctionCall {
     if (!inputs_[static_cast<std::size_t>(input)]) used_.keep(input, std::move(value));
   }
 
-  /// Whether the statement reads it; of the outputs from max_output_bits - 1 on, whether it reads any of them.
-  bool reads(int output) const { return (outputs_read_ >> std::min(output, max_output_bits - 1) & 1) != 0; }
+  /// Whether the statement reads it; from the 64th column on, whether it reads any of them.
+  bool reads(int output) const { return (columns_read_ >> std::min(output, 63) & 1) != 0; }
 
   /// The integer that the query requires `output` to equal; nothing if it has no such condition.
   std::optional<std::int64_t> only(int output) const;
@@ -154,7 +151,7 @@ class FunctionCall {
   Connection& connection_;
   std::span<sqlite3_value* const> inputs_;  ///< one per input, null if it was left out
   std::vector<Hint> hints_;
-  std::uint32_t outputs_read_;
+  std::uint64_t columns_read_;
   std::span<const int> order_;
   RowLimit limit_;
   UsedInputs& used_;

@@ -1,6 +1,7 @@
 #include "sqlite/functions/function_plan.h"
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 
 #include "sqlite/functions/function_call.h"
@@ -119,7 +120,7 @@ void estimate(const TableFunction& function, const Connection& connection, Earli
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
 }
 
-/// The text of idxStr: the plan's arguments, with a mark at those that SQLite compares again.
+/// The arguments in idxStr, with a mark at those that SQLite compares again.
 std::string described(const FunctionPlan& plan, int output_count) {
   std::string text = plan.arguments;
   for (std::size_t at = 0; at < text.size(); at += 2) {
@@ -129,24 +130,10 @@ std::string described(const FunctionPlan& plan, int output_count) {
   return text;
 }
 
-constexpr int order_length_at = 16, order_at = 20;  // in idxNum
+constexpr int order_at = 4;                      // in idxNum
+constexpr std::size_t columns_read_length = 16;  // in idxStr
 
-/// The bits of the outputs for which idxNum reports whether they are read: all of them, or the first sixteen
-/// of a function with orders.
-std::uint32_t outputs_reported(const TableFunction& function) {
-  const int max_bits = function.orders.empty() ? max_output_bits : order_length_at;
-  return (1u << std::min(output_count(function), max_bits)) - 1;
-}
-
-/// The last bit is that of all further outputs too.
-std::uint32_t outputs_read(const TableFunction& function, std::uint64_t columns_used) {
-  const auto outputs = columns_used & ((std::uint64_t{1} << output_count(function)) - 1);
-  const bool reads_last = outputs >> (max_output_bits - 1) != 0;
-  const auto read = static_cast<std::uint32_t>(outputs) | (reads_last ? 1u << (max_output_bits - 1) : 0u);
-  return read & outputs_reported(function);
-}
-
-/// The bits of idxNum for an ORDER BY that is one of the function's orders or a prefix of one. The call
+/// The idxNum for an ORDER BY that is one of the function's orders or a prefix of one. The call
 /// returns rows in that order and SQLite does not sort. 0 for any other: SQLite sorts.
 int take_order(const TableFunction& function, sqlite3_index_info& info) {
   const auto wanted = std::span(info.aOrderBy, static_cast<std::size_t>(std::max(0, info.nOrderBy)));
@@ -159,7 +146,7 @@ int take_order(const TableFunction& function, sqlite3_index_info& info) {
                    [](const auto& term, int output) { return term.iColumn == output && !term.desc; });
     if (!fits) continue;
     info.orderByConsumed = 1;
-    return info.nOrderBy << order_length_at | static_cast<int>(i) << order_at;
+    return info.nOrderBy | static_cast<int>(i) << order_at;
   }
   return 0;
 }
@@ -175,30 +162,30 @@ int plan_call(const TableFunction& function, const Connection& connection, Earli
     earlier.or_loses_rows |= (missing & ~1u) != 0;  // from another table
     return SQLITE_CONSTRAINT;
   }
-  const int order = take_order(function, info);
-  if (order != 0) take_row_limit(function, info, plan.arguments);
-  info.idxNum = static_cast<int>(outputs_read(function, info.colUsed)) | order;
+  info.idxNum = take_order(function, info);
+  if (info.idxNum != 0) take_row_limit(function, info, plan.arguments);
   estimate(function, connection, earlier, plan, info);
-  info.idxStr = sqlite3_mprintf("%s", described(plan, output_count(function)).c_str());
+  info.idxStr = sqlite3_mprintf("%016llx%s", info.colUsed, described(plan, output_count(function)).c_str());
   if (!info.idxStr) return SQLITE_NOMEM;
   info.needToFreeIdxStr = 1;
   return SQLITE_OK;
 }
 
 PlannedArgument planned_argument(const char* plan, std::size_t argument) {
-  const char* letters = plan + 2 * argument;
+  const char* letters = plan + columns_read_length + 2 * argument;
   return {letters, letters[0] - 'A', op_of(letters[1]), letters[1] == '!'};
 }
 
-std::uint32_t planned_outputs(const TableFunction& function, int plan) {
-  return static_cast<std::uint32_t>(plan) & outputs_reported(function);
+std::uint64_t planned_columns(const char* plan) {
+  std::uint64_t columns = 0;
+  std::from_chars(plan, plan + columns_read_length, columns, 16);
+  return columns;
 }
 
-std::span<const int> planned_order(const TableFunction& function, int plan) {
-  if (function.orders.empty()) return {};
-  const int length = plan >> order_length_at & 0xf;
+std::span<const int> planned_order(const TableFunction& function, int order) {
+  const int length = order & ((1 << order_at) - 1);
   if (length == 0) return {};
-  return std::span(function.orders[static_cast<std::size_t>(plan >> order_at)])
+  return std::span(function.orders[static_cast<std::size_t>(order >> order_at)])
       .first(static_cast<std::size_t>(length));
 }
 

@@ -1,11 +1,11 @@
 // Query plan of a call of a table-valued function: xBestIndex encodes it in idxNum and idxStr, xFilter
 // decodes it.
 //
-//   idxNum   one bit per output that the statement reads, the last one for all further outputs too; for a function
-//            with orders, bits 16 to 19 hold the number of outputs of the order in which rows must come, and bit 20
-//            upwards the order's index
-//   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an
-//            input that SQLite compares again; or '@' and then 'n' (LIMIT) or 'o' (OFFSET): function_call.h
+//   idxNum   the order in which rows must come: bits 0 to 3 hold its number of outputs, 0 for any order, and bit 4
+//            upwards its index
+//   idxStr   SQLite's colUsed in 16 hexadecimal digits, one bit per column that the statement reads; then two letters
+//            per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an input that SQLite
+//            compares again; or '@' and then 'n' (LIMIT) or 'o' (OFFSET): function_call.h
 //
 // Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. If SQLite compares
 // an input again and it is NULL, no row would pass: such a call must be refused. LIMIT and OFFSET are hints
@@ -40,9 +40,9 @@ struct PlannedArgument {
 };
 /// Requires: `argument` is less than the number of xFilter's arguments.
 PlannedArgument planned_argument(const char* plan, std::size_t argument);
-/// One bit per output, set if the statement reads it.
-std::uint32_t planned_outputs(const TableFunction& function, int plan);
+/// One bit per column, set if the statement reads it; the last one for all further columns too.
+std::uint64_t planned_columns(const char* plan);
 /// The outputs by which rows must ascend; empty: in any order.
-std::span<const int> planned_order(const TableFunction& function, int plan);
+std::span<const int> planned_order(const TableFunction& function, int order);
 
 }  // namespace foresee

@@ -195,7 +195,7 @@ SearchTarget searched(const OpenTable& table) {
   return {table.table, nullptr, table.store->take_snapshot(), table.store->chunks()};
 }
 
-void read_numbers(const FunctionCall& call, AvoidQuestion& question) {
+void read_inputs(const FunctionCall& call, AvoidQuestion& question) {
   question.h = call.required_number(in_h);
   question.within = call.number(in_within).value_or(0);
   question.within_z = call.number(in_within_z);
@@ -219,8 +219,8 @@ OpenTables open_tables(const FunctionCall& call, AvoidQuestion& question) {
   OpenTables tables{open_table(call.connection(), tbl)};
   require_upright(tables.a, question.within_z);
   question.on_globe = tables.a.store->frame().on_globe();
-  if (question.on_globe && !question.how) question.how = Manoeuvre::speed;
   question.others = searched(tables.a);
+  call.used(in_tbl, tables.a.table), call.used(in_schema, tables.a.schema);
   if (const auto also = call.text(in_also)) {
     tables.b = open_table(call.connection(), {also, tbl.schema});
     require_one_frame(tables.a, *tables.b);
@@ -269,11 +269,13 @@ void show_plans(Store& store, Interrupt& interrupt, std::vector<AvoidRow>& rows)
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   Interrupt& interrupt = call.connection().interrupt();
   AvoidQuestion question;
-  read_numbers(call, question);
+  read_inputs(call, question);
   read_wanted_outputs(call, question);
   const std::int64_t id = call.required_integer(in_id);
   const OpenTables tables = open_tables(call, question);
+  if (question.on_globe && !question.how) question.how = Manoeuvre::speed;
   if (!question.now_given) question.now = read_newest_t_of_both(question);
+  call.used(in_now, question.now), call.used(in_within, question.within), call.used(in_touching, "part");
   read_object(tables.a, id, interrupt, question);
   std::vector<AvoidRow> rows = avoid(question, interrupt);
   if (const auto clear = call.only(out_clear))

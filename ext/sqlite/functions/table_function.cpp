@@ -151,7 +151,7 @@ int function_filter(sqlite3_vtab_cursor* base, int number, const char* plan, int
     const std::span<sqlite3_value*> given(arguments, static_cast<std::size_t>(count));
     if (!sort_arguments(cursor, table, plan, given, sorted)) return;
     const FunctionCall call(table.function(), *table.registration->connection, sorted.inputs,
-                            std::move(sorted.hints), planned_outputs(table.function(), number),
+                            std::move(sorted.hints), planned_columns(plan),
                             planned_order(table.function(), number), sorted.limit, cursor.used);
     cursor.rows = table.function().start(call);
     step(cursor);

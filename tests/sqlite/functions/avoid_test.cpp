@@ -73,6 +73,20 @@ TEST_F(AvoidInSql, GivesBackTheStoredRowAtZero) {
             "0.0|0.31|9000.7|1.0|-0.3");
 }
 
+TEST_F(AvoidInSql, ReturnsTheInputsThatItUses) {
+  const std::string inputs = "SELECT DISTINCT h, tbl, within, how, lo, now, within_z, touching, schema FROM ";
+  EXPECT_EQ(db.rows(inputs + "predictive_avoid(60, NULL, 1)"), "60|ships|0.0|NULL|NULL|0.0|NULL|part|main");
+}
+
+TEST_F(AvoidInSql, ComputesNoPlanForOtherOutputs) {
+  db.exec(
+      "CREATE VIRTUAL TABLE hulls USING moving_objects(id, t, until, x, y, vx, vy, shape, heading, plan);"
+      "INSERT INTO hulls(id, t, x, y, vy, shape) VALUES (1, 0, 0, 0, 9, 'POLYGON((0 0, 1 0, 0 1, 0 0))')");
+  const std::string from = " FROM predictive_avoid(60, 'hulls', 1, 1, 'turn', -10, 10) WHERE resume = 5";
+  EXPECT_EQ(db.rows("SELECT k_from, k_to, course, height, climb" + from), "-10.0|10.0|NULL|NULL|NULL");
+  EXPECT_NE(db.error_of("SELECT plan" + from).find("a plan has one heading"), std::string::npos);
+}
+
 TEST_F(AvoidInSql, StopsExactlyAndDelays) {
   EXPECT_EQ(
       db.rows("SELECT vx, vy FROM predictive_avoid(60, 'ships', 4, 0, 'speed', NULL, NULL) WHERE k_from < 0"),

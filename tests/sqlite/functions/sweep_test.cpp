@@ -51,6 +51,11 @@ TEST(Sweeps, ContainTheirObjectsAndLittleMore) {
             "0");
 }
 
+TEST_F(Harbour, SweepsReturnTheInputsThatTheyUse) {
+  const std::string inputs = db.rows("SELECT DISTINCT tbl, schema, now, within FROM predictive_join(1e6)");
+  EXPECT_EQ(db.rows("SELECT DISTINCT tbl, schema, now, within FROM predictive_sweep(10)"), inputs);
+}
+
 TEST_F(Harbour, SweepsHaveTheColumnsOfTheirTable) {
   EXPECT_EQ(
       db.rows(

@@ -174,6 +174,48 @@ TEST_F(TableFunctionTest, IsReadOnlyAndNeedsNoCreate) {
   EXPECT_EQ(db.error_of("SELECT rowid FROM countdown(1)"), "no such column: rowid");
 }
 
+std::vector<const char*> columns_named(const char* pattern, std::size_t count) {
+  static std::vector<std::string> names;
+  names.reserve(1000);
+  std::vector<const char*> columns;
+  for (std::size_t i = 0; i < count; ++i)
+    columns.push_back(names.emplace_back(pattern + std::to_string(i)).c_str());
+  return columns;
+}
+
+std::uint64_t outputs_that_are_read = 0;
+
+/// A function of 50 outputs and 12 inputs, of which 9 are left out.
+TableFunction wide_function(const char* name, std::vector<std::vector<int>> orders) {
+  return {.name = name,
+          .outputs = columns_named("o", 50),
+          .inputs = columns_named("i", 12),
+          .key = nullptr,
+          .hinted = 0,
+          .estimate = estimate_positions,
+          .start = [](const FunctionCall& call) -> std::unique_ptr<FunctionRows> {
+            outputs_that_are_read = 0;
+            for (int output = 0; output < 50; ++output)
+              if (call.reads(output)) outputs_that_are_read |= std::uint64_t{1} << output;
+            return std::make_unique<Countdown>(0, 1, "#");
+          },
+          .orders = std::move(orders)};
+}
+
+TEST_F(TableFunctionTest, KnowsOfEachOfManyOutputsWhetherItIsRead) {
+  static const TableFunction wide = wide_function("wide", {}),
+                             sorted = wide_function("sorted", {{0}, {1, 0}});
+  register_table_function(db.handle(), wide, std::make_shared<Connection>(db.handle()));
+  register_table_function(db.handle(), sorted, std::make_shared<Connection>(db.handle()));
+  for (int output = 0; output < 50; ++output)
+    for (const char* name : {"wide(1, 2, 3)", "sorted(1, 2, 3)"}) {
+      db.exec("SELECT o" + std::to_string(output) + ", i11 FROM " + name);
+      EXPECT_EQ(outputs_that_are_read, std::uint64_t{1} << output) << name << " " << output;
+    }
+  db.exec("SELECT o49 FROM sorted(1, 2, 3) ORDER BY o1, o0");
+  EXPECT_EQ(outputs_that_are_read, std::uint64_t{1} << 49 | 0b11);
+}
+
 constexpr ColumnList three_columns{"id INTEGER", "t REAL", "t_end REAL"};
 static_assert(three_columns["id"] == 0 && three_columns["t"] == 1 && three_columns["t_end"] == 2);
 constexpr ColumnList one_name{"h"};

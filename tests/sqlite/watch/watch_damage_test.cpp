@@ -111,7 +111,8 @@ TEST(DamagedWatches, ARebuildRepairsRowsAndLogsTheDifference) {
   db.exec("INSERT INTO alerts(alerts) VALUES('rebuild')");
   expect_joined(db, "h = 100");
   expect_up_to_date(db);
-  EXPECT_EQ(db.rows("SELECT op, a, b FROM predictive_changes('alerts', 1)"), "~|1|2\n+|1|3\n+|2|3");
+  EXPECT_EQ(db.rows("SELECT op, a, b, schema FROM predictive_changes('alerts', 1)"),
+            "~|1|2|main\n+|1|3|main\n+|2|3|main");
 }
 
 TEST(DamagedWatches, UnknownFormatsAreReportedAndOlderOnesRead) {
