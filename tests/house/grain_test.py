@@ -58,7 +58,6 @@ PRIVATE = {
     "motion/motion_set.h": "sets of vectors, which two files of changes build; with changes.h over 250 lines and two subjects",
     "query/avoid/clear_ranges.h": "the interface of clear_ranges.cpp; with avoid.cpp it would have over 500 lines",
     "query/avoid/proven_ranges.h": "the interface of proven_ranges.cpp; with avoid.cpp it would have over 300 lines",
-    "query/avoid/intruders.h": "the interface of intruders.cpp; with avoid.cpp it would have over 400 lines",
     "index/gpcd_grid/lanes.h": "with grid.h it would have over 450 lines; the lanes of one stripe are a subject of their own",
     "index/gpcd_grid/scan_vectors.h": "with scan.kernel.cpp it would have over 340 lines; registers per instruction set, no algorithm",
     "index/tpr_tree/visit_cost.h": "the cost model, with tree_state.h a header of two subjects",

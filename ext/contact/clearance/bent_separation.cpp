@@ -203,16 +203,22 @@ class Course {
 template <int D>
 class BentSeparation {
  public:
-  BentSeparation(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, std::uint64_t& evaluations)
+  BentSeparation(const Encounter<D>& encounter, const TrajectoryFamily<D>& family)
       : encounter_(encounter),
         family_(family),
-        evaluations_(evaluations),
         separation_(encounter, family),
         spread_(encounter, family),
         course_(encounter.extents, relative(encounter, family.middle), separation_.end()) {}
 
-  ClearanceVerdict certify() {
-    evaluations_ += sampled_times;
+  CountedVerdict certify() {
+    const ClearanceVerdict one = verdict();
+    return {one, evaluations_};
+  }
+
+ private:
+  static constexpr AxisRange all_axes{0, D};
+
+  ClearanceVerdict verdict() {
     const double end = separation_.end(), leaves = course_.leaves();
     if (course_.fastest_approach() < 0 && course_.touches_again() < 0) {
       if (leaves < end && is_proven_at(0.5)) return ClearanceVerdict::clear;
@@ -223,9 +229,6 @@ class BentSeparation {
     return all_shrink_at(course_.fastest_approach()) || all_touch_again() ? ClearanceVerdict::blocked
                                                                           : ClearanceVerdict::open;
   }
-
- private:
-  static constexpr AxisRange all_axes{0, D};
 
   /// Both proofs join at this share of the time between leaving and the next approach of the middle change,
   /// or near an end of that time.
@@ -276,7 +279,7 @@ class BentSeparation {
 
   const Encounter<D>& encounter_;
   const TrajectoryFamily<D>& family_;
-  std::uint64_t& evaluations_;
+  std::uint64_t evaluations_ = sampled_times;
   SeparationCase<D> separation_;
   SpreadOfChanges<D> spread_;
   Course<D> course_;
@@ -285,16 +288,12 @@ class BentSeparation {
 }  // namespace
 
 template <int D>
-ClearanceVerdict certify_bent_separation(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
-                                         std::uint64_t& evaluations) {
-  return BentSeparation<D>(encounter, family, evaluations).certify();
+CountedVerdict certify_bent_separation(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
+  return BentSeparation<D>(encounter, family).certify();
 }
 
-template ClearanceVerdict certify_bent_separation<1>(const Encounter<1>&, const TrajectoryFamily<1>&,
-                                                     std::uint64_t&);
-template ClearanceVerdict certify_bent_separation<2>(const Encounter<2>&, const TrajectoryFamily<2>&,
-                                                     std::uint64_t&);
-template ClearanceVerdict certify_bent_separation<3>(const Encounter<3>&, const TrajectoryFamily<3>&,
-                                                     std::uint64_t&);
+template CountedVerdict certify_bent_separation<1>(const Encounter<1>&, const TrajectoryFamily<1>&);
+template CountedVerdict certify_bent_separation<2>(const Encounter<2>&, const TrajectoryFamily<2>&);
+template CountedVerdict certify_bent_separation<3>(const Encounter<3>&, const TrajectoryFamily<3>&);
 
 }  // namespace foresee

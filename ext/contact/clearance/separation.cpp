@@ -75,15 +75,16 @@ bool all_touch_between(const SeparationCase<D>& separation, const Encounter<D>& 
   return separation.all_touch_between(passing(family.first, *nearest[0]), passing(family.last, *nearest[1]));
 }
 
+/// The verdict on a set that does not rotate, by the normals at the nearest approaches of three motions.
 template <int D>
-ClearanceVerdict certified(SeparationCase<D>& separation, const Encounter<D>& encounter,
-                           const TrajectoryFamily<D>& family) {
+ClearanceVerdict verdict_by_planes(SeparationCase<D>& separation, const Encounter<D>& encounter,
+                                   const TrajectoryFamily<D>& family) {
   if (separation.never_together()) return ClearanceVerdict::clear;
   if (!separation.is_finite()) return ClearanceVerdict::blocked;
   double tau = 0;
   std::optional<double> nearest[2];  // of the first and the last change, once known
   const TrajectoryEstimate<D>* const ends[] = {&family.first, &family.last};
-  ProbeResult probe = separation.probe(family.middle, tau);
+  ProbeResult probe = separation.probe(family.middle, separation.begin(), tau);
   if (encounter.beside && !family.all.starts && probe != ProbeResult::separated) {
     const Departure leaving = departure_of<D>(encounter, family);
     const double length = separation.end() - separation.begin();
@@ -95,7 +96,7 @@ ClearanceVerdict certified(SeparationCase<D>& separation, const Encounter<D>& en
     if (!leaving.all_approach) separation.take_only_certain_touches();
     if (leaving.away_until > 0) {
       if (separation.is_proven_after(separation.begin())) return ClearanceVerdict::clear;
-      probe = separation.probe(family.middle, tau);
+      probe = separation.probe(family.middle, separation.begin(), tau);
     }
   }
   switch (probe) {
@@ -107,7 +108,8 @@ ClearanceVerdict certified(SeparationCase<D>& separation, const Encounter<D>& en
     case ProbeResult::inconclusive:
       for (int i = 0; i < 2; ++i) {
         double near = 0;
-        if (separation.probe(*ends[i], near) == ProbeResult::separated) return ClearanceVerdict::clear;
+        if (separation.probe(*ends[i], separation.begin(), near) == ProbeResult::separated)
+          return ClearanceVerdict::clear;
         nearest[i] = near;
       }
       if (separation.all_touch_about(tau)) return ClearanceVerdict::blocked;
@@ -117,7 +119,7 @@ ClearanceVerdict certified(SeparationCase<D>& separation, const Encounter<D>& en
   if (separation.bends()) {
     for (int i = 0; i < 2; ++i) {
       double near = 0;
-      if (!nearest[i] && separation.probe(*ends[i], near) == ProbeResult::separated)
+      if (!nearest[i] && separation.probe(*ends[i], separation.begin(), near) == ProbeResult::separated)
         return ClearanceVerdict::clear;
       if (!nearest[i]) nearest[i] = near;
     }
@@ -154,8 +156,8 @@ bool has_corner_inside(const SeparationCase<D>& separation, const Encounter<D>& 
 
 /// The verdict on a sum that rotates, on paths that are not bent: the pose of each motion is its own.
 template <int D>
-ClearanceVerdict certified_turns(const SeparationCase<D>& separation, const Encounter<D>& encounter,
-                                 const TrajectoryFamily<D>& family) {
+ClearanceVerdict verdict_on_turns(const SeparationCase<D>& separation, const Encounter<D>& encounter,
+                                  const TrajectoryFamily<D>& family) {
   if (separation.never_together()) return ClearanceVerdict::clear;
   if (!separation.is_finite()) return ClearanceVerdict::blocked;
   if constexpr (D > 1)
@@ -174,7 +176,8 @@ ClearanceVerdict certified_turns(const SeparationCase<D>& separation, const Enco
     const TrajectoryEstimate<D> path = relative(encounter, *motions[i]);
     near[i] = separation.approach_of(path);
     touch = touch && separation.touches(near[i]), apart = apart && near[i].gap > 0;
-    if (apart && separation.is_proven_beside(path, near[i])) return ClearanceVerdict::clear;
+    if (apart && separation.is_proven_beside(path, near[i], separation.begin()))
+      return ClearanceVerdict::clear;
     if (!touch && !apart) return ClearanceVerdict::open;
     if (i == 0 && touch && is_inside(0)) return ClearanceVerdict::blocked;
   }
@@ -186,56 +189,54 @@ ClearanceVerdict certified_turns(const SeparationCase<D>& separation, const Enco
   return all_touch ? ClearanceVerdict::blocked : ClearanceVerdict::open;
 }
 
-template <int D>
-ClearanceVerdict certified(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
-                           std::uint64_t& evaluations) {
-  SeparationCase<D> separation(encounter, family);
-  const ClearanceVerdict verdict = encounter.turning && !separation.bends()
-                                       ? certified_turns<D>(separation, encounter, family)
-                                       : certified<D>(separation, encounter, family);
-  evaluations += 1 + separation.parts();
-  return verdict;
-}
-
 }  // namespace
 
 template <int D>
-ClearanceVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
-                                   std::uint64_t& evaluations) {
+CountedVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
+  CountedVerdict counted{};
   if (family.all.starts) {
     const SeenFromStart<D> seen = seen_from_start<D>(encounter, family);
-    const ClearanceVerdict verdict = certified<D>(seen.encounter, seen.family, evaluations);
+    counted = certify_clearance<D>(seen.encounter, seen.family);
     // Extents that grow are seen as large as at the last start: of the first ones too much seems to touch.
-    const bool is_sure = verdict == ClearanceVerdict::clear || !encounter.extents.grows;
-    if (verdict != ClearanceVerdict::open && is_sure) return verdict;
+    const bool is_sure = counted.verdict == ClearanceVerdict::clear || !encounter.extents.grows;
+    if (counted.verdict != ClearanceVerdict::open && is_sure) return counted;
   }
-  return certified<D>(encounter, family, evaluations);
+  SeparationCase<D> separation(encounter, family);
+  counted.verdict = encounter.turning && !separation.bends()
+                        ? verdict_on_turns<D>(separation, encounter, family)
+                        : verdict_by_planes<D>(separation, encounter, family);
+  counted.evaluations += 1 + separation.parts();
+  return counted;
 }
 
 template <int D>
-bool is_certified_clear(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
-                        std::uint64_t& evaluations) {
+CountedVerdict certify_only_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
+  const auto clear_or_open = [](bool clear) {
+    return clear ? ClearanceVerdict::clear : ClearanceVerdict::open;
+  };
   const SeparationCase<D> separation(encounter, family);
-  if (separation.bends() || encounter.beside || encounter.turning || family.all.starts)
-    return certify_clearance<D>(encounter, family, evaluations) == ClearanceVerdict::clear;
-  ++evaluations;
-  if (separation.never_together()) return true;
-  if (!separation.is_finite()) return false;
-  double ignored = 0;
-  const ProbeResult middle = separation.probe(family.middle, ignored);
-  if (middle != ProbeResult::inconclusive) return middle == ProbeResult::separated;
-  return separation.probe(family.first, ignored) == ProbeResult::separated ||
-         separation.probe(family.last, ignored) == ProbeResult::separated;
+  if (separation.bends() || encounter.beside || encounter.turning || family.all.starts) {
+    const CountedVerdict counted = certify_clearance<D>(encounter, family);
+    return {clear_or_open(counted.verdict == ClearanceVerdict::clear), counted.evaluations};
+  }
+  if (separation.never_together()) return {ClearanceVerdict::clear, 1};
+  if (!separation.is_finite()) return {ClearanceVerdict::open, 1};
+  const auto probe = [&](const TrajectoryEstimate<D>& own) {
+    double ignored = 0;
+    return separation.probe(own, separation.begin(), ignored);
+  };
+  const ProbeResult middle = probe(family.middle);
+  return {clear_or_open(middle == ProbeResult::separated || (middle == ProbeResult::inconclusive &&
+                                                             (probe(family.first) == ProbeResult::separated ||
+                                                              probe(family.last) == ProbeResult::separated))),
+          1};
 }
 
-template bool is_certified_clear<1>(const Encounter<1>&, const TrajectoryFamily<1>&, std::uint64_t&);
-template bool is_certified_clear<2>(const Encounter<2>&, const TrajectoryFamily<2>&, std::uint64_t&);
-template bool is_certified_clear<3>(const Encounter<3>&, const TrajectoryFamily<3>&, std::uint64_t&);
-template ClearanceVerdict certify_clearance<1>(const Encounter<1>&, const TrajectoryFamily<1>&,
-                                               std::uint64_t&);
-template ClearanceVerdict certify_clearance<2>(const Encounter<2>&, const TrajectoryFamily<2>&,
-                                               std::uint64_t&);
-template ClearanceVerdict certify_clearance<3>(const Encounter<3>&, const TrajectoryFamily<3>&,
-                                               std::uint64_t&);
+template CountedVerdict certify_only_clearance<1>(const Encounter<1>&, const TrajectoryFamily<1>&);
+template CountedVerdict certify_only_clearance<2>(const Encounter<2>&, const TrajectoryFamily<2>&);
+template CountedVerdict certify_only_clearance<3>(const Encounter<3>&, const TrajectoryFamily<3>&);
+template CountedVerdict certify_clearance<1>(const Encounter<1>&, const TrajectoryFamily<1>&);
+template CountedVerdict certify_clearance<2>(const Encounter<2>&, const TrajectoryFamily<2>&);
+template CountedVerdict certify_clearance<3>(const Encounter<3>&, const TrajectoryFamily<3>&);
 
 }  // namespace foresee

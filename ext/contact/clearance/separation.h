@@ -2,7 +2,7 @@
 //
 //   const TrajectoryFamily<2> turns = trajectory_family<2>(*changes, 10, 20);
 //   // for every double of [10, 20]: a proof
-//   certify_clearance(encounter, turns, evaluations) == ClearanceVerdict::clear
+//   certify_clearance(encounter, turns).verdict == ClearanceVerdict::clear
 //
 // Along the normal n of the plane the other object is at n (x + v tau + a tau^2 / 2). The changed motions
 // reach at most the support of the range's positions, velocities and accelerations (motion_set.h). The
@@ -29,22 +29,25 @@ enum class ClearanceVerdict : std::uint8_t {
   open      ///< neither
 };
 
-/// Requires: encounter.begin <= encounter.end. `evaluations` grows by one, and by one per interval of a bent
-/// path.
-template <int D>
-ClearanceVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
-                                   std::uint64_t& evaluations);
+/// A verdict, and its cost: one evaluation, and one per interval of a bent path.
+struct CountedVerdict {
+  ClearanceVerdict verdict;
+  std::uint64_t evaluations = 0;
+};
 
-/// Whether certify_clearance() is `clear`; cheaper, as it does not look for contact.
+/// Requires: encounter.begin <= encounter.end.
 template <int D>
-bool is_certified_clear(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
-                        std::uint64_t& evaluations);
+CountedVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
+
+/// The same, but `open` for `blocked`; cheaper, as it does not look for contact.
+template <int D>
+CountedVerdict certify_only_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
 // Certificate that an object separates from another one that it touches, on bent paths, for every change of a
 // range.
 //
 //   // a proof for every change of the range
-//   certify_bent_separation<2>(encounter, family, evaluations) == ClearanceVerdict::clear
+//   certify_bent_separation<2>(encounter, family).verdict == ClearanceVerdict::clear
 //
 // Two proofs join at an instant soon after the middle change of the range has left the other object. Until
 // then the distance of the centres never decreases: its slope is a polynomial of degree 3 in time, and each
@@ -54,27 +57,24 @@ bool is_certified_clear(const Encounter<D>& encounter, const TrajectoryFamily<D>
 
 /// Requires: the two touch at the change; no extents grow, and none is a sum of pieces.
 template <int D>
-ClearanceVerdict certify_bent_separation(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
-                                         std::uint64_t& evaluations);
+CountedVerdict certify_bent_separation(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
 // Certificate that an object separates from one that it touches when it changes its motion, for every change
 // of a range. If no path is bent, the slope of the distance increases with time, so its sign at the change
-// decides. On bent paths intervals bound the slope (separation.h).
+// decides. On bent paths intervals bound the slope (certify_bent_separation() above, spread_of_changes.h).
 
 /// Certifies a range of changes for two objects that touch at the change. A change is clear if the distance of
-/// the centres never decreases while they touch, and they do not touch again (separation.h). Convex sets
+/// the centres never decreases while they touch, and they do not touch again. Convex sets
 /// never touch again if no path is bent. If extents grow, the gap must not decrease. Bent paths of growing
-/// extents or of pieces are blocked. `evaluations`: as for certify_clearance().
+/// extents or of pieces are blocked. Only intervals of bent paths are counted.
 template <int D>
-ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
-                                              const TrajectoryFamily<D>& family, std::uint64_t& evaluations);
+CountedVerdict certify_separation_increases(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
 /// The same for one of several pieces, or for a piece that rotates: whether it touches at the change is not
 /// known. A change that never touches it is clear too. If doubles cannot decide whether it touches at first,
 /// the two must move apart along every line that may separate them.
 template <int D>
-ClearanceVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
-                                                    const TrajectoryFamily<D>& family,
-                                                    std::uint64_t& evaluations);
+CountedVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
+                                                  const TrajectoryFamily<D>& family);
 
 }  // namespace foresee

@@ -35,23 +35,23 @@ class SeparationCase {
   double begin() const { return begin_; }
   double end() const { return end_; }
 
-  /// Whether there is a plane, with the normal guessed from one motion. `tau`: when that touches, or is
-  /// nearest.
-  ProbeResult probe(const TrajectoryEstimate<D>& own, double& tau) const {
+  /// Whether there is a plane from `begin` on, with the normal guessed from one motion, or on bent paths one per
+  /// interval of time. `tau`: when that motion touches, or is nearest.
+  ProbeResult probe(const TrajectoryEstimate<D>& own, double begin, double& tau) const {
     const TrajectoryEstimate<D> path = relative(encounter_, own);
-    return bends_ ? probe_bent(path, begin_, tau) : probe_straight(path, begin_, tau);
+    if (bends_) return probe_bent(path, begin, tau);
+    const auto near = straight_approach<D>(encounter_.extents, path.x, path.v, begin, end_);
+    tau = near.tau;
+    if (!(near.gap > 0)) return ProbeResult::overlapping;
+    return is_proven_beside(path, near, begin) ? ProbeResult::separated : ProbeResult::inconclusive;
   }
 
-  /// Whether there is a plane, or one per interval of the time, from `begin` on.
+  /// Whether any of three motions gives such planes.
   bool is_proven_after(double begin) const {
     if (begin > end_) return true;
-    for (const TrajectoryEstimate<D>* own : {&family_.middle, &family_.first, &family_.last}) {
-      const TrajectoryEstimate<D> path = relative(encounter_, *own);
-      double ignored = 0;
-      const ProbeResult evaluation =
-          bends_ ? probe_bent(path, begin, ignored) : probe_straight(path, begin, ignored);
-      if (evaluation == ProbeResult::separated) return true;
-    }
+    double ignored = 0;
+    for (const TrajectoryEstimate<D>* own : {&family_.middle, &family_.first, &family_.last})
+      if (probe(*own, begin, ignored) == ProbeResult::separated) return true;
     return false;
   }
 
@@ -67,9 +67,18 @@ class SeparationCase {
   StraightApproach<D> approach_of(const TrajectoryEstimate<D>& path) const {
     return straight_approach<D>(encounter_.extents, path.x, path.v, path.begin, path.end);
   }
-  /// Whether there is a plane, or two, beside the nearest approach of one path that is not bent.
-  bool is_proven_beside(const TrajectoryEstimate<D>& path, const StraightApproach<D>& near) const {
-    return is_proven_beside(path, near, begin_);
+  /// Whether there is a plane from `begin` on, or two, beside the nearest approach of one path that is not bent.
+  bool is_proven_beside(const TrajectoryEstimate<D>& path, const StraightApproach<D>& near,
+                        double begin) const {
+    if (plane_proves<D>(encounter_, family_, near.normal, begin, end_)) return true;
+    if (encounter_.turning) {
+      const bool passes = begin < near.tau && near.tau < end_;
+      if (passes ? two_planes_prove<D>(encounter_, family_, near.normal, path.v, near.tau, begin, end_)
+                 : turning_plane_proves<D>(encounter_, family_, near.normal, begin, end_))
+        return true;
+    }
+    return near.gap <= 0x1p-30 * scale_at(near.tau) &&
+           tilted_plane_proves<D>(encounter_, family_, near.normal, path.v, begin, end_);
   }
 
   /// A smaller distance counts as touching.
@@ -226,25 +235,6 @@ class SeparationCase {
     const PairExtents<D> extents = encounter_.extents.after(tau);
     const double sum = extents.sum ? extents.sum->size() : 0;
     return (encounter_.x.abs() + extents.half.abs() + tau * v).maxCoeff() + std::abs(extents.radius) + sum;
-  }
-
-  ProbeResult probe_straight(const TrajectoryEstimate<D>& path, double begin, double& tau) const {
-    const auto near = straight_approach<D>(encounter_.extents, path.x, path.v, begin, end_);
-    tau = near.tau;
-    if (!(near.gap > 0)) return ProbeResult::overlapping;
-    return is_proven_beside(path, near, begin) ? ProbeResult::separated : ProbeResult::inconclusive;
-  }
-  bool is_proven_beside(const TrajectoryEstimate<D>& path, const StraightApproach<D>& near,
-                        double begin) const {
-    if (plane_proves<D>(encounter_, family_, near.normal, begin, end_)) return true;
-    if (encounter_.turning) {
-      const bool passes = begin < near.tau && near.tau < end_;
-      if (passes ? two_planes_prove<D>(encounter_, family_, near.normal, path.v, near.tau, begin, end_)
-                 : turning_plane_proves<D>(encounter_, family_, near.normal, begin, end_))
-        return true;
-    }
-    return near.gap <= 0x1p-30 * scale_at(near.tau) &&
-           tilted_plane_proves<D>(encounter_, family_, near.normal, path.v, begin, end_);
   }
 
   /// Splits the time into intervals, in each of which the path is approximated by a straight one.

@@ -97,19 +97,19 @@ ClearanceVerdict certify_growing_separation_increases(const Encounter<D>& encoun
 }  // namespace
 
 template <int D>
-ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
-                                              const TrajectoryFamily<D>& family, std::uint64_t& evaluations) {
+CountedVerdict certify_separation_increases(const Encounter<D>& encounter,
+                                            const TrajectoryFamily<D>& family) {
   const SeparationCase<D> separation(encounter, family);
-  if (separation.never_together() || separation.end() <= 0) return ClearanceVerdict::clear;
-  if (!separation.is_finite()) return ClearanceVerdict::blocked;
+  if (separation.never_together() || separation.end() <= 0) return {ClearanceVerdict::clear};
+  if (!separation.is_finite()) return {ClearanceVerdict::blocked};
   // A growing set may catch up with an object that slows down, and pieces may be on any side of the position.
   if (separation.bends() && (encounter.extents.grows || encounter.extents.sum))
-    return ClearanceVerdict::blocked;
-  if (encounter.extents.grows) return certify_growing_separation_increases<D>(encounter, family);
+    return {ClearanceVerdict::blocked};
+  if (encounter.extents.grows) return {certify_growing_separation_increases<D>(encounter, family)};
   // On bent paths the slope at the change decides which approach at once.
   const ClearanceVerdict at_once = certify_straight_separation_increases<D>(encounter, family);
-  if (!separation.bends() || at_once == ClearanceVerdict::blocked) return at_once;
-  return certify_bent_separation<D>(encounter, family, evaluations);
+  if (!separation.bends() || at_once == ClearanceVerdict::blocked) return {at_once};
+  return certify_bent_separation<D>(encounter, family);
 }
 
 namespace {
@@ -170,38 +170,32 @@ Trend trend_at_boundary(const Encounter<D>& encounter, const TrajectoryFamily<D>
 }  // namespace
 
 template <int D>
-ClearanceVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
-                                                    const TrajectoryFamily<D>& family,
-                                                    std::uint64_t& evaluations) {
-  const auto certified = [&] { return certify_clearance<D>(encounter, family, evaluations); };
-  if (encounter.begin > 0) return certified();
+CountedVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
+                                                  const TrajectoryFamily<D>& family) {
+  if (encounter.begin > 0) return certify_clearance<D>(encounter, family);
   Vec<D> ignored;
   const double slack = touching_share * (encounter.x.abs().maxCoeff() + encounter.extents.size());
   const double outside = signed_distance<D>(encounter.extents, encounter.x, ignored);
-  if (outside <= -encounter.inflation - slack)
-    return certify_separation_increases<D>(encounter, family, evaluations);
-  if (outside > encounter.inflation + slack) return certified();
-  const ClearanceVerdict increasing = certify_separation_increases<D>(encounter, family, evaluations);
-  if (D == 1 || (increasing == ClearanceVerdict::blocked && encounter.rotation_chord < min_chord))
-    return ClearanceVerdict::blocked;
+  if (outside > encounter.inflation + slack) return certify_clearance<D>(encounter, family);
+  const CountedVerdict increasing = certify_separation_increases<D>(encounter, family);
+  if (outside <= -encounter.inflation - slack) return increasing;
+  const bool is_narrow = encounter.rotation_chord < min_chord;
+  if (D == 1 || (increasing.verdict == ClearanceVerdict::blocked && is_narrow))
+    return {ClearanceVerdict::blocked, increasing.evaluations};
   const Trend trend = trend_at_boundary<D>(encounter, family, slack);
-  if (trend == Trend::approaching)
-    return encounter.rotation_chord < min_chord ? ClearanceVerdict::blocked : ClearanceVerdict::open;
-  return trend == Trend::departing && increasing == ClearanceVerdict::clear ? increasing
-                                                                            : ClearanceVerdict::open;
+  if (trend == Trend::departing && increasing.verdict == ClearanceVerdict::clear) return increasing;
+  const bool is_blocked = trend == Trend::approaching && is_narrow;
+  return {is_blocked ? ClearanceVerdict::blocked : ClearanceVerdict::open, increasing.evaluations};
 }
 
-template ClearanceVerdict certify_separation_increases<1>(const Encounter<1>&, const TrajectoryFamily<1>&,
-                                                          std::uint64_t&);
-template ClearanceVerdict certify_separation_increases<2>(const Encounter<2>&, const TrajectoryFamily<2>&,
-                                                          std::uint64_t&);
-template ClearanceVerdict certify_separation_increases<3>(const Encounter<3>&, const TrajectoryFamily<3>&,
-                                                          std::uint64_t&);
-template ClearanceVerdict certify_piece_separation_increases<1>(const Encounter<1>&,
-                                                                const TrajectoryFamily<1>&, std::uint64_t&);
-template ClearanceVerdict certify_piece_separation_increases<2>(const Encounter<2>&,
-                                                                const TrajectoryFamily<2>&, std::uint64_t&);
-template ClearanceVerdict certify_piece_separation_increases<3>(const Encounter<3>&,
-                                                                const TrajectoryFamily<3>&, std::uint64_t&);
+template CountedVerdict certify_separation_increases<1>(const Encounter<1>&, const TrajectoryFamily<1>&);
+template CountedVerdict certify_separation_increases<2>(const Encounter<2>&, const TrajectoryFamily<2>&);
+template CountedVerdict certify_separation_increases<3>(const Encounter<3>&, const TrajectoryFamily<3>&);
+template CountedVerdict certify_piece_separation_increases<1>(const Encounter<1>&,
+                                                              const TrajectoryFamily<1>&);
+template CountedVerdict certify_piece_separation_increases<2>(const Encounter<2>&,
+                                                              const TrajectoryFamily<2>&);
+template CountedVerdict certify_piece_separation_increases<3>(const Encounter<3>&,
+                                                              const TrajectoryFamily<3>&);
 
 }  // namespace foresee

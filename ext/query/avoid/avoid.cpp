@@ -6,25 +6,26 @@
 
 #include "base/float_environment.h"
 #include "query/avoid/proven_ranges.h"
-#include "query/join/question.h"
 
 namespace foresee {
 namespace {
 
 constexpr double min_number = std::numeric_limits<double>::denorm_min();
 
+/// Of these changes, the one that changes the object least.
+double nearest_to_0(double from, double to) {
+  return from > 0 ? from : to < 0 ? to : 0;
+}
+
 /// The rows of one manoeuvre.
 class ManoeuvreRows {
  public:
-  ManoeuvreRows(const AvoidQuestion& question, const OwnState& own, const QueriedChanges& queried,
-                Interrupt& interrupt)
-      : question_(question),
-        own_(own),
-        queried_(queried),
+  ManoeuvreRows(const ManoeuvreCase& manoeuvre, Interrupt& interrupt)
+      : manoeuvre_(manoeuvre),
+        question_(manoeuvre.question),
+        queried_(manoeuvre.queried),
         interrupt_(interrupt),
-        manoeuvre_(case_of(question, own, queried)),
-        exact_(question, own, std::max(manoeuvre_.changed.legs.size(), own.legs.size()), scenes(),
-               interrupt) {}
+        exact_(manoeuvre, interrupt) {}
 
   std::vector<AvoidRow> rows() {
     if (queried_.lo == queried_.hi || changes_nothing()) {
@@ -38,61 +39,36 @@ class ManoeuvreRows {
   }
 
  private:
-  static ManoeuvreCase case_of(const AvoidQuestion& question, const OwnState& own,
-                               const QueriedChanges& queried) {
-    ManoeuvreCase one{question, own, queried, changed_legs(question, own, queried), false};
-    one.turns = turns_with_course(question, one.first_leg());
-    return one;
-  }
-
-  /// Also finds the near objects.
-  ExactAvoidance::Scenes scenes() {
-    const auto search = [&](const SearchTarget& others, std::optional<std::int64_t> itself) {
-      manoeuvre_.near.push_back(
-          intruders(question_, manoeuvre_.changed, queried_, others, itself, reach_to(others), interrupt_));
-    };
-    search(question_.others, question_.own->ids[0]);
-    if (question_.also) search(*question_.also, std::nullopt);
-    ExactAvoidance::Scenes scenes;
-    for (const NearObjects& near : manoeuvre_.near) scenes.push_back(near.scene);
-    return scenes;
-  }
-
-  Contact::Reach reach_to(const SearchTarget& others) const {
-    Scene none;
-    none.layout = others.layout();
-    return make_contact(question_.own->bodies(), none.bodies(),
-                        {{question_.now, question_.h}, question_.within, question_.within_z},
-                        question_.own->name, others.name)
-        ->reach();
-  }
-
   /// An object at rest cannot turn, except an outline with a heading: all changes are one.
   bool changes_nothing() const {
     const auto none = [](const std::array<double, 3>& v) { return v[0] == 0 && v[1] == 0; };
-    return manoeuvre_.first_leg().turns() && none(own_.base.v) && none(own_.base.a) && !manoeuvre_.turns;
+    const OwnMotion& base = manoeuvre_.own.base;
+    return manoeuvre_.first_leg().turns() && none(base.v) && none(base.a) && !manoeuvre_.turns;
   }
 
   /// The legs of the motion that is stored for k.
   std::vector<OwnMotion> motions_at(double k) const {
-    if (k == 0) return own_.legs.empty() ? std::vector<OwnMotion>{own_.stored} : own_.legs;
+    const OwnState& own = manoeuvre_.own;
+    if (k == 0) return own.legs.empty() ? std::vector<OwnMotion>{own.stored} : own.legs;
     std::vector<OwnMotion> motions;
     for (const auto& leg : manoeuvre_.changed.legs) motions.push_back(leg->changed(k));
     return motions;
   }
   ExactAvoidance::Records records_at(double k) const {
-    if (k == 0 && own_.legs.empty()) return {own_.record};
-    return own_.records_of(motions_at(k));
+    if (k == 0 && manoeuvre_.own.legs.empty()) return {manoeuvre_.own.record};
+    return manoeuvre_.own.records_of(motions_at(k));
   }
 
   /// The intruders that a change touches, by exact contact.
   std::vector<Intruder> touching_at(double k) {
     const bool are_later = manoeuvre_.changed.are_later;
     if (k == 0 || !(are_later || manoeuvre_.turns)) return exact_.touching(records_at(k));
-    if (are_later && question_.touching == Touching::part)
-      return exact_.touching(records_at(k), &no_intruders_);
-    const std::vector<Intruder> first = exact_.touching_at_start(manoeuvre_.records_at_first());
-    return exact_.touching(records_at(k), &first);
+    if (!exempt_) {
+      exempt_.emplace();
+      if (!are_later || question_.touching == Touching::ignore)
+        exempt_ = exact_.touching_at_start(manoeuvre_.records_at_change());
+    }
+    return exact_.touching(records_at(k), &*exempt_);
   }
   bool is_clear(double k) { return can_be_stored(k) && touching_at(k).empty(); }
 
@@ -113,7 +89,7 @@ class ManoeuvreRows {
   /// The proven ranges, and the exact decision on 0.
   std::vector<KRange> clear_ranges() {
     std::vector<KRange> clear;
-    if (is_finite(own_.base)) clear = proven_ranges(manoeuvre_, exact_, interrupt_);
+    if (is_finite(manoeuvre_.own.base)) clear = proven_ranges(manoeuvre_, exact_, interrupt_);
     if (queried_.lo > 0 || queried_.hi < 0) return clear;
     const auto after = std::find_if(clear.begin(), clear.end(), [](const KRange& r) { return r.to >= 0; });
     const bool has_0 = after != clear.end() && after->from <= 0;
@@ -141,10 +117,10 @@ class ManoeuvreRows {
   }
 
   void add_row(bool clear, double from, double to) {
-    const double k = from > 0 ? from : to < 0 ? to : 0;
+    const double k = nearest_to_0(from, to);
     rows_.push_back({queried_.manoeuvre, clear, from, to, k, {}, {}, {}});
-    if (question_.wants_motion) rows_.back().record = changed_record(question_, own_, queried_, k);
-    if (question_.wants_plan) rows_.back().plan = changed_plan(question_, own_, queried_, k);
+    if (question_.wants_motion) rows_.back().record = changed_record(manoeuvre_, k);
+    if (question_.wants_plan) rows_.back().plan = changed_plan(manoeuvre_, k);
   }
 
   /// Names the blockers of both ends of blocked rows, and of the ends that clear rows share with them.
@@ -183,13 +159,13 @@ class ManoeuvreRows {
     return std::nullopt;
   }
 
-  const std::vector<Intruder> no_intruders_{};
+  const ManoeuvreCase& manoeuvre_;
   const AvoidQuestion& question_;
-  const OwnState& own_;
-  QueriedChanges queried_;
+  const QueriedChanges& queried_;
   Interrupt& interrupt_;
-  ManoeuvreCase manoeuvre_;
   ExactAvoidance exact_;
+  /// Once known: the intruders that no k other than 0 has to avoid, if the motion at k does not show them.
+  std::optional<std::vector<Intruder>> exempt_;
   std::vector<AvoidRow> rows_;
 };
 
@@ -199,11 +175,12 @@ std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt)
   const FloatEnvironment environment;
   require_valid(question);
   std::vector<AvoidRow> rows;
-  if (question.own->size() == 0) return rows;
+  if (question.own_scene->size() == 0) return rows;
   const OwnState own(question);
   if (!own.is_there({question.now, question.h})) return rows;
   for (const QueriedChanges& queried : queried_changes(question, own)) {
-    std::vector<AvoidRow> some = ManoeuvreRows(question, own, queried, interrupt).rows();
+    std::vector<AvoidRow> some =
+        ManoeuvreRows(manoeuvre_case(question, own, queried, interrupt), interrupt).rows();
     std::move(some.begin(), some.end(), std::back_inserter(rows));
   }
   return rows;

@@ -1,6 +1,6 @@
 // The changes that keep one object clear of all others: predictive_avoid as a library call.
 //
-//   for (const AvoidRow& row : avoid({.own = ship, .record = numbers, .others = ships, .now = 600, .h = 600,
+//   for (const AvoidRow& row : avoid({.own_scene = ship, .record = numbers, .others = ships, .now = 600, .h = 600,
 //                                     .within = 200}, interrupt))
 //     if (row.clear) use(row.manoeuvre, row.k_from, row.k_to, row.record);
 //

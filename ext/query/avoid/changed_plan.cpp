@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "motion/plan/plan_legs.h"
-#include "query/avoid/own_state.h"
+#include "query/avoid/manoeuvre_case.h"
 
 namespace foresee {
 namespace {
@@ -60,11 +60,11 @@ std::optional<Plan> plan_of_legs(std::vector<Leg> legs, const AvoidQuestion& que
     try {
       Plan plan = knots(stored, own, k);
       check_plan(plan);
-      if (question.plan_has_knots || legs_of(plan) == legs) return plan;
+      if (question.in_degrees || legs_of(plan) == legs) return plan;
     } catch (const Error&) {  // no knots have these legs
     }
   }
-  if (question.plan_has_knots) return std::nullopt;
+  if (question.in_degrees) return std::nullopt;
   const PlanKind kind = stored.kind == PlanKind::knots ? PlanKind::uniform : stored.kind;
   return Plan{.kind = kind, .axes = stored.axes, .legs = std::move(legs)};
 }
@@ -75,9 +75,10 @@ Plan later_knots(const Plan& plan, const OwnState& /*own*/, double k) {
 
 }  // namespace
 
-std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& own,
-                                 const QueriedChanges& queried, double k) {
-  const bool waits = queried.manoeuvre == Manoeuvre::wait;
+std::optional<Plan> changed_plan(const ManoeuvreCase& manoeuvre, double k) {
+  const AvoidQuestion& question = manoeuvre.question;
+  const OwnState& own = manoeuvre.own;
+  const bool waits = manoeuvre.queried.manoeuvre == Manoeuvre::wait;
   if (question.plan) {
     if (k == 0) return *question.plan;
     std::vector<Leg> legs = legs_of(*question.plan);
@@ -87,15 +88,14 @@ std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& 
   }
   const bool has_legs = waits || question.resume;
   const bool needs_plan = takes_plan(question) && (question.lacks_t || question.lacks_velocity);
-  if (k == 0 || question.plan_has_knots || !(has_legs || needs_plan)) return std::nullopt;
-  const ChangedLegs changed = changed_legs(question, own, queried);
+  if (k == 0 || question.in_degrees || !(has_legs || needs_plan)) return std::nullopt;
   const Offsets at = record_offsets(own.layout);
   const bool bends = at.a != Offsets::absent || at.force != Offsets::absent;
   Plan plan{.kind = bends ? PlanKind::accelerated : PlanKind::uniform, .axes = own.layout.axes};
   double heading = 0;
-  for (const auto& leg : changed.legs) {
+  for (const auto& leg : manoeuvre.changed.legs) {
     const OwnMotion motion = leg->changed(k);
-    if (leg == changed.legs.front())
+    if (leg == manoeuvre.changed.legs.front())
       heading = motion.heading;
     else if (own.layout.has_heading && motion.heading != heading)
       return std::nullopt;  // a plan has one heading
@@ -104,17 +104,18 @@ std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& 
   return plan;
 }
 
-std::vector<double> changed_record(const AvoidQuestion& question, const OwnState& own,
-                                   const QueriedChanges& queried, double k) {
+std::vector<double> changed_record(const ManoeuvreCase& manoeuvre, double k) {
+  const AvoidQuestion& question = manoeuvre.question;
+  const OwnState& own = manoeuvre.own;
   if (k == 0) return question.record;
-  const Layout& layout = question.own->layout;
-  const ChangedLegs changed = changed_legs(question, own, queried);
-  OwnMotion motion = changed.legs[0]->changed(k);
+  const Layout& layout = question.own_scene->layout;
+  const bool waits = manoeuvre.queried.manoeuvre == Manoeuvre::wait;
+  OwnMotion motion = manoeuvre.first_leg().changed(k);
   const bool has_started = own.legs_before + own.leg > 0 || own.stored.t < own.base.t;
-  if (question.plan && queried.manoeuvre == Manoeuvre::wait && has_started) motion = own.stored;
-  if (question.plan || queried.manoeuvre == Manoeuvre::wait || question.resume) {
+  if (question.plan && waits && has_started) motion = own.stored;
+  if (question.plan || waits || question.resume) {
     motion.until = motion_in(layout, question.record).until;
-    if (changed.are_later) motion.until += k;
+    if (manoeuvre.changed.are_later) motion.until += k;
   }
   return with_motion(layout, question.record, motion);
 }

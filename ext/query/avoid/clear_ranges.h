@@ -1,7 +1,7 @@
 // The ranges of changes that are clear of all intruders: certificates and bisection.
 //
 //   ClearRanges<2> search(changed.legs, certificates, interrupt);
-//   for (const KRange& range : search.between(-180, 180)) …
+//   for (const KRange& range : search.find(-180, 180)) …
 //
 // Guarantee: every double of a returned range is clear (contact/clearance/separation.h), including its ends.
 // The ranges are in ascending order and disjoint. What is between them is not proven clear.
@@ -13,9 +13,10 @@
 // hides) is not clear. Where an intruder leaves more ranges undecided than usual, as along a grazing path,
 // narrow ranges are given up earlier: at 2^-22 of all after a million evaluations of that intruder. After four
 // million of it, or sixteen million of all, that is 2^-12. Intruders of several parts are tested per part once
-// that is worth its cost. Some ten thousand sets of parts are kept in memory; further ones are made again at
-// each use.
-// Cost: one certificate per intruder, some 100 per end. Memory: four bytes per undecided intruder and level.
+// that is worth its cost. Up to some ten thousand intruders and parts are divided for good; the parts of further ones
+// are made again at each use.
+// Cost: turns are first divided into parts of at most 45 degrees. One certificate per intruder and part, some 100 per
+// end. Memory: four bytes per undecided intruder and level, and some megabytes of parts.
 #pragma once
 
 #include <memory>
@@ -24,7 +25,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/interrupt_steps.h"
 #include "query/avoid/intruder_certificate.h"
 
 namespace foresee {
@@ -43,64 +43,68 @@ class ClearRanges {
   ClearRanges(const Legs& legs, std::vector<IntruderCertificate<D>> intruders, Interrupt& interrupt);
 
   /// Requires: lo < hi.
-  std::vector<KRange> between(double lo, double hi);
+  std::vector<KRange> find(double lo, double hi);
 
  private:
   /// A range, and the families of its legs; those of later legs once they are needed.
   class Range {
    public:
-    Range(const Legs& legs, double from_k, double to_k, bool first)
+    Range(const Legs& legs, double from_k, double to_k, bool coarse)
         : from(from_k),
           to(to_k),
-          is_first(first),
+          is_coarse(coarse),
           legs_(legs),
-          first_(trajectory_family<D>(*legs[0], from, to)) {}
+          of_first_leg_(trajectory_family<D>(*legs[0], from, to)) {}
 
     const TrajectoryFamily<D>& family(const IntruderCertificate<D>& intruder) const {
       const std::size_t leg = intruder.leg();
-      if (leg == 0) return first_;
-      const auto known = later_.find(leg);
-      if (known != later_.end()) return known->second;
-      return later_.emplace(leg, trajectory_family<D>(*legs_[leg], from, to)).first->second;
+      if (leg == 0) return of_first_leg_;
+      const auto known = of_later_legs_.find(leg);
+      if (known != of_later_legs_.end()) return known->second;
+      return of_later_legs_.emplace(leg, trajectory_family<D>(*legs_[leg], from, to)).first->second;
     }
 
     const double from, to;
-    const bool is_first;
+    const bool is_coarse;  ///< one of the parts of the whole, beside which all intruders are tested
 
    private:
     const Legs& legs_;
-    TrajectoryFamily<D> first_;
-    mutable std::unordered_map<std::size_t, TrajectoryFamily<D>> later_;
+    TrajectoryFamily<D> of_first_leg_;
+    mutable std::unordered_map<std::size_t, TrajectoryFamily<D>> of_later_legs_;
   };
   /// `near`: a known end beside the range, or infinite.
   void search(double from, double to, std::size_t begin, std::size_t end, double near);
-  /// Searches beside the turns that certainly touch an intruder, if some are known. Whether it has searched all.
-  bool search_beside_touching(double from, double to, std::size_t begin, std::size_t end);
+  /// Whether the intruder blocks all of the range. It is appended to open_ if it is undecided, or its undecided parts
+  /// are, from index `first` on. If many are undecided, the rest is not tested: narrower ranges decide.
+  bool blocks(std::uint32_t intruder, const Range& range, std::size_t first);
   /// The verdict on one intruder, or on a part of the intruder `whole`; counts its cost.
   ClearanceVerdict certify(const IntruderCertificate<D>& intruder, std::uint32_t whole, const Range& range);
-  /// The first verdict of its parts that is not clear; the parts are not kept.
-  ClearanceVerdict certify_parts(const IntruderCertificate<D>& intruder, std::uint32_t whole,
-                                 const Range& range);
-  /// Whether the intruder blocks all of the range. Its undecided parts are appended to open_, from index
-  /// `first` on. If many are undecided, the rest is not tested: narrower ranges decide.
-  bool blocks(std::uint32_t intruder, const Range& range, std::size_t first);
-  /// The positions of its parts in intruders_; they are made once.
-  std::pair<std::uint32_t, std::uint32_t> parts_of(std::uint32_t intruder);
   /// Splits a range: at the end that an intruder causes, if one is guessed. Near a known end, it splits at
   /// the geometric mean of the distances from that end; else in the middle.
   void cut(double from, double to, std::size_t begin, std::size_t end, double near);
-  std::optional<double> guessed_end(double from, double to, std::size_t begin, std::size_t end) const;
+  std::optional<double> guessed_end(double from, double to, std::size_t begin, std::size_t end);
   /// The width at which ranges are given up that this intruder leaves open, and the largest of some of open_.
   double narrowest(std::uint32_t intruder) const;
   double narrowest(std::size_t begin, std::size_t end) const;
 
+  // Outlines and prisms only:
+
+  /// Whether a test of the parts of an undecided intruder, or part, is worth its cost.
+  bool is_worth_dividing(std::uint32_t intruder, const Range& range);
+  bool any_part_blocks(std::uint32_t intruder, const Range& range, std::size_t first);
+  /// The first verdict of its parts that is not clear; the parts are not kept.
+  ClearanceVerdict certify_parts(const IntruderCertificate<D>& intruder, std::uint32_t whole,
+                                 const Range& range);
+  /// Searches beside the turns that certainly touch an intruder, if some are known. Whether it has searched all.
+  bool search_beside_touching(double from, double to, std::size_t begin, std::size_t end);
+
   const Legs& legs_;
-  std::vector<IntruderCertificate<D>> intruders_;  ///< followed by parts of them
-  std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> parts_;
   Steps step_;
+  const bool turns_outlines_;
+  IntruderParts<D> intruders_;
   double width_ = 0, min_change_ = 0;
-  std::vector<std::uint32_t> whole_;        ///< the intruder of each, of which it may be a part
-  std::vector<std::uint64_t> evaluations_;  ///< of each whole intruder, without those of the first ranges
+  std::vector<std::uint64_t>
+      evaluations_;  ///< of each intruder and its parts, without those of coarse ranges
   std::uint64_t all_evaluations_ = 0;
   std::vector<std::uint32_t> open_;  ///< a stack: the undecided intruders of each enclosing range
   std::vector<KRange> clear_;

@@ -66,19 +66,20 @@ struct OneForm final : FormSource {
 
 }  // namespace
 
-ExactAvoidance::ExactAvoidance(const AvoidQuestion& question, const OwnState& own, std::size_t max_legs,
-                               Scenes near, Interrupt& interrupt)
-    : question_(question), own_state_(own), interrupt_(interrupt), near_(std::move(near)) {
-  own_.name = question.own->name, own_.layout = own.layout;
-  own_.layout.starts_as_point = false;
-  if (own_.layout.shape == Shape::outline && grows(own_.layout)) own_.layout.has_radius = true;
-  own_.ids.resize(max_legs);
-  own_.rows.resize(max_legs * static_cast<std::size_t>(row_offsets(own_.layout).size));
+ExactAvoidance::ExactAvoidance(const ManoeuvreCase& manoeuvre, Interrupt& interrupt)
+    : manoeuvre_(manoeuvre), question_(manoeuvre.question), interrupt_(interrupt) {
+  const OwnState& own = manoeuvre.own;
+  const std::size_t max_legs = std::max(manoeuvre.changed.legs.size(), own.legs.size());
+  moved_.name = question_.own_scene->name, moved_.layout = own.layout;
+  moved_.layout.starts_as_point = false;
+  if (moved_.layout.shape == Shape::outline && grows(moved_.layout)) moved_.layout.has_radius = true;
+  moved_.ids.resize(max_legs);
+  moved_.rows.resize(max_legs * static_cast<std::size_t>(row_offsets(moved_.layout).size));
   for (std::size_t leg = 0; leg < max_legs; ++leg) take_row(leg, own.record);
   take({own.record});
-  for (std::size_t table = 0; table < near_.size(); ++table)
-    contacts_.push_back(contact(table, {question.now, question.h}));
-  at_first_.resize(near_.size());
+  for (std::size_t table = 0; table < tables(); ++table)
+    contacts_.push_back(contact(table, {question_.now, question_.h}));
+  start_contacts_.resize(tables());
 }
 
 ExactAvoidance::~ExactAvoidance() = default;
@@ -86,31 +87,32 @@ ExactAvoidance::~ExactAvoidance() = default;
 void ExactAvoidance::take(const Records& legs) {
   legs_ = static_cast<std::uint32_t>(legs.size());
   for (std::size_t leg = 0; leg < legs.size(); ++leg) take_row(leg, legs[leg]);
-  if (own_.layout.shape == Shape::outline) take_forms();
+  if (moved_.layout.shape == Shape::outline) take_forms();
   const double first =
-      std::max(question_.now, value_or(legs[0].data(), record_offsets(own_state_.layout).t, 0));
+      std::max(question_.now, value_or(legs[0].data(), record_offsets(manoeuvre_.own.layout).t, 0));
   if (first == start_) return;
   start_ = first;
-  for (auto& contact : at_first_) contact.reset();
+  for (auto& contact : start_contacts_) contact.reset();
 }
 
 void ExactAvoidance::take_row(std::size_t leg, const std::vector<double>& record) {
-  const Layout& layout = own_state_.layout;
-  double* const own_row = own_.rows.data() + leg * static_cast<std::size_t>(row_offsets(own_.layout).size);
+  const Layout& layout = manoeuvre_.own.layout;
+  double* const own_row =
+      moved_.rows.data() + leg * static_cast<std::size_t>(row_offsets(moved_.layout).size);
   if (!grows(layout)) return row_from_record(layout, record.data(), own_row);
   std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
   row_from_record(layout, record.data(), row.data());
   const int t = record_offsets(layout).t;
-  const double age = value_or(record.data(), t, 0) - value_or(own_state_.record.data(), t, 0);
-  grow_row(layout, row.data(), age, own_.layout, own_row);
+  const double age = value_or(record.data(), t, 0) - value_or(manoeuvre_.own.record.data(), t, 0);
+  grow_row(layout, row.data(), age, moved_.layout, own_row);
 }
 
 void ExactAvoidance::take_forms() {
-  const Offsets at = row_offsets(own_.layout);
+  const Offsets at = row_offsets(moved_.layout);
   std::vector<double> headings;
   Extents<3> around;
-  for (std::size_t leg = 0; leg < own_.size(); ++leg) {
-    double* const row = own_.rows.data() + leg * static_cast<std::size_t>(at.size);
+  for (std::size_t leg = 0; leg < moved_.size(); ++leg) {
+    double* const row = moved_.rows.data() + leg * static_cast<std::size_t>(at.size);
     headings.push_back(value_or(row, at.heading, 0));
     if (!question_.form) continue;
     if (leg == 0 || headings[leg] != headings[leg - 1]) around = question_.form->extents(headings[leg]);
@@ -119,24 +121,24 @@ void ExactAvoidance::take_forms() {
       row[at.bounds + 2 + axis] = around.upper[axis];
     }
   }
-  if (own_.forms && headings == headings_) return;
+  if (moved_.forms && headings == headings_) return;
   headings_ = headings;
-  if (!own_.forms) own_.forms = std::make_unique<RowForms>();
+  if (!moved_.forms) moved_.forms = std::make_unique<RowForms>();
   OneForm source(question_.form);
-  own_.forms->assign(own_.bodies(), source, interrupt_);
+  moved_.forms->assign(moved_.bodies(), source, interrupt_);
 }
 
 std::unique_ptr<Contact> ExactAvoidance::contact(std::size_t table, const Horizon& horizon) const {
-  const Scene& near = *near_[table];
-  auto contact = make_contact(own_.bodies(), near.bodies(), {horizon, question_.within, question_.within_z},
-                              own_.name, near.name);
+  const Scene& others = near(table);
+  auto contact = make_contact(moved_.bodies(), others.bodies(),
+                              {horizon, question_.within, question_.within_z}, moved_.name, others.name);
   contact->set_interrupt(interrupt_);
   return contact;
 }
 
 bool ExactAvoidance::may_meet(std::uint32_t leg, std::size_t table, std::uint32_t row) const {
   if (legs_ == 1) return true;
-  const Bodies own = own_.bodies(), others = near_[table]->bodies();
+  const Bodies own = moved_.bodies(), others = near(table).bodies();
   const double *one = own.row(leg), *other = others.row(row);
   return value_or(other, others.at.t, -infinity) <= value_or(one, own.at.until, infinity) &&
          value_or(one, own.at.t, -infinity) <= value_or(other, others.at.until, infinity);
@@ -146,9 +148,9 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
                                               const Horizon& horizon,
                                               const std::vector<std::vector<std::uint8_t>>& left_out) {
   std::vector<Intruder> touching;
-  for (std::size_t table = 0; table < near_.size(); ++table) {
+  for (std::size_t table = 0; table < tables(); ++table) {
     std::vector<Pair> pairs, hits;
-    const auto count = static_cast<std::uint32_t>(near_[table]->size());
+    const auto count = static_cast<std::uint32_t>(near(table).size());
     for (std::uint32_t leg = 0; leg < legs_; ++leg)
       for (std::uint32_t row = 0; row < count;) {
         interrupt_.check();
@@ -156,7 +158,7 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
         for (; row < count && pairs.size() < pairs_at_once; ++row)
           if ((left_out.empty() || !left_out[table][row]) && may_meet(leg, table, row))
             pairs.push_back({leg, row});
-        keep_near_outlines(own_.bodies(), near_[table]->bodies(), horizon, contacts[table]->reach(), pairs);
+        keep_near_outlines(moved_.bodies(), near(table).bodies(), horizon, contacts[table]->reach(), pairs);
         contacts[table]->decide(pairs, hits);
       }
     std::vector<std::uint8_t> known(legs_ > 1 ? count : 0);
@@ -169,25 +171,25 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
 }
 
 void ExactAvoidance::complete(std::vector<Intruder>& touching) const {
-  for (std::size_t table = 0; table < near_.size(); ++table) {
-    const Scene& near = *near_[table];
-    if (!near.layout.has_plan) continue;
+  for (std::size_t table = 0; table < tables(); ++table) {
+    const Scene& others = near(table);
+    if (!others.layout.has_plan) continue;
     std::unordered_set<std::int64_t> ids;
     for (const Intruder& one : touching)
-      if (static_cast<std::size_t>(one.table) == table) ids.insert(near.ids[one.row]);
+      if (static_cast<std::size_t>(one.table) == table) ids.insert(others.ids[one.row]);
     std::erase_if(touching,
                   [&](const Intruder& one) { return static_cast<std::size_t>(one.table) == table; });
-    for (std::uint32_t row = 0; row < near.size(); ++row)
-      if (ids.count(near.ids[row]) > 0) touching.push_back({static_cast<int>(table), row});
+    for (std::uint32_t row = 0; row < others.size(); ++row)
+      if (ids.count(others.ids[row]) > 0) touching.push_back({static_cast<int>(table), row});
   }
 }
 
 std::vector<Intruder> ExactAvoidance::touching_at_start(const Records& legs) {
   take(legs);
   if (!(start_ - question_.now <= question_.h)) return {};
-  for (std::size_t table = 0; table < near_.size(); ++table)
-    if (!at_first_[table]) at_first_[table] = contact(table, {start_, 0});
-  std::vector<Intruder> touching = decided(at_first_, {start_, 0}, {});
+  for (std::size_t table = 0; table < tables(); ++table)
+    if (!start_contacts_[table]) start_contacts_[table] = contact(table, {start_, 0});
+  std::vector<Intruder> touching = decided(start_contacts_, {start_, 0}, {});
   if (question_.touching == Touching::ignore) complete(touching);
   return touching;
 }
@@ -199,19 +201,19 @@ bool ExactAvoidance::touches(Contact& contact, std::uint32_t leg, const Intruder
   return !hits.empty();
 }
 
-std::vector<Intruder> ExactAvoidance::touching(const Records& legs, const std::vector<Intruder>* first) {
-  std::vector<Intruder> own_first;
-  if (first)
+std::vector<Intruder> ExactAvoidance::touching(const Records& legs, const std::vector<Intruder>* exempt) {
+  std::vector<Intruder> at_start;
+  if (exempt)
     take(legs);
   else
-    own_first = touching_at_start(legs), first = &own_first;
+    at_start = touching_at_start(legs), exempt = &at_start;
   std::vector<std::vector<std::uint8_t>> left_out;
-  for (const auto& near : near_) left_out.emplace_back(near->size());
-  for (const Intruder& intruder : *first)
+  for (std::size_t table = 0; table < tables(); ++table) left_out.emplace_back(near(table).size());
+  for (const Intruder& intruder : *exempt)
     left_out[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
   std::vector<Intruder> touching = decided(contacts_, {question_.now, question_.h}, left_out);
   if (question_.touching == Touching::part)
-    for (const Intruder& intruder : *first)
+    for (const Intruder& intruder : *exempt)
       if (!all_separate(intruder)) touching.push_back(intruder);
   return touching;
 }
@@ -222,14 +224,14 @@ std::optional<Blocker> ExactAvoidance::first_touching(const Records& legs,
   std::optional<Blocker> first;
   std::vector<Pair> pairs, hits;
   std::vector<ContactTimes> times;
-  for (std::size_t table = 0; table < near_.size(); ++table) {
+  for (std::size_t table = 0; table < tables(); ++table) {
     pairs.clear(), hits.clear(), times.clear();
     for (const Intruder& intruder : touching)
       for (std::uint32_t leg = 0; leg < legs_ && static_cast<std::size_t>(intruder.table) == table; ++leg)
         if (may_meet(leg, table, intruder.row)) pairs.push_back({leg, intruder.row});
     contacts_[table]->first_contacts(pairs, TimesWanted::starts, hits, times);
     for (std::size_t i = 0; i < hits.size(); ++i) {
-      const Blocker blocker{near_[table]->ids[hits[i].b], static_cast<int>(table), times[i].t};
+      const Blocker blocker{near(table).ids[hits[i].b], static_cast<int>(table), times[i].t};
       if (!first ||
           std::tie(blocker.t, blocker.table, blocker.id) < std::tie(first->t, first->table, first->id))
         first = blocker;

@@ -1,9 +1,10 @@
 // The intruders that one motion touches, decided by exact contact for the motion as it would be stored.
 //
-//   ExactAvoidance exact(question, own, 1, intruders, interrupt);
-//   exact.touching({record}, &spared).empty()          // clear
+//   ExactAvoidance exact(manoeuvre, interrupt);
+//   exact.touching({record}, &exempt).empty()          // clear
 //
-// It decides k = 0 and queries of a single change, and names the intruder at the end of a row. Extents grow
+// It says what touches at the change, decides k = 0 and queries of a single change, and names the intruder at the end
+// of a row. Extents grow
 // from the stored t, whichever t the motion has: a change continues, without a new report, what is known now.
 //
 // Intruders that touch at the first time of the object are exempt as Touching says. With `ignore` they never
@@ -18,7 +19,7 @@
 
 #include "base/error.h"
 #include "contact/contact.h"
-#include "query/avoid/own_state.h"
+#include "query/avoid/manoeuvre_case.h"
 
 namespace foresee {
 
@@ -32,21 +33,18 @@ struct Intruder {
 
 class ExactAvoidance {
  public:
-  using Scenes = std::vector<std::shared_ptr<const Scene>>;  ///< one per table
-
   using Records = OwnState::Records;  ///< of the legs of one motion, in order of time
 
-  /// `max_legs`: of any motion that is tested.
-  ExactAvoidance(const AvoidQuestion& question, const OwnState& own, std::size_t max_legs, Scenes near,
-                 Interrupt& interrupt);
+  /// `manoeuvre` must outlive this. Motions that are tested have at most as many legs as it, or as its object.
+  ExactAvoidance(const ManoeuvreCase& manoeuvre, Interrupt& interrupt);
   ~ExactAvoidance();
 
   /// The intruders that touch at the first time of the object, whatever follows.
   std::vector<Intruder> touching_at_start(const Records& legs);
 
-  /// The intruders that the motion touches. `first`: those that touch when the change is made, if these are not
+  /// The intruders that the motion touches. `exempt`: those that touch when the change is made, if these are not
   /// the ones that this motion touches at its first time.
-  std::vector<Intruder> touching(const Records& legs, const std::vector<Intruder>* first = nullptr);
+  std::vector<Intruder> touching(const Records& legs, const std::vector<Intruder>* exempt = nullptr);
 
   /// An intruder relative to the object at its first time: position and velocity in the nearest doubles, with
   /// errors. `square_gap`, for balls, discs and upright shapes: the squared distance of the centres on the
@@ -79,13 +77,16 @@ class ExactAvoidance {
   /// Each leg separates from the intruder or never touches it.
   bool all_separate(const Intruder& intruder);
 
+  std::size_t tables() const { return manoeuvre_.near.size(); }
+  const Scene& near(std::size_t table) const { return *manoeuvre_.near[table].scene; }
+  const Scene& near(const Intruder& intruder) const { return near(static_cast<std::size_t>(intruder.table)); }
+
+  const ManoeuvreCase& manoeuvre_;
   const AvoidQuestion& question_;
-  const OwnState& own_state_;
   Interrupt& interrupt_;
-  Scenes near_;
-  Scene own_;               ///< a row for each leg, which take() changes
+  Scene moved_;             ///< the object: a row for each leg, which take() changes
   std::uint32_t legs_ = 1;  ///< rows in use
-  std::vector<std::unique_ptr<Contact>> contacts_, at_first_;
+  std::vector<std::unique_ptr<Contact>> contacts_, start_contacts_;
   double start_ = 0;
   std::vector<double> headings_;
 };

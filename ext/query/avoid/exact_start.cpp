@@ -46,7 +46,7 @@ bool are_convex(const PairRule& rule, const Bodies& own, std::size_t leg, const 
 
 ExactAvoidance::InitialState ExactAvoidance::initial_state(const Records& legs, const Intruder& intruder) {
   take(legs);
-  const Bodies own = own_.bodies(), others = near_[static_cast<std::size_t>(intruder.table)]->bodies();
+  const Bodies own = moved_.bodies(), others = near(intruder).bodies();
   const double *own_row = own.row(0), *row = others.row(intruder.row);
   const PairRule rule(own.layout, others.layout, question_.within, question_.within_z);
   const bool upright = rule.distance == Distance::upright;
@@ -75,8 +75,8 @@ ExactAvoidance::InitialState ExactAvoidance::initial_state(const Records& legs, 
 
 bool ExactAvoidance::touches_at_start(std::uint32_t leg, const Intruder& intruder) {
   const auto table = static_cast<std::size_t>(intruder.table);
-  if (!at_first_[table]) at_first_[table] = contact(table, {start_, 0});
-  return touches(*at_first_[table], leg, intruder);
+  if (!start_contacts_[table]) start_contacts_[table] = contact(table, {start_, 0});
+  return touches(*start_contacts_[table], leg, intruder);
 }
 
 bool ExactAvoidance::all_separate(const Intruder& intruder) {
@@ -90,8 +90,7 @@ bool ExactAvoidance::all_separate(const Intruder& intruder) {
 }
 
 bool ExactAvoidance::separates(std::uint32_t leg, const Intruder& intruder) {
-  const Scene& near = *near_[static_cast<std::size_t>(intruder.table)];
-  const Bodies own = own_.bodies(), others = near.bodies();
+  const Bodies own = moved_.bodies(), others = near(intruder).bodies();
   const double *own_row = own.row(leg), *row = others.row(intruder.row);
   const PairLifetime lifetime = pair_lifetime_of({own, others, {question_.now, question_.h}}, own_row, row);
   if (lifetime.none || (lifetime.t_start == lifetime.t_end && lifetime.dt_start == lifetime.dt_end))
@@ -121,7 +120,7 @@ bool ExactAvoidance::separates(std::uint32_t leg, const Intruder& intruder) {
     if (has_outlines)
       outlines =
           std::make_shared<OutlinePair>(std::make_shared<OwnOutline>(own, leg, false), others, intruder.row);
-    return is_clear_of<D>({encounter, IntruderCertificate<D>::AtFirst::touches, outlines},
+    return is_clear_of<D>({encounter, IntruderCertificate<D>::AtChange::touches, outlines},
                           trajectory_family<D>(*no_changes_of(base), 0, 0));
   });
 }

@@ -8,10 +8,10 @@
 namespace foresee {
 
 template <int D>
-IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& encounter, AtFirst at_first,
+IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& encounter, AtChange at_change,
                                             std::shared_ptr<const OutlinePair> outlines, std::size_t leg)
     : encounter_(encounter),
-      at_first_(at_first),
+      at_change_(at_change),
       stage_(outlines ? Stage::whole : Stage::simple),
       outlines_(std::move(outlines)),
       leg_(leg),
@@ -19,26 +19,24 @@ IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& encounter, AtFir
   if (outlines_)
     encounter_.extents.radius += outlines_->reach() * (1 + 0x1p-50);
   else
-    encounter_.beside = at_first == AtFirst::apart && is_beside(encounter_);
+    encounter_.beside = at_change == AtChange::apart && is_beside(encounter_);
 }
 
 template <int D>
-ClearanceVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& family,
-                                                 std::uint64_t& evaluations) const {
-  if (touches_first()) ++evaluations;
+CountedVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& family) const {
+  const auto counted = [&](CountedVerdict one) {
+    if (touches_at_change()) ++one.evaluations;
+    return one;
+  };
   if (stage_ == Stage::simple)
-    return touches_first() ? certify_separation_increases<D>(encounter_, family, evaluations)
-                           : certify_clearance<D>(encounter_, family, evaluations);
-  if (has_parts())
-    return is_certified_clear<D>(turning_ ? turned_encounter(family.known_turns()) : encounter_, family,
-                                 evaluations)
-               ? ClearanceVerdict::clear
-               : ClearanceVerdict::open;
+    return counted(touches_at_change() ? certify_separation_increases<D>(encounter_, family)
+                                       : certify_clearance<D>(encounter_, family));
   const Encounter<D> turned = turning_ ? turned_encounter(family.known_turns()) : encounter_;
-  if (!touches_first()) return certify_clearance<D>(turned, family, evaluations);
-  const bool surely_first = outlines_->is_sole() && !outlines_->turns();
-  return surely_first ? certify_separation_increases<D>(turned, family, evaluations)
-                      : certify_piece_separation_increases<D>(turned, family, evaluations);
+  if (has_parts()) return counted(certify_only_clearance<D>(turned, family));
+  if (!touches_at_change()) return certify_clearance<D>(turned, family);
+  const bool surely_touches = outlines_->is_sole() && !outlines_->turns();
+  return counted(surely_touches ? certify_separation_increases<D>(turned, family)
+                                : certify_piece_separation_increases<D>(turned, family));
 }
 
 template <int D>
@@ -62,7 +60,7 @@ bool IntruderCertificate<D>::is_worth_splitting(const TrajectoryFamily<D>& famil
       (family.upper[0] - family.lower[0]) +
       end * ((family.upper[1] - family.lower[1]) + (0.5 * end) * (family.upper[2] - family.lower[2]));
   const double size = stage_ == Stage::boxes ? outlines_->box_size(part_) : 0;
-  return touches_first() || 4 * (size + 2 * encounter_.extents.after(end).radius) >= apart.maxCoeff();
+  return touches_at_change() || 4 * (size + 2 * encounter_.extents.after(end).radius) >= apart.maxCoeff();
 }
 
 template <int D>
@@ -78,22 +76,58 @@ std::vector<IntruderCertificate<D>> IntruderCertificate<D>::parts() const {
     one.encounter_.extents.sum = one.sum_.get();
     one.encounter_.extents.radius = round_ + outlines_->more_round(part) * (1 + 0x1p-50);
     one.encounter_.beside =
-        part.pieces && !outlines_->turns() && at_first_ == AtFirst::apart && is_beside(one.encounter_);
+        part.pieces && !outlines_->turns() && at_change_ == AtChange::apart && is_beside(one.encounter_);
     parts.push_back(std::move(one));
   }
   return parts;
 }
 
 template <int D>
+typename IntruderParts<D>::Numbers IntruderParts<D>::parts_of(std::uint32_t number) {
+  if (is_divided(number)) return numbers_[number];
+  std::vector<IntruderCertificate<D>> made = (*this)[number].parts();
+  const auto begin = static_cast<std::uint32_t>(numbers_.size());
+  const std::uint32_t whole = whole_of(number);
+  for (std::size_t i = 0; i < made.size(); ++i) parts_.push_back({nullptr, whole, number});
+  numbers_.resize(numbers_.size() + made.size());
+  ++divided_;
+  make(std::move(made), begin);
+  return numbers_[number] = {begin, static_cast<std::uint32_t>(numbers_.size())};
+}
+
+template <int D>
+const IntruderCertificate<D>& IntruderParts<D>::part(std::uint32_t number) {
+  const Part& found = parts_[number - wholes_.size()];
+  if (!found.certificate) make((*this)[found.divided].parts(), numbers_[found.divided].begin);
+  return *found.certificate;
+}
+
+template <int D>
+void IntruderParts<D>::make(std::vector<IntruderCertificate<D>> made, std::uint32_t begin) {
+  if (in_memory_ + made.size() > max_in_memory) {
+    for (Part& old : parts_) old.certificate.reset();
+    in_memory_ = 0;
+  }
+  in_memory_ += made.size();
+  Part* place = parts_.data() + (begin - wholes_.size());
+  for (IntruderCertificate<D>& one : made) {
+    steps_.costly(static_cast<unsigned>(one.corners()));
+    place++->certificate = std::make_unique<const IntruderCertificate<D>>(std::move(one));
+  }
+}
+
+template <int D>
 bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family) {
-  std::uint64_t evaluations = 0;
-  const ClearanceVerdict verdict = intruder.certify(family, evaluations);
+  const ClearanceVerdict verdict = intruder.certify(family).verdict;
   if (verdict != ClearanceVerdict::open || !intruder.has_parts()) return verdict == ClearanceVerdict::clear;
   const std::vector<IntruderCertificate<D>> parts = intruder.parts();
   return std::all_of(parts.begin(), parts.end(),
                      [&](const IntruderCertificate<D>& part) { return is_clear_of<D>(part, family); });
 }
 
+template class IntruderParts<1>;
+template class IntruderParts<2>;
+template class IntruderParts<3>;
 template class IntruderCertificate<1>;
 template class IntruderCertificate<2>;
 template class IntruderCertificate<3>;

@@ -1,7 +1,7 @@
 // The clearance certificate of one intruder for a range of changes, refined from bounds to convex pieces.
 //
-//   IntruderCertificate<2> ship(encounter, IntruderCertificate<2>::AtFirst::apart);
-//   ship.certify(trajectory_family<2>(*changes, 10, 20), evaluations)
+//   IntruderCertificate<2> ship(encounter, IntruderCertificate<2>::AtChange::apart);
+//   ship.certify(trajectory_family<2>(*changes, 10, 20)).verdict
 //
 // Guarantee: a range certified clear is so for every change of it (contact/clearance/separation.h). An
 // intruder of several parts is clear if all of them are. An outline starts as the disc around both objects.
@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/interrupt_steps.h"
 #include "contact/clearance/outline_pair.h"
 #include "contact/clearance/separation.h"
 
@@ -21,19 +22,19 @@ template <int D>
 class IntruderCertificate {
  public:
   /// The state at the change, by exact contact.
-  enum class AtFirst : std::uint8_t {
+  enum class AtChange : std::uint8_t {
     touches,  ///< must separate
     apart,
     unknown
   };
   /// `outlines`: null for shapes without outlines. `leg`: of the object that changes, to which the encounter refers.
-  IntruderCertificate(const Encounter<D>& encounter, AtFirst at_first,
+  IntruderCertificate(const Encounter<D>& encounter, AtChange at_change,
                       std::shared_ptr<const OutlinePair> outlines = {}, std::size_t leg = 0);
 
   const Encounter<D>& encounter() const { return encounter_; }
   std::size_t leg() const { return leg_; }
-  bool touches_first() const { return at_first_ == AtFirst::touches; }
-  ClearanceVerdict certify(const TrajectoryFamily<D>& family, std::uint64_t& evaluations) const;
+  bool touches_at_change() const { return at_change_ == AtChange::touches; }
+  CountedVerdict certify(const TrajectoryFamily<D>& family) const;
 
   /// Whether a convex set rotates with the change: then ranges beside a known end are proven up to large widths.
   bool turns() const { return turning_ && !has_parts(); }
@@ -46,7 +47,7 @@ class IntruderCertificate {
   /// Whether this is the disc around two outlines of which the own one turns, on its first leg: then touching_turns()
   /// of its parts are worth their cost.
   bool is_around_turns() const {
-    return !touches_first() && leg_ == 0 && stage_ == Stage::whole && outlines_->turns();
+    return !touches_at_change() && leg_ == 0 && stage_ == Stage::whole && outlines_->turns();
   }
   /// Whether both outlines are convex. Requires: they are outlines.
   bool is_sole() const { return outlines_->is_sole(); }
@@ -68,13 +69,60 @@ class IntruderCertificate {
   Encounter<D> turned_encounter(const RangeOfTurns& turns) const;
 
   Encounter<D> encounter_;
-  AtFirst at_first_;
+  AtChange at_change_;
   Stage stage_;
   std::shared_ptr<const OutlinePair> outlines_;
   OutlinePair::Part part_;
   std::shared_ptr<PieceSum> sum_, turning_;  ///< turning_: if the own part rotates
   std::size_t leg_ = 0;
   double round_ = 0;  ///< the radius without discs around rotating boxes
+};
+
+/// The intruders of a search by number, and the parts of those that have several, by further numbers. Parts are made at
+/// their first use. Only some thousand of them are in memory; the others are made again, so that destruction, during
+/// which no interrupt is polled, takes some ten milliseconds.
+template <int D>
+class IntruderParts {
+ public:
+  struct Numbers {
+    std::uint32_t begin, end;
+  };
+
+  IntruderParts(std::vector<IntruderCertificate<D>> wholes, Steps& steps)
+      : wholes_(std::move(wholes)), numbers_(wholes_.size()), steps_(steps) {}
+
+  std::size_t count_of_wholes() const { return wholes_.size(); }
+  /// Valid until a part is read, or made.
+  const IntruderCertificate<D>& operator[](std::uint32_t number) {
+    return number < wholes_.size() ? wholes_[number] : part(number);
+  }
+  /// The intruder of which it may be a part.
+  std::uint32_t whole_of(std::uint32_t number) const {
+    return number < wholes_.size() ? number : parts_[number - wholes_.size()].whole;
+  }
+  /// Whether its parts have numbers.
+  bool is_divided(std::uint32_t number) const { return numbers_[number].begin < numbers_[number].end; }
+  /// Whether as many intruders and parts have been divided as there may be.
+  bool is_full() const { return divided_ >= max_divided; }
+  /// The numbers of its parts; it is divided if it is not yet.
+  Numbers parts_of(std::uint32_t number);
+
+ private:
+  static constexpr std::size_t max_divided = 1 << 15, max_in_memory = 1 << 12;
+
+  struct Part {
+    std::unique_ptr<const IntruderCertificate<D>> certificate;  ///< null: not in memory
+    std::uint32_t whole, divided;  ///< of which it is a part, at the top and directly
+  };
+  const IntruderCertificate<D>& part(std::uint32_t number);
+  /// Makes the parts from `begin` on.
+  void make(std::vector<IntruderCertificate<D>> made, std::uint32_t begin);
+
+  std::vector<IntruderCertificate<D>> wholes_;
+  std::vector<Part> parts_;
+  std::vector<Numbers> numbers_;  ///< of the parts of each intruder and part
+  std::size_t divided_ = 0, in_memory_ = 0;
+  Steps& steps_;
 };
 
 /// Whether one single change is proven clear. `family`: of this change alone.

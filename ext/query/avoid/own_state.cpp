@@ -62,7 +62,8 @@ std::vector<double> with_motion(const Layout& layout, std::vector<double> record
   return record;
 }
 
-OwnState::OwnState(const AvoidQuestion& question) : layout(question.own->layout), record(question.record) {
+OwnState::OwnState(const AvoidQuestion& question)
+    : layout(question.own_scene->layout), record(question.record) {
   if (has_legs(question)) take_life(layout, record);
   stored = motion_in(layout, record);
   if (question.plan) {

@@ -57,14 +57,4 @@ struct ChangedLegs {
 /// Requires: `queried` is of `question`.
 ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, const QueriedChanges& queried);
 
-/// The plan to store for k: of an object with a plan, where the manoeuvre gives several legs, or where no columns
-/// store the changed motion. Otherwise nothing, and nothing for a k that does not change an object without a plan. A
-/// plan of knots remains one if knots have just these legs.
-std::optional<Plan> changed_plan(const AvoidQuestion& question, const OwnState& own,
-                                 const QueriedChanges& queried, double k);
-
-/// The numbers to store for k; of several legs the first, and the last `until`.
-std::vector<double> changed_record(const AvoidQuestion& question, const OwnState& own,
-                                   const QueriedChanges& queried, double k);
-
 }  // namespace foresee

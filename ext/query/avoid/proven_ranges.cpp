@@ -54,11 +54,11 @@ class ProvenRanges {
         question_(manoeuvre.question),
         exact_(exact),
         interrupt_(interrupt),
-        own_(question_.own->bodies()) {}
+        own_bodies_(question_.own_scene->bodies()) {}
 
   std::vector<KRange> ranges() {
-    first_ = marked(exact_.touching_at_start(manoeuvre_.records_at_first()));
-    at_start_ = first_leg().starts_vary() ? marked(touching_at_rest()) : first_;
+    touches_at_change_ = marked(exact_.touching_at_start(manoeuvre_.records_at_change()));
+    touches_at_rest_ = first_leg().starts_vary() ? marked(touching_at_rest()) : touches_at_change_;
     for (const NearObjects& near : manoeuvre_.near) others_.push_back(near.scene->bodies());
     for (std::size_t table = 0; table < manoeuvre_.near.size(); ++table) add_table(table);
     std::sort(ordered_.begin(), ordered_.end(),
@@ -69,11 +69,11 @@ class ProvenRanges {
     std::vector<IntruderCertificate<D>> certificates;
     for (OrderedCertificate<D>& one : ordered_) certificates.push_back(std::move(one.certificate));
     return ClearRanges<D>(manoeuvre_.changed.legs, std::move(certificates), interrupt_)
-        .between(manoeuvre_.queried.lo, manoeuvre_.queried.hi);
+        .find(manoeuvre_.queried.lo, manoeuvre_.queried.hi);
   }
 
  private:
-  using AtFirst = typename IntruderCertificate<D>::AtFirst;
+  using AtChange = typename IntruderCertificate<D>::AtChange;
   using Marks = std::vector<std::vector<std::uint8_t>>;
 
   const Changes& first_leg() const { return manoeuvre_.first_leg(); }
@@ -97,12 +97,13 @@ class ProvenRanges {
   void add_table(std::size_t table) {
     const NearObjects& near = manoeuvre_.near[table];
     const Bodies& there = others_[table];
-    const PairRule rule(own_.layout, there.layout, question_.within, question_.within_z);
+    const PairRule rule(own_bodies_.layout, there.layout, question_.within, question_.within_z);
     const bool outlines = rule.pieces == PieceKind::planar;
     for (std::size_t leg = 0; leg < manoeuvre_.changed.legs.size(); ++leg) {
       // Only the first leg turns: what follows has the stored heading.
       const auto own_outline =
-          outlines ? std::make_shared<const OwnOutline>(own_, 0, manoeuvre_.turns && leg == 0) : nullptr;
+          outlines ? std::make_shared<const OwnOutline>(own_bodies_, 0, manoeuvre_.turns && leg == 0)
+                   : nullptr;
       const std::size_t count = near.of_leg.empty() ? there.count : near.of_leg[leg].size();
       for (std::size_t i = 0; i < count; ++i) {
         if (i % 4096 == 0) interrupt_.check();
@@ -113,10 +114,10 @@ class ProvenRanges {
 
   void add(std::size_t table, std::size_t row, std::size_t leg, const PairRule& rule, const Bodies& there,
            const std::shared_ptr<const OwnOutline>& own_outline) {
-    const bool touches = first_[table][row] != 0;
+    const bool touches = touches_at_change_[table][row] != 0;
     if (touches && question_.touching == Touching::ignore) return;
     const OwnMotion& reference = manoeuvre_.changed.legs[leg]->reference();
-    const auto extents = extents_of_both<D>(rule, own_.row(0), there.row(row), reference.t);
+    const auto extents = extents_of_both<D>(rule, own_bodies_.row(0), there.row(row), reference.t);
     const Horizon horizon{question_.now, question_.h};
     auto encounter = encounter_of<D>(reference, horizon, there, there.row(row), extents);
     if (encounter.begin > encounter.end) return;
@@ -124,10 +125,10 @@ class ProvenRanges {
     const auto pair = own_outline ? std::make_shared<const OutlinePair>(own_outline, there, row,
                                                                         given_outline(table, there, row))
                                   : nullptr;
-    const AtFirst known = at_first(encounter, leg, touches, at_start_[table][row] != 0);
+    const AtChange known = at_change(encounter, leg, touches, touches_at_rest_[table][row] != 0);
     if (leg == 0 && needs_exact_state(encounter, touches)) {
       const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(row)};
-      take_exact_state(encounter, exact_.initial_state(manoeuvre_.records_at_first(), intruder),
+      take_exact_state(encounter, exact_.initial_state(manoeuvre_.records_at_change(), intruder),
                        first_leg().starts_vary());
     }
     const double t = value_or(there.row(row), there.at.t, 0);
@@ -148,26 +149,27 @@ class ProvenRanges {
 
   /// For a delay only the state of a resting intruder is known: it has the same position at every start. What is later
   /// by k is exempt from no contact; of later legs nothing is known.
-  AtFirst at_first(const Encounter<D>& encounter, std::size_t leg, bool touches,
-                   bool touches_at_start) const {
-    if (leg > 0) return AtFirst::unknown;
+  AtChange at_change(const Encounter<D>& encounter, std::size_t leg, bool touches,
+                     bool touches_at_rest) const {
+    if (leg > 0) return AtChange::unknown;
     if (first_leg().starts_vary()) {
       const bool rests = (encounter.v == 0).all() && (encounter.ev == 0).all() && !encounter.bends() &&
                          !encounter.extents.grows;
-      return rests && !touches_at_start ? AtFirst::apart : AtFirst::unknown;
+      return rests && !touches_at_rest ? AtChange::apart : AtChange::unknown;
     }
-    if (touches) return manoeuvre_.changed.are_later ? AtFirst::unknown : AtFirst::touches;
-    return encounter.begin > 0 || manoeuvre_.turns ? AtFirst::unknown : AtFirst::apart;
+    if (touches) return manoeuvre_.changed.are_later ? AtChange::unknown : AtChange::touches;
+    return encounter.begin > 0 || manoeuvre_.turns ? AtChange::unknown : AtChange::apart;
   }
 
   const ManoeuvreCase& manoeuvre_;
   const AvoidQuestion& question_;
   ExactAvoidance& exact_;
   Interrupt& interrupt_;
-  Bodies own_;
+  Bodies own_bodies_;
   std::map<std::pair<std::size_t, std::int64_t>, std::shared_ptr<const Form>> forms_;
   std::vector<Bodies> others_;  ///< of each table; outlines of certificates refer to them
-  Marks first_, at_start_;      ///< of each table: what touches before the change, and where a delay starts
+  Marks touches_at_change_,
+      touches_at_rest_;  ///< the rows of each table that do; at rest: where a delay starts
   std::vector<OrderedCertificate<D>> ordered_;
 };
 

@@ -47,17 +47,18 @@ bool needs_no_column(const AvoidQuestion& question) {
 }
 
 bool stores_start(const AvoidQuestion& question) {
-  return question.own->layout.has_t && (!question.lacks_t || needs_no_column(question));
+  return question.own_scene->layout.has_t && (!question.lacks_t || needs_no_column(question));
 }
 
 bool stores_velocity(const AvoidQuestion& question) {
-  return question.own->layout.law != Law::rest && (!question.lacks_velocity || needs_no_column(question));
+  return question.own_scene->layout.law != Law::rest &&
+         (!question.lacks_velocity || needs_no_column(question));
 }
 
 /// The table must have the columns that the manoeuvre changes.
 void require_columns(const AvoidQuestion& question) {
-  const Layout& layout = question.own->layout;
-  const std::string& name = question.own->name;
+  const Layout& layout = question.own_scene->layout;
+  const std::string& name = question.own_scene->name;
   const auto how = question.how;
   if (!how) return;
   if (question.on_globe &&
@@ -100,7 +101,8 @@ void require_resume(const AvoidQuestion& question) {
     throw Error("resume ends a 'turn', 'speed' or 'climb', not '" + std::string(name_of(how)) +
                 "': leave it out");
   if (question.on_globe)
-    throw Error("resume is for tables on a plane, " + question.own->name + " is on the globe; leave it out");
+    throw Error("resume is for tables on a plane, " + question.own_scene->name +
+                " is on the globe; leave it out");
 }
 
 void require_no_meshes(const AvoidQuestion& question) {
@@ -109,7 +111,7 @@ void require_no_meshes(const AvoidQuestion& question) {
       throw Error("predictive_avoid does not answer for meshes, which " + name +
                   " has: declare hz beside shape for prisms, or query a table with r around each");
   };
-  require(question.own->name, question.own->layout);
+  require(question.own_scene->name, question.own_scene->layout);
   if (question.also) require(question.also->name, question.also->layout());
 }
 
@@ -117,7 +119,7 @@ void require_no_meshes(const AvoidQuestion& question) {
 void require_join(const AvoidQuestion& question, const SearchTarget& others) {
   auto none = std::make_shared<Scene>();
   none->name = others.name, none->layout = others.layout();
-  JoinQuestion join{.a = question.own, .b = none};
+  JoinQuestion join{.a = question.own_scene, .b = none};
   join.now = question.now, join.h = question.h;
   join.within = question.within, join.within_z = question.within_z;
   require_valid(join);
@@ -133,21 +135,21 @@ void require_start_to_come(const AvoidQuestion& question, const OwnMotion& store
         "'delay' cannot make an object start before now: lo must not be less than now - t, which is " +
         shown(first) + "; lo is " + shown(lo));
   }
-  if (lo < 0 && grows(question.own->layout))
+  if (lo < 0 && grows(question.own_scene->layout))
     throw Error("'delay' with lo = " + shown(lo) +
-                " is not supported for objects that grow; write lo >= 0 for " + question.own->name);
+                " is not supported for objects that grow; write lo >= 0 for " + question.own_scene->name);
 }
 
 /// A velocity that has grown until the change must be stored, too.
 void require_velocity_at_change(const AvoidQuestion& question, const OwnState& own) {
   if (stores_velocity(question) || own.base.v == std::array<double, 3>{}) return;
-  throw Error(question.own->name + ": row " + std::to_string(question.own->ids[0]) + " has a velocity at " +
-              shown(own.base.t) +
+  throw Error(question.own_scene->name + ": row " + std::to_string(question.own_scene->ids[0]) +
+              " has a velocity at " + shown(own.base.t) +
               ", which no column stores: declare vx …, or write now = " + shown(own.stored.t));
 }
 
 void require_one_heading(const AvoidQuestion& question) {
-  const Layout& layout = question.own->layout;
+  const Layout& layout = question.own_scene->layout;
   if (!question.wants_plan || !takes_plan(question) || !question.resume) return;
   if (question.how.value_or(Manoeuvre::turn) != Manoeuvre::turn || !layout.has_heading || !question.form)
     return;
@@ -158,7 +160,7 @@ void require_one_heading(const AvoidQuestion& question) {
 
 void require_manoeuvre_of_plan(const AvoidQuestion& question) {
   if (question.how == Manoeuvre::delay || question.how == Manoeuvre::wait) return;
-  throw Error(question.own->name + ": row " + std::to_string(question.own->ids[0]) +
+  throw Error(question.own_scene->name + ": row " + std::to_string(question.own_scene->ids[0]) +
               " has a plan: write 'wait' or 'delay' with lo and hi, as in 'wait', 0, 600");
 }
 
@@ -187,12 +189,13 @@ void require_valid(const AvoidQuestion& question) {
   if (question.also) require_join(question, *question.also);
   require_one_heading(question);
   if (!stores_start(question) && question.now != 0)
-    throw Error("now must be 0 in a table without t: write now = 0, or declare t in " + question.own->name +
-                "; a change from " + shown(question.now) + " on cannot be stored there");
+    throw Error("now must be 0 in a table without t: write now = 0, or declare t in " +
+                question.own_scene->name + "; a change from " + shown(question.now) +
+                " on cannot be stored there");
 }
 
 bool turns_with_course(const AvoidQuestion& question, const Changes& changes) {
-  return changes.turns() && question.own->layout.has_heading && question.form;
+  return changes.turns() && question.own_scene->layout.has_heading && question.form;
 }
 
 std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnState& own) {
@@ -205,7 +208,7 @@ std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const
     require_width(queried.back().lo, queried.back().hi);
   };
   const bool moves = m > 0 && std::isfinite(m);
-  if (!question.how && question.own->layout.axes > 1) add(Manoeuvre::turn, -180, 180);
+  if (!question.how && question.own_scene->layout.axes > 1) add(Manoeuvre::turn, -180, 180);
   if (!question.how && moves) add(Manoeuvre::speed, -m, m);
   if (!question.how) return queried;
   switch (*question.how) {

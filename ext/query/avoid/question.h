@@ -21,13 +21,14 @@ enum class Touching : std::uint8_t {
 };
 
 struct AvoidQuestion {
-  std::shared_ptr<const Scene> own;       ///< the object that changes, or no object
-  std::vector<double> record;             ///< its numbers as they are stored; empty: no object
+  std::shared_ptr<const Scene> own_scene;  ///< the object that changes, or no object
+  std::vector<double>
+      record;  ///< its numbers as they are stored (OwnState::record may have t and until beside them); empty: no object
   std::shared_ptr<const Form> form = {};  ///< its outline, or null
-  std::shared_ptr<const Plan> plan = {};  ///< or null; `own` has its legs
-  bool lacks_t = false;                   ///< no column of own's table stores the t of its records
+  std::shared_ptr<const Plan> plan = {};  ///< or null; own_scene has its legs
+  bool lacks_t = false;                   ///< no column of its table stores the t of its records
   bool lacks_velocity = false;            ///< nor the velocity
-  SearchTarget others;                    ///< own's table: an object with own's id is own itself
+  SearchTarget others;                    ///< its table: the object with its id is left out
   std::optional<SearchTarget> also = {};
   double now = 0;
   bool now_given = false;
@@ -42,7 +43,7 @@ struct AvoidQuestion {
   bool wants_motion = true;           ///< record
   bool wants_ends = true;             ///< below, above
   bool wants_plan = false;            ///< plan
-  bool plan_has_knots = false;  ///< the table stores knots only: their legs may differ in the last digits
+  bool in_degrees = false;  ///< the table stores knots only: their legs may differ in the last digits
 };
 
 /// The object that is touched at an end of a row.
@@ -66,9 +67,9 @@ struct AvoidRow {
 Manoeuvre manoeuvre_of(std::string_view name);
 Touching touching_of(std::string_view name);
 
-/// Whether own's table can store an object without a plan as one: its motion then needs no other column.
+/// Whether the object's table can store an object without a plan as one: its motion then needs no other column.
 inline bool takes_plan(const AvoidQuestion& question) {
-  return question.own->layout.has_plan && !question.plan_has_knots;
+  return question.own_scene->layout.has_plan && !question.in_degrees;
 }
 
 /// Throws Error for everything that is wrong for any object: numbers that are not limits, shapes without a

@@ -254,9 +254,9 @@ void read_object(const OpenTable& table, std::int64_t id, Interrupt& interrupt, 
     const auto form = integer_of(value_or(numbers, at.outline, 0)).value_or(0);
     if (form != 0) question.form = store.forms()->form(form);
   }
-  question.plan_has_knots = store.frame().knows_places();
+  question.in_degrees = store.frame().knows_places();
   own->take_forms(store.forms(), interrupt);
-  question.own = std::move(own);
+  question.own_scene = std::move(own);
 }
 
 /// Plans as the table shows them: knots in degrees.
@@ -280,7 +280,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   std::vector<AvoidRow> rows = avoid(question, interrupt);
   if (const auto clear = call.only(out_clear))
     std::erase_if(rows, [&](const AvoidRow& row) { return *clear != (row.clear ? 1 : 0); });
-  if (question.own->layout.has_plan && question.plan_has_knots) show_plans(*tables.a.store, interrupt, rows);
+  if (question.own_scene->layout.has_plan && question.in_degrees)
+    show_plans(*tables.a.store, interrupt, rows);
   return std::make_unique<AvoidRows>(std::move(rows), tables, std::move(question.record), interrupt);
 }
 

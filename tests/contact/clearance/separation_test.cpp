@@ -11,8 +11,7 @@ namespace foresee {
 namespace {
 
 ClearanceVerdict verdict_of(const Encounter<2>& encounter, const TrajectoryFamily<2>& family) {
-  std::uint64_t evaluations = 0;
-  return certify_clearance<2>(encounter, family, evaluations);
+  return certify_clearance<2>(encounter, family).verdict;
 }
 
 using testing::Random;
@@ -152,9 +151,9 @@ TEST(SeparationIncrease, NeedsADistanceThatNeverShrinks) {
   Meeting beside;
   beside.encounter.x = {15, 0};
   const auto separating = [&](double p, double q) {
-    std::uint64_t evaluations = 0;
     return certify_separation_increases<2>(
-        beside.encounter, trajectory_family<2>(*changes_by(Manoeuvre::turn, beside.base), p, q), evaluations);
+               beside.encounter, trajectory_family<2>(*changes_by(Manoeuvre::turn, beside.base), p, q))
+        .verdict;
   };
   EXPECT_EQ(separating(-179, -1), ClearanceVerdict::clear);
   EXPECT_EQ(separating(1, 179), ClearanceVerdict::blocked);

@@ -17,9 +17,9 @@ inline AvoidQuestion avoid_question(const RandomScene& scene, std::size_t i, con
   const auto stored = static_cast<std::size_t>(record_offsets(scene.layout).size);
   const auto read = static_cast<std::size_t>(row_offsets(scene.layout).size);
   AvoidQuestion question;
-  question.own = scene_of(scene.layout, {scene.ids[i]},
-                          {scene.rows.begin() + static_cast<std::ptrdiff_t>(i * read),
-                           scene.rows.begin() + static_cast<std::ptrdiff_t>((i + 1) * read)});
+  question.own_scene = scene_of(scene.layout, {scene.ids[i]},
+                                {scene.rows.begin() + static_cast<std::ptrdiff_t>(i * read),
+                                 scene.rows.begin() + static_cast<std::ptrdiff_t>((i + 1) * read)});
   question.record = {scene.records.begin() + static_cast<std::ptrdiff_t>(i * stored),
                      scene.records.begin() + static_cast<std::ptrdiff_t>((i + 1) * stored)};
   question.others = others;
@@ -45,7 +45,7 @@ inline AvoidQuestion after(const AvoidQuestion& question, Manoeuvre manoeuvre, d
   AvoidQuestion changed = question;
   changed.how = manoeuvre, changed.lo = changed.hi = k, changed.wants_ends = false;
   changed.record = rows_of(changed).at(0).record;
-  const Layout& layout = question.own->layout;
+  const Layout& layout = question.own_scene->layout;
   const Offsets at = record_offsets(layout);
   if (at.v != Offsets::absent) {
     double* const v = changed.record.data() + at.v;
@@ -60,7 +60,7 @@ inline AvoidQuestion after(const AvoidQuestion& question, Manoeuvre manoeuvre, d
   }
   std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
   row_from_record(layout, changed.record.data(), row.data());
-  changed.own = scene_of(layout, question.own->ids, row);
+  changed.own_scene = scene_of(layout, question.own_scene->ids, row);
   return changed;
 }
 
@@ -100,7 +100,7 @@ inline void expect_sound(const AvoidQuestion& question, const std::vector<AvoidR
       queried.push_back(row.k_from + near), queried.push_back(row.k_to - near);
     }
     // An object ignored because it has grown since its report need not touch at first in a new one.
-    const bool ignores = question.touching == Touching::ignore && grows(question.own->layout);
+    const bool ignores = question.touching == Touching::ignore && grows(question.own_scene->layout);
     if (width > 0 && row.manoeuvre != Manoeuvre::delay && !ignores)
       for (const double k : {row.k_from, row.k_to}) {
         if (k == 0) continue;

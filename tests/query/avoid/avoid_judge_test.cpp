@@ -36,7 +36,7 @@ std::vector<Layout> judged_layouts() {
 }
 
 void draw_changes(AvoidQuestion& question, Random& random) {
-  const Layout& layout = question.own->layout;
+  const Layout& layout = question.own_scene->layout;
   question.touching = random.below(2) ? Touching::part : Touching::ignore;
   std::vector<QueriedChanges> queried{{Manoeuvre::speed, -8, 8}, {Manoeuvre::delay, 0, 20}};
   if (layout.axes > 1)

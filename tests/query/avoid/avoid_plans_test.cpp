@@ -20,7 +20,7 @@ const int plan_rounds = std::getenv("FORESEE_LONG") ? 100 : 1;
 
 /// Any manoeuvre that the object can make, with a range.
 void choose_manoeuvre(AvoidQuestion& question, Random& random) {
-  const Layout& layout = question.own->layout;
+  const Layout& layout = question.own_scene->layout;
   const double t = question.record[static_cast<std::size_t>(record_offsets(layout).t)];
   std::vector<QueriedChanges> queried{{Manoeuvre::wait, 0, 12}, {Manoeuvre::wait, 2, 8}};
   double lo = question.now - t;
@@ -109,11 +109,11 @@ void expect_plan(const AvoidQuestion& question, const AvoidRow& row) {
     return;
   }
   std::vector<Leg> legs = legs_of(*row.plan);
-  const double until = row.record[static_cast<std::size_t>(record_offsets(question.own->layout).until)];
+  const double until = row.record[static_cast<std::size_t>(record_offsets(question.own_scene->layout).until)];
   std::erase_if(legs, [&](const Leg& leg) { return leg.t > until; });
   for (Leg& leg : legs) leg.until = std::min(leg.until, until);
   EXPECT_EQ(legs, legs_after(question, row.manoeuvre, row.k));
-  const OwnMotion first = motion_in(question.own->layout, row.record);
+  const OwnMotion first = motion_in(question.own_scene->layout, row.record);
   EXPECT_EQ(first.t, legs[0].t);
   EXPECT_EQ(first.x, legs[0].x);
   EXPECT_EQ(first.v, legs[0].v);

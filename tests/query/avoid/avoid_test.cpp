@@ -29,7 +29,7 @@ const int rounds = std::getenv("FORESEE_LONG") ? 200 : 1;
 
 /// Any manoeuvre that the layout can have, with a range of its own.
 void choose_changes(AvoidQuestion& question, Random& random) {
-  const Layout& layout = question.own->layout;
+  const Layout& layout = question.own_scene->layout;
   std::vector<QueriedChanges> queried{{Manoeuvre::speed, -4, 4}};
   if (layout.axes > 1) queried.push_back({Manoeuvre::turn, -180, 180});
   if (layout.axes > 1) queried.push_back({Manoeuvre::turn, -360, 45});
@@ -56,7 +56,7 @@ TEST(Avoid, IsSoundAndTightAgainstSingleChanges) {
       scene.h = random.below(8) == 0 ? 0 : random.in(1, 8);
       AvoidQuestion question = avoid_question(scene, random.below(scene.size()), as_scene(scene));
       choose_changes(question, random);
-      SCOPED_TRACE(testing::name_of(layout) + " of object " + std::to_string(question.own->ids[0]));
+      SCOPED_TRACE(testing::name_of(layout) + " of object " + std::to_string(question.own_scene->ids[0]));
       const std::vector<AvoidRow> rows = rows_of(question);
       ASSERT_NO_FATAL_FAILURE(expect_sound(question, rows, random));
       if (question.touching == Touching::ignore) {

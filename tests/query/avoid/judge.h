@@ -108,7 +108,8 @@ class Judge {
  public:
   explicit Judge(const AvoidQuestion& question) : queried_(question) {
     queried_.wants_motion = queried_.wants_ends = false;
-    for (unsigned signs = 0; signs < 1U << question.own->layout.axes; ++signs) aside_.push_back(aside(signs));
+    for (unsigned signs = 0; signs < 1U << question.own_scene->layout.axes; ++signs)
+      aside_.push_back(aside(signs));
   }
 
   bool is_clear(double k) const { return is_clear_in(queried_, k); }
@@ -123,7 +124,7 @@ class Judge {
   /// With all sizes smaller by a billionth: what still touches does not only graze.
   bool is_clear_of_smaller(double k) const {
     AvoidQuestion smaller = queried_;
-    const Scene &own = *queried_.own, &others = *queried_.others.scene;
+    const Scene &own = *queried_.own_scene, &others = *queried_.others.scene;
     std::vector<double> own_rows = own.rows, other_rows = others.rows;
     const auto shrink = [](const Layout& layout, const Offsets& at, std::vector<double>& rows) {
       for (std::size_t first = 0; first < rows.size(); first += static_cast<std::size_t>(at.size))
@@ -136,7 +137,7 @@ class Judge {
     shrink(own.layout, row_offsets(own.layout), own_rows);
     shrink(others.layout, row_offsets(others.layout), other_rows);
     shrink(own.layout, record_offsets(own.layout), smaller.record);
-    smaller.own = scene_of(own.layout, own.ids, own_rows);
+    smaller.own_scene = scene_of(own.layout, own.ids, own_rows);
     smaller.others.scene = scene_of(others.layout, others.ids, other_rows);
     return is_clear_in(smaller, k);
   }
@@ -145,20 +146,20 @@ class Judge {
   /// On bent paths, of objects that start later and of delays doubles cannot decide less than `share`. What is
   /// nearer than that at the start counts as touching, and must separate.
   bool is_clear_of_larger(double k) const {
-    const bool bends = queried_.own->layout.law == Law::accelerated,
+    const bool bends = queried_.own_scene->layout.law == Law::accelerated,
                delays = *queried_.how == Manoeuvre::delay;
     AvoidQuestion question = queried_;
     question.touching = Touching::ignore, question.lo = question.hi = k, question.wants_motion = true;
     const std::vector<double> record = rows_of(question).at(0).record;
     const Scene& others = *queried_.others.scene;
     for (std::size_t i = 0; i < others.size(); ++i) {
-      if (others.ids[i] == queried_.own->ids[0]) continue;
+      if (others.ids[i] == queried_.own_scene->ids[0]) continue;
       const PlainPair pair = pair_of(queried_, record, others.bodies(), i);
       const bool starts_later = pair.end < 0;
       if (!bends && !delays && !starts_later) continue;
       const PlainPair::Real share = 0x1p-43L * pair.length();
       question.within = static_cast<double>(share);
-      if (question.own->layout.shape == Shape::cylinder) question.within_z = question.within;
+      if (question.own_scene->layout.shape == Shape::cylinder) question.within_z = question.within;
       if (!delays && !starts_later && touches_first(queried_, record, i)) {
         if (queried_.touching == Touching::part && !(separates_by(pair, share) && separates_nearby(pair)))
           return false;
@@ -191,7 +192,7 @@ class Judge {
   }
   /// 64 units in the last place of the own velocity; for a turn, of its longest component.
   double last_places(int axis) const {
-    const Layout& layout = queried_.own->layout;
+    const Layout& layout = queried_.own_scene->layout;
     const double* const v = queried_.record.data() + record_offsets(layout).v;
     double unit = std::abs(v[axis]);
     if (*queried_.how == Manoeuvre::turn && axis < 2)
@@ -201,19 +202,19 @@ class Judge {
   /// With the own velocity off by last places, along each axis to the side that a bit says.
   AvoidQuestion aside(unsigned signs) const {
     AvoidQuestion other = queried_;
-    const Layout& layout = other.own->layout;
+    const Layout& layout = other.own_scene->layout;
     double* const v = other.record.data() + record_offsets(layout).v;
     for (int axis = 0; axis < layout.axes; ++axis)
       v[axis] += (signs >> axis & 1 ? 1 : -1) * last_places(axis);
     std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
     row_from_record(layout, other.record.data(), row.data());
-    other.own = scene_of(layout, other.own->ids, row);
+    other.own_scene = scene_of(layout, other.own_scene->ids, row);
     return other;
   }
 
   static bool is_clear_in(AvoidQuestion question, double k) {
     const bool parts = question.touching == Touching::part && *question.how != Manoeuvre::delay &&
-                       question.own->layout.law == Law::accelerated;
+                       question.own_scene->layout.law == Law::accelerated;
     if (!parts) return testing::is_clear(question, *question.how, k);
     question.touching = Touching::ignore;
     if (!testing::is_clear(question, *question.how, k)) return false;
@@ -221,7 +222,7 @@ class Judge {
     const std::vector<double> record = rows_of(question).at(0).record;
     const Scene& others = *question.others.scene;
     for (std::size_t i = 0; i < others.size(); ++i) {
-      if (others.ids[i] == question.own->ids[0]) continue;
+      if (others.ids[i] == question.own_scene->ids[0]) continue;
       const PlainPair pair = pair_of(question, record, others.bodies(), i);
       if (pair.end >= 0 && touches_first(question, record, i) && !pair.separates()) return false;
     }
@@ -229,7 +230,7 @@ class Judge {
   }
 
   static bool touches_first(const AvoidQuestion& question, const std::vector<double>& record, std::size_t i) {
-    const double t = record[static_cast<std::size_t>(record_offsets(question.own->layout).t)];
+    const double t = record[static_cast<std::size_t>(record_offsets(question.own_scene->layout).t)];
     return touches_during(question, record, i, {std::max(question.now, t), 0});
   }
   static bool touches(const AvoidQuestion& question, const std::vector<double>& record, std::size_t i) {
@@ -237,7 +238,7 @@ class Judge {
   }
   static bool touches_during(const AvoidQuestion& question, const std::vector<double>& record, std::size_t i,
                              const Horizon& horizon) {
-    const Layout& layout = question.own->layout;
+    const Layout& layout = question.own_scene->layout;
     std::vector<double> own(static_cast<std::size_t>(row_offsets(layout).size));
     row_from_record(layout, record.data(), own.data());
     const auto contact = make_contact({layout, own.data(), 1}, question.others.scene->bodies(),
@@ -250,7 +251,7 @@ class Judge {
 
   static PlainPair pair_of(const AvoidQuestion& question, const std::vector<double>& record,
                            const Bodies& others, std::size_t i) {
-    const Layout& layout = question.own->layout;
+    const Layout& layout = question.own_scene->layout;
     std::vector<double> own(static_cast<std::size_t>(row_offsets(layout).size));
     row_from_record(layout, record.data(), own.data());
     const double* const other = others.row(i);

@@ -33,7 +33,7 @@ struct PlanScene {
     own->name = "robots", own->layout = scene->layout;
     own->add(static_cast<std::int64_t>(i) + 1, records[i].data(),
              plans[i] ? legs_of(*plans[i]) : std::vector<Leg>{});
-    question.own = own, question.record = records[i], question.plan = plans[i];
+    question.own_scene = own, question.record = records[i], question.plan = plans[i];
     question.others = {"robots", scene, nullptr};
     question.now = now, question.now_given = true, question.h = h, question.within = within;
     return question;
@@ -160,7 +160,7 @@ inline Leg leg_from(const Leg& leg, double time) {
 
 /// The legs of the object as they are stored, to the end of its life.
 inline std::vector<Leg> stored_legs(const AvoidQuestion& question) {
-  const OwnMotion record = motion_in(question.own->layout, question.record);
+  const OwnMotion record = motion_in(question.own_scene->layout, question.record);
   std::vector<Leg> legs = question.plan ? legs_of(*question.plan) : std::vector<Leg>{leg_of(record)};
   std::erase_if(legs, [&](const Leg& leg) { return leg.t > record.until; });
   for (Leg& leg : legs) leg.until = std::min(leg.until, record.until);
@@ -207,18 +207,18 @@ inline std::vector<Leg> legs_after(const AvoidQuestion& question, Manoeuvre how,
 /// Whether one of the legs touches a leg of another object during the horizon; `spared`: objects that do not count.
 inline bool meets(const AvoidQuestion& question, const std::vector<Leg>& legs, const Horizon& horizon,
                   const std::vector<std::int64_t>& spared = {}, std::vector<std::int64_t>* met = nullptr) {
-  Layout layout = question.own->layout;
+  Layout layout = question.own_scene->layout;
   const Offsets at = row_offsets(layout);
   const Scene& others = *question.others.scene;
   for (const Leg& leg : legs) {
-    std::vector<double> row(question.own->rows.begin(), question.own->rows.begin() + at.size);
+    std::vector<double> row(question.own_scene->rows.begin(), question.own_scene->rows.begin() + at.size);
     write_leg(at, layout.axes, leg, row.data());
     row[static_cast<std::size_t>(at.until)] = leg.until;
     const auto contact = make_contact({layout, row.data(), 1}, others.bodies(),
                                       {horizon, question.within, {}}, "own", "others");
     std::vector<Pair> pairs, hits;
     for (std::uint32_t i = 0; i < others.size(); ++i)
-      if (others.ids[i] != question.own->ids[0] &&
+      if (others.ids[i] != question.own_scene->ids[0] &&
           std::find(spared.begin(), spared.end(), others.ids[i]) == spared.end())
         pairs.push_back({0, i});
     contact->decide(pairs, hits);

@@ -144,7 +144,7 @@ TEST_F(AvoidHulls, OfManyPiecesTakeLittleMemory) {
   const long before = max_memory();
   EXPECT_EQ(db.rows("SELECT count(*), sum(clear) FROM predictive_avoid(600, 'stars', 0, 0, 'turn')"), "3|2");
   if (!sanitized) {
-    EXPECT_LT(max_memory() - before, 128 << 10);
+    EXPECT_LT(max_memory() - before, 40 << 10);
   }
 }
 

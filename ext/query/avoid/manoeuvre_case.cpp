@@ -1,8 +1,10 @@
-#include "query/avoid/intruders.h"
+#include "query/avoid/manoeuvre_case.h"
 
 #include "base/axes.h"
+#include "contact/pair_rule.h"
 #include "query/join/question.h"
 #include "query/legs/leg_scene.h"
+#include "query/sweep_margin.h"
 #include "shape/kinds.h"
 #include "shape/swept_boxes.h"
 
@@ -11,22 +13,23 @@ namespace {
 
 /// The extents of the object; if its outline rotates with its course, those of all rotations.
 template <int D>
-Extents<D> extents_of_changed(const AvoidQuestion& question, const Changes& changes, const Bodies& own) {
+Extents<D> extents_of_changed(const ManoeuvreCase& manoeuvre, const Changes& changes, const Bodies& own) {
   Extents<D> extents = extents_of<D>(own, 0);
-  if (!turns_with_course(question, changes)) return extents;
+  if (!turns_with_course(manoeuvre.question, changes)) return extents;
   const double far = reach_of(extents).template head<std::min(D, 2)>().sum();
   for (int axis = 0; axis < std::min(D, 2); ++axis) extents.lower[axis] = -far, extents.upper[axis] = far;
   return extents;
 }
 
-/// A box around all changed motions, and when any of them exists.
+/// A box around all changed motions from lo to hi, and when any of them exists.
 template <int D>
-MovingBox<D> box_around(const AvoidQuestion& question, const Changes& changes, const MotionSet<D>& all,
+MovingBox<D> box_around(const ManoeuvreCase& manoeuvre, const Changes& changes, double lo, double hi,
                         const Vec<D>& margin) {
+  const MotionSet<D> all = changes.between<D>(lo, hi);
   const OwnMotion& base = changes.reference();
-  const Bodies own = question.own->bodies();
-  const Extents<D> extents = extents_of_changed<D>(question, changes, own);
-  const Horizon horizon{question.now, question.h};
+  const Bodies own = manoeuvre.question.own_scene->bodies();
+  const Extents<D> extents = extents_of_changed<D>(manoeuvre, changes, own);
+  const Horizon horizon{manoeuvre.question.now, manoeuvre.question.h};
   Bounds<D> bounds;
   for (int axis = 0; axis < D; ++axis) {
     const double x = base.x[static_cast<std::size_t>(axis)];
@@ -85,7 +88,7 @@ class RowsNear {
   std::vector<MovingBox<D>> boxes_;
 };
 
-/// The same objects as from a tree: those whose boxes meet one of the boxes.
+/// The same objects as from a tree: those whose boxes meet one of the boxes. SQL always gives a tree.
 template <int D>
 void walk_scene(const Scene& all, const RowsNear<D>& rows, std::optional<std::int64_t> itself,
                 const KindTest& partners, Interrupt& interrupt, Scene& near) {
@@ -99,36 +102,40 @@ void walk_scene(const Scene& all, const RowsNear<D>& rows, std::optional<std::in
   }
 }
 
-}  // namespace
+/// The distances at which the object touches another one.
+Contact::Reach reach_to(const AvoidQuestion& question, const SearchTarget& others) {
+  const PairRule rule(question.own_scene->layout, others.layout(), question.within, question.within_z);
+  return {rule.within(), rule.within_z()};
+}
 
-NearObjects intruders(const AvoidQuestion& question, const ChangedLegs& changed,
-                      const QueriedChanges& queried, const SearchTarget& others,
-                      std::optional<std::int64_t> itself, const Contact::Reach& reach, Interrupt& interrupt) {
-  const auto& legs = changed.legs;
+/// `itself`: the object of this id is left out.
+NearObjects near_objects(const ManoeuvreCase& manoeuvre, const SearchTarget& others,
+                         std::optional<std::int64_t> itself, Interrupt& interrupt) {
+  const AvoidQuestion& question = manoeuvre.question;
+  const auto& legs = manoeuvre.changed.legs;
   auto near = std::make_shared<Scene>();
   NearObjects found;
   near->name = others.name, near->layout = others.layout();
   const Horizon horizon{question.now, question.h};
   near->legs_during = leg_times_of(horizon);
-  const Bodies own = question.own->bodies();
+  const Bodies own = question.own_scene->bodies();
   const KindTest partners = KindTest::of_partners(kinds_of(own.row(0), own.at));
   with_axes(near->layout.axes, [&]<int D>(Axes<D>) {
-    const Vec<D> margin = 2 * margin_of<D>(reach), zero = Vec<D>::Zero();  // of both together
+    // Our boxes have the whole reach, so the tree adds none: margin_of() is half of it.
+    const Vec<D> margin = 2 * margin_of<D>(reach_to(question, others)), none = Vec<D>::Zero();
+    const QueriedChanges& queried = manoeuvre.queried;
     std::vector<MovingBox<D>> boxes;
     for (const auto& leg : legs)
-      boxes.push_back(box_around<D>(question, *leg, leg->between<D>(queried.lo, queried.hi), margin));
+      boxes.push_back(box_around<D>(manoeuvre, *leg, queried.lo, queried.hi, margin));
     // A delay spares the objects that it touches at its stored start, with all legs: one may be near there alone.
-    if (near->layout.has_plan && legs[0]->starts_vary()) {
-      for (const OwnMotion& motion : changed.at_stored_start()) {
-        const auto stored = no_changes_of(motion);
-        boxes.push_back(box_around<D>(question, *stored, stored->between<D>(0, 0), margin));
-      }
-    }
+    if (near->layout.has_plan && legs[0]->starts_vary())
+      for (const OwnMotion& motion : manoeuvre.changed.at_stored_start())
+        boxes.push_back(box_around<D>(manoeuvre, *no_changes_of(motion), 0, 0, margin));
     if (others.scene) {
       walk_scene<D>(*others.scene, {*others.scene, horizon, boxes}, itself, partners, interrupt, *near);
     } else {
       const auto is_other = [&](std::int64_t id) { return id != itself; };
-      add_objects_near<D>(others, boxes, horizon, zero, interrupt, partners, is_other, *near);
+      add_objects_near<D>(others, boxes, horizon, none, interrupt, partners, is_other, *near);
     }
     if (legs.size() == 1) return;
     const RowsNear<D> rows(*near, horizon, boxes);
@@ -142,6 +149,24 @@ NearObjects intruders(const AvoidQuestion& question, const ChangedLegs& changed,
   if (others.tree) near->take_forms(others.tree->forms(), interrupt);
   found.scene = std::move(near);
   return found;
+}
+
+}  // namespace
+
+OwnState::Records ManoeuvreCase::records_at_change() const {
+  OwnState::Records records = own.records_of(changed.at_stored_start());
+  for (std::size_t i = changed.legs.size() - changed.ends; i < changed.legs.size(); ++i)
+    records.push_back(own.record_of(changed.legs[i]->unchanged()));
+  return records;
+}
+
+ManoeuvreCase manoeuvre_case(const AvoidQuestion& question, const OwnState& own,
+                             const QueriedChanges& queried, Interrupt& interrupt) {
+  ManoeuvreCase manoeuvre{question, own, queried, changed_legs(question, own, queried), false};
+  manoeuvre.turns = turns_with_course(question, manoeuvre.first_leg());
+  manoeuvre.near.push_back(near_objects(manoeuvre, question.others, question.own_scene->ids[0], interrupt));
+  if (question.also) manoeuvre.near.push_back(near_objects(manoeuvre, *question.also, {}, interrupt));
+  return manoeuvre;
 }
 
 }  // namespace foresee
