@@ -61,14 +61,16 @@ class ManoeuvreRows {
 
   /// The intruders that a change touches, by exact contact.
   std::vector<Intruder> touching_at(double k) {
+    const ExactAvoidance::Records records = records_at(k);
     const bool are_later = manoeuvre_.changed.are_later;
-    if (k == 0 || !(are_later || manoeuvre_.turns)) return exact_.touching(records_at(k));
+    if (k == 0 || !(are_later || manoeuvre_.turns))
+      return exact_.touching(records, exact_.touching_at_start(records));
     if (!exempt_) {
       exempt_.emplace();
       if (!are_later || question_.touching == Touching::ignore)
         exempt_ = exact_.touching_at_start(manoeuvre_.records_at_change());
     }
-    return exact_.touching(records_at(k), &*exempt_);
+    return exact_.touching(records, *exempt_);
   }
   bool is_clear(double k) { return can_be_stored(k) && touching_at(k).empty(); }
 
@@ -164,7 +166,7 @@ class ManoeuvreRows {
   const QueriedChanges& queried_;
   Interrupt& interrupt_;
   ExactAvoidance exact_;
-  /// Once known: the intruders that no k other than 0 has to avoid, if the motion at k does not show them.
+  /// Once known: the intruders that touch at the change, for motions whose own start does not show them.
   std::optional<std::vector<Intruder>> exempt_;
   std::vector<AvoidRow> rows_;
 };

@@ -52,13 +52,13 @@ Plan knots_with_wait(const Plan& plan, const OwnState& own, double k) {
 }
 
 /// A plan of these legs; knots if these are their legs, or if it must be knots.
+template <class MakeKnots>
 std::optional<Plan> plan_of_legs(std::vector<Leg> legs, const AvoidQuestion& question,
-                                 Plan (*knots)(const Plan&, const OwnState&, double), const OwnState& own,
-                                 double k) {
+                                 MakeKnots&& make_knots) {
   const Plan& stored = *question.plan;
   if (stored.kind == PlanKind::knots) {
     try {
-      Plan plan = knots(stored, own, k);
+      Plan plan = make_knots(stored);
       check_plan(plan);
       if (question.in_degrees || legs_of(plan) == legs) return plan;
     } catch (const Error&) {  // no knots have these legs
@@ -67,10 +67,6 @@ std::optional<Plan> plan_of_legs(std::vector<Leg> legs, const AvoidQuestion& que
   if (question.in_degrees) return std::nullopt;
   const PlanKind kind = stored.kind == PlanKind::knots ? PlanKind::uniform : stored.kind;
   return Plan{.kind = kind, .axes = stored.axes, .legs = std::move(legs)};
-}
-
-Plan later_knots(const Plan& plan, const OwnState& /*own*/, double k) {
-  return shifted_plan(plan, k);
 }
 
 }  // namespace
@@ -82,9 +78,11 @@ std::optional<Plan> changed_plan(const ManoeuvreCase& manoeuvre, double k) {
   if (question.plan) {
     if (k == 0) return *question.plan;
     std::vector<Leg> legs = legs_of(*question.plan);
-    if (waits) return plan_of_legs(legs_with_wait(legs, own, k), question, knots_with_wait, own, k);
+    if (waits)
+      return plan_of_legs(legs_with_wait(legs, own, k), question,
+                          [&](const Plan& knots) { return knots_with_wait(knots, own, k); });
     for (Leg& leg : legs) leg = later(leg, k);
-    return plan_of_legs(std::move(legs), question, later_knots, own, k);
+    return plan_of_legs(std::move(legs), question, [&](const Plan& knots) { return shifted_plan(knots, k); });
   }
   const bool has_legs = waits || question.resume;
   const bool needs_plan = takes_plan(question) && (question.lacks_t || question.lacks_velocity);

@@ -92,18 +92,15 @@ std::vector<KRange> ClearRanges<D>::find(double lo, double hi) {
 
 /// The usual end is found in some hundred evaluations; a grazing path takes hundreds of thousands.
 template <int D>
-double ClearRanges<D>::narrowest(std::uint32_t intruder) const {
-  constexpr std::uint64_t usual = 1 << 20;
-  const std::uint64_t own = evaluations_[intruders_.whole_of(intruder)];
-  const bool many = own >= 4 * usual || all_evaluations_ >= 16 * usual;
-  return std::max(min_change_, width_ * (many ? 0x1p-12 : own >= usual ? 0x1p-22 : 0x1p-40));
-}
-
-template <int D>
 double ClearRanges<D>::narrowest(std::size_t begin, std::size_t end) const {
-  double widest = 0;
-  for (std::size_t i = begin; i < end; ++i) widest = std::max(widest, narrowest(open_[i]));
-  return widest;
+  constexpr std::uint64_t usual = 1 << 20;
+  double share = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::uint64_t own = evaluations_[intruders_.whole_of(open_[i])];
+    const bool many = own >= 4 * usual || all_evaluations_ >= 16 * usual;
+    share = std::max(share, many ? 0x1p-12 : own >= usual ? 0x1p-22 : 0x1p-40);
+  }
+  return std::max(min_change_, width_ * share);
 }
 
 template <int D>

@@ -83,8 +83,7 @@ class ClearRanges {
   /// the geometric mean of the distances from that end; else in the middle.
   void cut(double from, double to, std::size_t begin, std::size_t end, double near);
   std::optional<double> guessed_end(double from, double to, std::size_t begin, std::size_t end);
-  /// The width at which ranges are given up that this intruder leaves open, and the largest of some of open_.
-  double narrowest(std::uint32_t intruder) const;
+  /// The largest width at which a range is given up that one of these intruders of open_ leaves open.
   double narrowest(std::size_t begin, std::size_t end) const;
 
   // Outlines and prisms only:

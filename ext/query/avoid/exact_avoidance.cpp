@@ -164,7 +164,7 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
     std::vector<std::uint8_t> known(legs_ > 1 ? count : 0);
     for (const Pair& hit : hits) {
       if (legs_ > 1 && known[hit.b]++ > 0) continue;
-      touching.push_back({static_cast<int>(table), hit.b});
+      touching.push_back({table, hit.b});
     }
   }
   return touching;
@@ -176,11 +176,10 @@ void ExactAvoidance::complete(std::vector<Intruder>& touching) const {
     if (!others.layout.has_plan) continue;
     std::unordered_set<std::int64_t> ids;
     for (const Intruder& one : touching)
-      if (static_cast<std::size_t>(one.table) == table) ids.insert(others.ids[one.row]);
-    std::erase_if(touching,
-                  [&](const Intruder& one) { return static_cast<std::size_t>(one.table) == table; });
+      if (one.table == table) ids.insert(others.ids[one.row]);
+    std::erase_if(touching, [&](const Intruder& one) { return one.table == table; });
     for (std::uint32_t row = 0; row < others.size(); ++row)
-      if (ids.count(others.ids[row]) > 0) touching.push_back({static_cast<int>(table), row});
+      if (ids.count(others.ids[row]) > 0) touching.push_back({table, row});
   }
 }
 
@@ -201,19 +200,14 @@ bool ExactAvoidance::touches(Contact& contact, std::uint32_t leg, const Intruder
   return !hits.empty();
 }
 
-std::vector<Intruder> ExactAvoidance::touching(const Records& legs, const std::vector<Intruder>* exempt) {
-  std::vector<Intruder> at_start;
-  if (exempt)
-    take(legs);
-  else
-    at_start = touching_at_start(legs), exempt = &at_start;
+std::vector<Intruder> ExactAvoidance::touching(const Records& legs, const std::vector<Intruder>& exempt) {
+  take(legs);
   std::vector<std::vector<std::uint8_t>> left_out;
   for (std::size_t table = 0; table < tables(); ++table) left_out.emplace_back(near(table).size());
-  for (const Intruder& intruder : *exempt)
-    left_out[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
+  for (const Intruder& intruder : exempt) left_out[intruder.table][intruder.row] = 1;
   std::vector<Intruder> touching = decided(contacts_, {question_.now, question_.h}, left_out);
   if (question_.touching == Touching::part)
-    for (const Intruder& intruder : *exempt)
+    for (const Intruder& intruder : exempt)
       if (!all_separate(intruder)) touching.push_back(intruder);
   return touching;
 }
@@ -227,7 +221,7 @@ std::optional<Blocker> ExactAvoidance::first_touching(const Records& legs,
   for (std::size_t table = 0; table < tables(); ++table) {
     pairs.clear(), hits.clear(), times.clear();
     for (const Intruder& intruder : touching)
-      for (std::uint32_t leg = 0; leg < legs_ && static_cast<std::size_t>(intruder.table) == table; ++leg)
+      for (std::uint32_t leg = 0; leg < legs_ && intruder.table == table; ++leg)
         if (may_meet(leg, table, intruder.row)) pairs.push_back({leg, intruder.row});
     contacts_[table]->first_contacts(pairs, TimesWanted::starts, hits, times);
     for (std::size_t i = 0; i < hits.size(); ++i) {

@@ -1,7 +1,7 @@
 // The intruders that one motion touches, decided by exact contact for the motion as it would be stored.
 //
 //   ExactAvoidance exact(manoeuvre, interrupt);
-//   exact.touching({record}, &exempt).empty()          // clear
+//   exact.touching({record}, exact.touching_at_start({record})).empty()          // clear
 //
 // It says what touches at the change, decides k = 0 and queries of a single change, and names the intruder at the end
 // of a row. Extents grow
@@ -25,7 +25,7 @@ namespace foresee {
 
 /// An intruder: its table, and its row there.
 struct Intruder {
-  int table;
+  std::size_t table;
   std::uint32_t row;
 
   friend bool operator==(const Intruder&, const Intruder&) = default;
@@ -42,9 +42,8 @@ class ExactAvoidance {
   /// The intruders that touch at the first time of the object, whatever follows.
   std::vector<Intruder> touching_at_start(const Records& legs);
 
-  /// The intruders that the motion touches. `exempt`: those that touch when the change is made, if these are not
-  /// the ones that this motion touches at its first time.
-  std::vector<Intruder> touching(const Records& legs, const std::vector<Intruder>* exempt = nullptr);
+  /// The intruders that the motion touches. `exempt`: those that touch when the change is made.
+  std::vector<Intruder> touching(const Records& legs, const std::vector<Intruder>& exempt);
 
   /// An intruder relative to the object at its first time: position and velocity in the nearest doubles, with
   /// errors. `square_gap`, for balls, discs and upright shapes: the squared distance of the centres on the
@@ -79,7 +78,6 @@ class ExactAvoidance {
 
   std::size_t tables() const { return manoeuvre_.near.size(); }
   const Scene& near(std::size_t table) const { return *manoeuvre_.near[table].scene; }
-  const Scene& near(const Intruder& intruder) const { return near(static_cast<std::size_t>(intruder.table)); }
 
   const ManoeuvreCase& manoeuvre_;
   const AvoidQuestion& question_;

@@ -46,7 +46,7 @@ bool are_convex(const PairRule& rule, const Bodies& own, std::size_t leg, const 
 
 ExactAvoidance::InitialState ExactAvoidance::initial_state(const Records& legs, const Intruder& intruder) {
   take(legs);
-  const Bodies own = moved_.bodies(), others = near(intruder).bodies();
+  const Bodies own = moved_.bodies(), others = near(intruder.table).bodies();
   const double *own_row = own.row(0), *row = others.row(intruder.row);
   const PairRule rule(own.layout, others.layout, question_.within, question_.within_z);
   const bool upright = rule.distance == Distance::upright;
@@ -74,23 +74,22 @@ ExactAvoidance::InitialState ExactAvoidance::initial_state(const Records& legs, 
 }
 
 bool ExactAvoidance::touches_at_start(std::uint32_t leg, const Intruder& intruder) {
-  const auto table = static_cast<std::size_t>(intruder.table);
-  if (!start_contacts_[table]) start_contacts_[table] = contact(table, {start_, 0});
-  return touches(*start_contacts_[table], leg, intruder);
+  auto& at_start = start_contacts_[intruder.table];
+  if (!at_start) at_start = contact(intruder.table, {start_, 0});
+  return touches(*at_start, leg, intruder);
 }
 
 bool ExactAvoidance::all_separate(const Intruder& intruder) {
   for (std::uint32_t leg = 0; leg < legs_; ++leg) {
     const bool is_apart = leg > 0 && !touches_at_start(leg, intruder);
-    if (is_apart ? touches(*contacts_[static_cast<std::size_t>(intruder.table)], leg, intruder)
-                 : !separates(leg, intruder))
+    if (is_apart ? touches(*contacts_[intruder.table], leg, intruder) : !separates(leg, intruder))
       return false;
   }
   return true;
 }
 
 bool ExactAvoidance::separates(std::uint32_t leg, const Intruder& intruder) {
-  const Bodies own = moved_.bodies(), others = near(intruder).bodies();
+  const Bodies own = moved_.bodies(), others = near(intruder.table).bodies();
   const double *own_row = own.row(leg), *row = others.row(intruder.row);
   const PairLifetime lifetime = pair_lifetime_of({own, others, {question_.now, question_.h}}, own_row, row);
   if (lifetime.none || (lifetime.t_start == lifetime.t_end && lifetime.dt_start == lifetime.dt_end))
@@ -99,7 +98,7 @@ bool ExactAvoidance::separates(std::uint32_t leg, const Intruder& intruder) {
   const PairRule rule(own.layout, others.layout, question_.within, question_.within_z);
   const bool has_outlines = rule.pieces == PieceKind::planar;
   if (has_outlines && !touches_at_start(leg, intruder))
-    return !touches(*contacts_[static_cast<std::size_t>(intruder.table)], leg, intruder);
+    return !touches(*contacts_[intruder.table], leg, intruder);
   return with_axes(own.layout.axes, [&]<int D>(Axes<D>) {
     const bool grow = grows_at_all<D>(own, own_row) || grows_at_all<D>(others, row);
     if (!grow && !bends(own, own_row) && !bends(others, row) &&

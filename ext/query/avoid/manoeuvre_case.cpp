@@ -11,16 +11,6 @@
 namespace foresee {
 namespace {
 
-/// The extents of the object; if its outline rotates with its course, those of all rotations.
-template <int D>
-Extents<D> extents_of_changed(const ManoeuvreCase& manoeuvre, const Changes& changes, const Bodies& own) {
-  Extents<D> extents = extents_of<D>(own, 0);
-  if (!turns_with_course(manoeuvre.question, changes)) return extents;
-  const double far = reach_of(extents).template head<std::min(D, 2)>().sum();
-  for (int axis = 0; axis < std::min(D, 2); ++axis) extents.lower[axis] = -far, extents.upper[axis] = far;
-  return extents;
-}
-
 /// A box around all changed motions from lo to hi, and when any of them exists.
 template <int D>
 MovingBox<D> box_around(const ManoeuvreCase& manoeuvre, const Changes& changes, double lo, double hi,
@@ -28,7 +18,11 @@ MovingBox<D> box_around(const ManoeuvreCase& manoeuvre, const Changes& changes, 
   const MotionSet<D> all = changes.between<D>(lo, hi);
   const OwnMotion& base = changes.reference();
   const Bodies own = manoeuvre.question.own_scene->bodies();
-  const Extents<D> extents = extents_of_changed<D>(manoeuvre, changes, own);
+  Extents<D> extents = extents_of<D>(own, 0);
+  if (turns_with_course(manoeuvre.question, changes)) {  // those of all rotations
+    const double far = reach_of(extents).template head<std::min(D, 2)>().sum();
+    for (int axis = 0; axis < std::min(D, 2); ++axis) extents.lower[axis] = -far, extents.upper[axis] = far;
+  }
   const Horizon horizon{manoeuvre.question.now, manoeuvre.question.h};
   Bounds<D> bounds;
   for (int axis = 0; axis < D; ++axis) {

@@ -81,7 +81,7 @@ class ProvenRanges {
   Marks marked(const std::vector<Intruder>& some) const {
     Marks marks;
     for (const NearObjects& near : manoeuvre_.near) marks.emplace_back(near.scene->size());
-    for (const Intruder& intruder : some) marks[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
+    for (const Intruder& intruder : some) marks[intruder.table][intruder.row] = 1;
     return marks;
   }
 
@@ -90,8 +90,7 @@ class ProvenRanges {
     OwnMotion resting = first_leg().unchanged();
     resting.t = first_leg().reference().t, resting.until = std::numeric_limits<double>::infinity();
     resting.v = resting.a = resting.force = {};
-    const std::vector<Intruder> none;
-    return exact_.touching({manoeuvre_.own.record_of(resting)}, &none);
+    return exact_.touching({manoeuvre_.own.record_of(resting)}, {});
   }
 
   void add_table(std::size_t table) {
@@ -127,7 +126,7 @@ class ProvenRanges {
                                   : nullptr;
     const AtChange known = at_change(encounter, leg, touches, touches_at_rest_[table][row] != 0);
     if (leg == 0 && needs_exact_state(encounter, touches)) {
-      const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(row)};
+      const Intruder intruder{table, static_cast<std::uint32_t>(row)};
       take_exact_state(encounter, exact_.initial_state(manoeuvre_.records_at_change(), intruder),
                        first_leg().starts_vary());
     }

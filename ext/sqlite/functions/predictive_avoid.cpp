@@ -229,11 +229,6 @@ OpenTables open_tables(const FunctionCall& call, AvoidQuestion& question) {
   return tables;
 }
 
-double read_newest_t_of_both(const AvoidQuestion& question) {
-  const double newest = read_newest_t(*question.others.tree);
-  return question.also ? std::max(newest, read_newest_t(*question.also->tree)) : newest;
-}
-
 /// Sets its numbers, plan and outline, and a scene of all its legs; if it does not exist, an empty scene.
 void read_object(const OpenTable& table, std::int64_t id, Interrupt& interrupt, AvoidQuestion& question) {
   const FloatEnvironment environment;  // accelerations are computed on loading
@@ -274,7 +269,10 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const std::int64_t id = call.required_integer(in_id);
   const OpenTables tables = open_tables(call, question);
   if (question.on_globe && !question.how) question.how = Manoeuvre::speed;
-  if (!question.now_given) question.now = read_newest_t_of_both(question);
+  if (!question.now_given) {
+    question.now = read_newest_t(*question.others.tree);
+    if (question.also) question.now = std::max(question.now, read_newest_t(*question.also->tree));
+  }
   call.used(in_now, question.now), call.used(in_within, question.within), call.used(in_touching, "part");
   read_object(tables.a, id, interrupt, question);
   std::vector<AvoidRow> rows = avoid(question, interrupt);
