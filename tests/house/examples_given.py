@@ -60,7 +60,7 @@ GIVEN = {
     "chunk_item.h": {"ships": "const Layout&", "legs": "const std::vector<Leg>&", "record": "double*"},
     "chunk_source.h": {"plans": "ChunkSource&"},
     "chunk_blob.h": {"plan": "const Plan&", "rows": "LegRows&", "first": "std::int64_t", "legs": "std::vector<Leg>&"},
-    "exact_avoidance.h": {"exempt": "const std::vector<Intruder>&", "manoeuvre": "const ManoeuvreCase&"},
+    "exact_avoidance.h": {"manoeuvre": "const ManoeuvreCase&"},
     "own_state.h": {"question": "const AvoidQuestion&"},
     "manoeuvre_case.h": {"question": "const AvoidQuestion&"},
     "nearest_rows.h": {"bound": "double"},
