@@ -30,7 +30,7 @@
 
 namespace foresee {
 
-/// Contact of one contact set for all pairs. `degree`: of the relative motion, at most 2.
+/// Contact of one contact set for all pairs (set/set_traits.h). `degree`: of the relative motion, at most 2.
 std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, int degree);
 /// Contact by the distance per axis, sixteen pairs at a time (boxes/box_lanes.h).
 std::unique_ptr<Contact> make_box_contact(const Setup& setup, int degree);

@@ -16,21 +16,6 @@
 
 namespace foresee {
 
-/// When a polynomial p, by powers of the time after `base`, changes its sign within `width` of it: its root,
-/// rounded once, or unknown. `value` is p[0] in DoubleDouble.
-template <CrossingDirection direction, std::size_t N>
-Instant rounded_crossing(const std::array<Bounded, N>& p, const DoubleDouble& value, double underflow,
-                         double now, double base, double width) {
-  const double lost = underflow + 0x1p-1060, slope = p[1].value;
-  // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
-  const double error = p[0].error_bound(lost) * 0x1p-44 + underflow;
-  const double span = std::max(width, 2 * std::abs(value.high / slope));
-  double bend = 0, weight = 1;  // bend: an upper bound on |p''| / 2 over the span
-  for (std::size_t k = 2; k < N; ++k, weight *= span)
-    bend += weight * static_cast<double>(k * (k - 1)) * (std::abs(p[k].value) + p[k].error_bound(lost));
-  return root_of<direction>({value, error, slope, p[1].error_bound(lost), bend}, now, base, width);
-}
-
 /// `Traits`: what the pieces are (pair_context.h).
 template <class Traits>
 class EndpointRounding {

@@ -122,7 +122,8 @@ class UnionContact : public Contact {
     if (touches == Verdict::no) return {};
     if (touches == Verdict::uncertain) {
       const auto exact = Exact(context, staged).contact(-UncertainInterval::inf, staged.contact_by());
-      if (!exact || exact->dt_end < UncertainInterval::inf) return exact;
+      if (!exact || exact->dt_end < UncertainInterval::inf)
+        return exact;  // infinite: the end is not known yet
       begin = {exact->dt, exact->t};
     }
     if (wanted != TimesWanted::both) return ContactTimes{begin.t, begin.t, begin.dt, begin.dt};

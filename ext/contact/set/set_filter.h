@@ -48,7 +48,9 @@ class SetFilter {
                   .times_wanted = false,
                   .space = reinterpret_cast<double*>(space_.data())} {}
 
-  /// As EachPair::for_each().
+  /// Calls `visit` with each pair that is not certainly apart, in order. Its other arguments are the time
+  /// outside of which they do not touch, and whether they certainly touch. That is about the start of the queried
+  /// time if times are wanted, else about any time.
   template <class Visit>
   void for_each(std::span<const Pair> pairs, bool times_wanted, Visit&& visit) {
     constexpr std::size_t width = SetLanes::width;

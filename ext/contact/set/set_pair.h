@@ -8,7 +8,7 @@
 // (advancement.h). Only the primitives that may be 0 in a bracket so found have a root to round.
 #pragma once
 
-#include "contact/certified/endpoint_rounding.h"
+#include "contact/certified/pair_context.h"
 #include "contact/set/advancement.h"
 
 namespace foresee {
@@ -83,7 +83,7 @@ class SetCrossing {
   /// When the pair enters or leaves the set, or unknown.
   Instant instant() {
     Instant whole = outside;
-    for (const ContactSet::Piece& piece : certain_.set().pieces()) whole = any(whole, of(piece));
+    for (const ContactSet::Piece& piece : certain_.set().pieces()) whole = any(whole, of_piece(piece));
     return whole;
   }
 
@@ -103,10 +103,10 @@ class SetCrossing {
   static bool is_outside(const Instant& instant) { return instant.dt == outside.dt; }
 
   /// When it enters or leaves a piece. Outside one primitive is outside, even if others are undecided.
-  Instant of(const ContactSet::Piece& piece) {
+  Instant of_piece(const ContactSet::Piece& piece) {
     Instant crossing = inside;
     for (const int i : certain_.set().members(piece.all)) {
-      const Instant one = of(i);
+      const Instant one = of_primitive(i);
       if (is_outside(one)) return outside;
       crossing = all(crossing, one);
     }
@@ -114,24 +114,24 @@ class SetCrossing {
   }
 
   /// When primitive number i is crossed; computed once.
-  Instant of(int i) {
+  Instant of_primitive(int i) {
     const auto place = static_cast<std::size_t>(i);
     if (!space_.tested[place]) {
       space_.tested[place] = true;
-      space_.crossings[place] = of(certain_.set().primitives()[place]);
+      space_.crossings[place] = computed(certain_.set().primitives()[place]);
     }
     return space_.crossings[place];
   }
 
-  Instant of(const Primitive& primitive) const {
-    return certain_.with_polynomial(primitive,
-                                    [this, &primitive](const auto& p) { return this->of(primitive, p); });
+  Instant computed(const Primitive& primitive) const {
+    return certain_.with_polynomial(
+        primitive, [this, &primitive](const auto& p) { return this->in_bracket(primitive, p); });
   }
 
   /// When its polynomial changes sign: `inside` or `outside` if it certainly keeps that sign in the whole
   /// bracket, else its root, rounded once, or unknown.
   template <std::size_t N>
-  Instant of(const Primitive& primitive, const std::array<Bounded, N>& p) const {
+  Instant in_bracket(const Primitive& primitive, const std::array<Bounded, N>& p) const {
     const double lost = certain_.lost(primitive), error = p[0].error_bound(lost);
     double moved = 0;
     for (std::size_t k = N - 1; k > 0; --k) moved = width_ * (upper_bound(p[k]) + moved);
@@ -162,10 +162,10 @@ class SetPair {
         advancement_({context.a.set(), context.relative, context.a.lengths().data(), space.known},
                      context.lifetime, context.near) {}
 
-  // As UnionPair.
-
+  /// Whether they touch. Stops at the first time at which they certainly do.
   Verdict touches() { return advancement_.touches(); }
 
+  /// Whether they touch, and when contact starts. After `yes`, `begin` is known.
   Verdict first_contact(Instant& begin) {
     const Verdict touches = advancement_.first_contact(first_);
     if (touches != Verdict::yes) return touches;
@@ -174,9 +174,12 @@ class SetPair {
     return begin.known() ? Verdict::yes : Verdict::uncertain;
   }
 
+  /// After `yes`: a time by which contact has certainly started.
   double contact_by() const { return first_.after; }
+  /// In place of first_contact(): they certainly touch at this time.
   void start_at(double time) { first_.after = time; }
 
+  /// When the contact ends that first_contact() or start_at() has found, or unknown.
   Instant end_of_contact(bool /*lasts_until_contact_by*/) {
     Bracket last;
     const Verdict leaves = advancement_.end_of_contact(first_.after, last);

@@ -35,7 +35,8 @@ class ExactSet {
 };
 
 /// D: the number of axes. Degree: 1 or 2, the highest power of time in the relative motion and in the sizes
-/// of the set.
+/// of the set. The engine passes some arguments that only pieces under trees need: their parameters have no name here
+/// and in set_pair.h.
 template <int D, int Degree>
 struct SetTraits {
   static constexpr int axes = D;
@@ -51,6 +52,7 @@ struct SetTraits {
   static void take(Pieces& pieces, Pieces&, const Setup& setup, const Tables& set, const Pair& pair) {
     pieces.take(set, setup.a.row(pair.a), setup.b.row(pair.b));
   }
+  /// The lanes have filtered already.
   static FilterAnswer filter_answer(const Context&, bool) { return {}; }
   /// Whether the relative motion has no acceleration. Sizes grow linearly.
   static bool is_straight(const Setup& setup, const double* row_a, const double* row_b) {
