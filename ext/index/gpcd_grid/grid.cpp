@@ -1,6 +1,10 @@
 #include "index/gpcd_grid/grid.h"
 
 #include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "index/gpcd_grid/moving_source.h"
 
 namespace foresee::gpcd {
 namespace {
@@ -43,8 +47,12 @@ Columns columns_of(const MovingSource<D>& a, const MovingSource<D>* b, const Flo
 }  // namespace
 
 template <int D>
-Grid<D>::Grid(const MovingSource<D>& a, const MovingSource<D>* b, GridSpace& space, std::size_t helpers,
-              Interrupt& interrupt) {
+Grid<D>::Grid(const MovingBoxes<D>& boxes_a, const MovingBoxes<D>* boxes_b, std::shared_ptr<GridSpace> space,
+              std::size_t helpers, Interrupt& interrupt)
+    : space_(space ? std::move(space) : std::make_shared<GridSpace>()) {
+  const MovingSource<D> a(boxes_a, interrupt);
+  std::optional<MovingSource<D>> other;
+  const MovingSource<D>* const b = boxes_b ? &other.emplace(*boxes_b, interrupt) : nullptr;
   const std::vector<Beam<D>> sample = sample_of(a, b);
   const FloatFrame<D> frame = frame_of(std::span<const Beam<D>>(sample));
   const Columns columns = columns_of(a, b, frame);
@@ -54,25 +62,26 @@ Grid<D>::Grid(const MovingSource<D>& a, const MovingSource<D>* b, GridSpace& spa
     stripe_height_[axis] = 1 / static_cast<double>(partition_.axis[axis].per_unit) / frame.scale[axis];
   for (const MovingSource<D>* source : {&a, b})
     if (source)
-      sides_.push_back(std::make_unique<Side>(*source, frame, columns, partition_, space.sides[sides_.size()],
-                                              helpers, interrupt));
+      sides_.push_back(std::make_unique<Side>(*source, frame, columns, partition_,
+                                              space_->sides[sides_.size()], helpers, interrupt));
   if (giant_count() == 0 || !a.all_start(interrupt) || (b && !b->all_start(interrupt))) return;
   sides_[0]->giants.find_cores(a, frame, partition_);
   if (b) sides_[1]->giants.find_cores(*b, frame, partition_);
 }
 
 template <int D>
-GridVisit<D>::GridVisit(Grid<D>& grid, std::size_t first, std::size_t last, GridSpace::Visit& memory,
+GridVisit<D>::GridVisit(std::shared_ptr<Grid<D>> grid, std::size_t first, std::size_t last,
                         Interrupt& interrupt)
-    : grid_(grid),
+    : grid_(std::move(grid)),
+      memory_(grid_->space().visits),
       interrupt_(interrupt),
       giants_met_(first > 0),
       next_stripe_(first),
       last_stripe_(last),
-      batch_(memory.batch.room(pairs_per_batch + lanes_max)) {
+      batch_((*memory_).batch.room(pairs_per_batch + lanes_max)) {
   sides_.reserve(2);
-  for (std::size_t i = 0; i < grid.side_count(); ++i)
-    sides_.emplace_back(grid.side(i).giants, memory.inside[i], memory.crossing[i]);
+  for (std::size_t i = 0; i < grid_->side_count(); ++i)
+    sides_.emplace_back(grid_->side(i).giants, (*memory_).inside[i], (*memory_).crossing[i]);
 }
 
 template <int D>
@@ -114,7 +123,7 @@ bool GridVisit<D>::open_next() {
 template <int D>
 void GridVisit<D>::open_giants() {
   for (std::size_t i = 0; i < sides_.size(); ++i)
-    sides_[i].crossing.gather(sides_[i].giants.all(), grid_.side(i).rows, interrupt_);
+    sides_[i].crossing.gather(sides_[i].giants.all(), grid_->side(i).rows, interrupt_);
   if (sides_.size() == 1)
     scans_.push_back(scan_within(sides_[0].crossing.view()));
   else
@@ -123,7 +132,7 @@ void GridVisit<D>::open_giants() {
 
 template <int D>
 void GridVisit<D>::open_stripe(std::size_t number) {
-  const Partition<D>& partition = grid_.partition();
+  const Partition<D>& partition = grid_->partition();
   int stripe[D] = {};
   if constexpr (D == 2) stripe[1] = static_cast<int>(number);
   if constexpr (D == 3) {
@@ -131,10 +140,10 @@ void GridVisit<D>::open_stripe(std::size_t number) {
     stripe[1] = static_cast<int>(number / across), stripe[2] = static_cast<int>(number % across);
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    auto& entered = grid_.side(i);
+    auto& entered = grid_->side(i);
     sides_[i].inside.sort_and_gather(entered.stripes.entries(number), entered.rows, partition, stripe,
                                      interrupt_);
-    const bool meets_none = grid_.side(sides_.size() - 1 - i).stripes.entries(number).empty();
+    const bool meets_none = grid_->side(sides_.size() - 1 - i).stripes.entries(number).empty();
     const auto crossing = meets_none ? std::span<const Key>() : sides_[i].giants.crossing(stripe);
     sides_[i].crossing.gather(crossing, entered.rows, partition, stripe, interrupt_);
     sides_[i].crossing.set_cores(sides_[i].giants.cores());

@@ -39,15 +39,16 @@ class Grid {
     Giants<D> giants;
   };
 
-  /// Enters the objects of `a`, or of both if `b` is not null. The sources are not needed afterwards; their
-  /// numbers are kept in `space`, which must outlive the grid. `helpers` is the number of threads beside this
+  /// Enters the objects of `a`, or of both if `b` is not null. The bodies are not needed afterwards; their numbers are
+  /// kept in `space`, or in memory of the grid's own if that is null. `helpers` is the number of threads beside this
   /// one; the grid is the same for any number of them.
-  Grid(const MovingSource<D>& a, const MovingSource<D>* b, GridSpace& space, std::size_t helpers,
-       Interrupt& interrupt);
+  Grid(const MovingBoxes<D>& a, const MovingBoxes<D>* b, std::shared_ptr<GridSpace> space,
+       std::size_t helpers, Interrupt& interrupt);
 
   /// 1 or 2.
   std::size_t side_count() const { return sides_.size(); }
   Side& side(std::size_t i) { return *sides_[i]; }
+  GridSpace& space() { return *space_; }
   const Partition<D>& partition() const { return partition_; }
   /// Entries in all stripes: at least one for each box inside the grid.
   std::size_t entry_count() const;
@@ -57,6 +58,7 @@ class Grid {
   std::string describe() const;
 
  private:
+  std::shared_ptr<GridSpace> space_;
   Partition<D> partition_;
   double stripe_height_[D] = {};  // in the table's units
   std::vector<std::unique_ptr<Side>> sides_;
@@ -65,25 +67,25 @@ class Grid {
 template <int D>
 class GridVisit final : public Candidates {
  public:
-  /// Visits the stripes [first, last). A visit that includes stripe 0 also compares giants with giants. All
-  /// arguments must outlive the visit.
-  GridVisit(Grid<D>& grid, std::size_t first, std::size_t last, GridSpace::Visit& memory,
-            Interrupt& interrupt);
+  /// Visits the stripes [first, last). A visit that includes stripe 0 also compares giants with giants.
+  /// `interrupt` must outlive the visit.
+  GridVisit(std::shared_ptr<Grid<D>> grid, std::size_t first, std::size_t last, Interrupt& interrupt);
   /// Visits all stripes.
-  GridVisit(Grid<D>& grid, GridSpace::Visit& memory, Interrupt& interrupt)
-      : GridVisit(grid, 0, grid.partition().stripes(), memory, interrupt) {}
+  GridVisit(const std::shared_ptr<Grid<D>>& grid, Interrupt& interrupt)
+      : GridVisit(grid, 0, grid->partition().stripes(), interrupt) {}
 
   /// A batch of at most about 500 pairs, or the pairs found in about a millisecond; in the order of the
   /// stripes.
   bool next(std::vector<Pair>& out) override;
   bool touching() const override { return touching_; }
-  std::string describe() const override { return grid_.describe(); }
+  std::string describe() const override { return grid_->describe(); }
   /// The number of steps of the scan kernel so far.
   std::size_t steps_taken() const { return steps_taken_; }
 
  private:
-  struct Side {
-    Side(const Giants<D>& giants, GridSpace::Visit::Lanes& inside, GridSpace::Visit::Lanes& crossing)
+  /// The boxes of one side in the open stripe: those entered, and the giants that cross it.
+  struct Gathered {
+    Gathered(const Giants<D>& giants, GridSpace::Visit::Lanes& inside, GridSpace::Visit::Lanes& crossing)
         : giants(giants), inside(inside), crossing(crossing) {}
     Giants<D> giants;
     Lanes<D> inside, crossing;
@@ -99,9 +101,10 @@ class GridVisit final : public Candidates {
   /// covered boxes, then of the others.
   void scan_giants(const LaneView<D>& crossing, const LaneView<D>& inside, bool swap);
 
-  Grid<D>& grid_;
+  std::shared_ptr<Grid<D>> grid_;
+  GridSpace::Visits::Taken memory_;
   Interrupt& interrupt_;
-  std::vector<Side> sides_;
+  std::vector<Gathered> sides_;
   const ScanKernel<D> run_ = scan_kernel<D>();
   std::vector<Scan<D>> scans_;
   std::size_t scan_ = 0;

@@ -33,7 +33,7 @@ class Lanes {
   /// Sets the core of each box; null: no cores.
   void set_cores(const Cores<D>* cores);
 
-  /// Limits each box to the part along x in which it can meet the boxes `inside` (lanes.cpp).
+  /// Limits each box to the part along x in which it can meet the boxes `inside` (clip() in giants.h).
   void clip_to(const LaneView<D>& inside);
 
   /// Valid until the next gather().

@@ -5,9 +5,10 @@
 //   Scan<2> scan = scan_within(lanes);
 //   while (!scan.done()) written += run(scan, pairs + written, room - written, steps);
 //
-// Each row is compared with the boxes that start before it ends, as many at a time as a vector register
-// holds. The boxes are compared first (space), then, if objects move, the beams (time). A scan can pause
-// after any step. All instruction sets give the same pairs in the same order (scan.kernel.cpp).
+// The rows of a scan are its left-hand beams, the lanes its right-hand ones. Each row is compared with the
+// lanes that start before it ends, as many at a time as a vector register holds. The boxes are compared first
+// (space), then, if objects move, the beams (time). A scan can pause after any step. All instruction sets give
+// the same pairs in the same order (scan.kernel.cpp).
 #pragma once
 
 #include <cstddef>
@@ -31,7 +32,8 @@ struct LaneView {
   const float* travel[D] = {};                   ///< null if nothing moves, like the next two
   const float *centre[D] = {}, *extent[D] = {};  ///< of the moving box at half the horizon; centre times two
   const float *begin = nullptr, *end = nullptr;  ///< null if all objects exist throughout
-  const float *from = nullptr, *to = nullptr;    ///< of rows: range of lanes (lanes.cpp); null: lower, upper
+  const float *from = nullptr,
+              *to = nullptr;  ///< of rows: range of lanes (clip() in giants.h); null: lower, upper
   const float *core_lower[D] = {}, *core_upper[D] = {};  ///< of rows (giants.h); null if no row has a core
   const std::uint32_t *classes = nullptr, *ids = nullptr;
   const std::uint32_t *categories = nullptr, *masks = nullptr;  ///< null: all may meet (shape/kinds.h)

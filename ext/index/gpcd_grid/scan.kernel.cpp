@@ -191,33 +191,24 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   return static_cast<std::size_t>(out - begin);
 }
 
-/// Dispatches on the pairs to keep.
-template <class V, int D, Time time, bool has_kinds>
-std::size_t run_kept(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
-  if (scan.keep == Keep::covered)
-    return run_rows<V, D, time, Keep::covered, has_kinds>(scan, out, room, steps);
-  if (scan.keep == Keep::others) return run_rows<V, D, time, Keep::others, has_kinds>(scan, out, room, steps);
-  return run_rows<V, D, time, Keep::all, has_kinds>(scan, out, room, steps);
-}
-
-/// Dispatches on whether the lanes have kinds.
-template <class V, int D, Time time>
-std::size_t run_meeting(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
-  return scan.lanes->categories ? run_kept<V, D, time, true>(scan, out, room, steps)
-                                : run_kept<V, D, time, false>(scan, out, room, steps);
-}
-
-/// Dispatches on the columns that the lanes have.
+/// Runs the kernel for the columns that the lanes have, and the pairs to keep.
 template <int D>
 std::size_t run_scan(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
   if (room < lanes_max) return 0;
-  std::size_t written;
-  if (!scan.lanes->travel[0])
-    written = run_meeting<Vector, D, Time::none>(scan, out, room, steps);
-  else if (!scan.lanes->begin)
-    written = run_meeting<Vector, D, Time::horizon>(scan, out, room, steps);
-  else
-    written = run_meeting<Vector, D, Time::life>(scan, out, room, steps);
+  const auto run = [&]<Time time, bool has_kinds>() {
+    if (scan.keep == Keep::covered)
+      return run_rows<Vector, D, time, Keep::covered, has_kinds>(scan, out, room, steps);
+    if (scan.keep == Keep::others)
+      return run_rows<Vector, D, time, Keep::others, has_kinds>(scan, out, room, steps);
+    return run_rows<Vector, D, time, Keep::all, has_kinds>(scan, out, room, steps);
+  };
+  const auto run_in = [&]<Time time>() {
+    return scan.lanes->categories ? run.template operator()<time, true>()
+                                  : run.template operator()<time, false>();
+  };
+  const std::size_t written = !scan.lanes->travel[0] ? run_in.template operator()<Time::none>()
+                              : !scan.lanes->begin   ? run_in.template operator()<Time::horizon>()
+                                                     : run_in.template operator()<Time::life>();
   if (scan.swap)
     for (std::size_t i = 0; i < written; ++i) out[i] = {out[i].b, out[i].a};
   return written;

@@ -1,7 +1,7 @@
 // Sort keys of boxes, and the bucket sort that orders a stripe by the lower ends along x before it is
 // scanned.
 //
-//   std::span<const Key> sorted = along_x(stripes.entries(7), partition.x, memory, interrupt);
+//   std::span<const Key> sorted = sorted_along_x(stripes.entries(7), partition.x, memory, interrupt);
 //
 // A counting sort into buckets of equal width, about as many as there are keys, is followed by an insertion
 // sort of the nearly sorted result. A stripe is small, so all of it stays in the caches. If nearly all keys
@@ -29,7 +29,7 @@ inline std::uint32_t id_of(Key key) {
 void sort_keys(std::span<Key> keys, Interrupt& interrupt);
 
 /// The sorted keys, stored in `memory`. Fast if few keys are outside `range`.
-std::span<const Key> along_x(std::span<const Key> keys, const Range& range, GridSpace::Visit::Lanes& memory,
-                             Interrupt& interrupt);
+std::span<const Key> sorted_along_x(std::span<const Key> keys, const Range& range,
+                                    GridSpace::Visit::Lanes& memory, Interrupt& interrupt);
 
 }  // namespace foresee::gpcd

@@ -87,9 +87,9 @@ struct GridSpace {
       Buffer<std::uint64_t> keys;
     } inside[2], crossing[2];
     Buffer<Pair> batch;
-  } visit;
+  };
 
-  /// A pool of such memory for several threads.
+  /// A pool of such memory, for one thread or several.
   class Visits {
    public:
     class Taken {
@@ -157,7 +157,6 @@ struct GridSpace {
       work(side.rows), work(side.stripes), work(side.keys);
       for (Part& part : side.parts) work(part.keys), work(part.stripes), work(part.counts);
     }
-    for_each(visit, work);
     visits.for_each([&work](Visit& other) { for_each(other, work); });
   }
 };

@@ -7,7 +7,6 @@
 #include "index/candidate_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/gpcd_grid/grid.h"
-#include "index/gpcd_grid/moving_source.h"
 
 namespace foresee::testing {
 namespace {
@@ -61,8 +60,7 @@ void expect_crossings_counted() {
       rows[i * static_cast<std::size_t>(at.size) + static_cast<std::size_t>(at.half + axis)] *=
           axis == static_cast<int>(i) % D ? 300 : 10;
   const MovingBoxes<D> boxes{Bodies(scene.layout, rows.data(), 3000), scene.horizon(), Vec<D>::Zero()};
-  GridSpace space;
-  gpcd::Grid<D> grid(gpcd::MovingSource<D>(boxes, never), nullptr, space, 0, never);
+  gpcd::Grid<D> grid(boxes, nullptr, nullptr, 0, never);
   const gpcd::Partition<D>& partition = grid.partition();
   const std::vector<std::size_t> counts = grid.side(0).giants.crossing_counts(partition);
   ASSERT_EQ(counts.size(), partition.stripes());

@@ -1,7 +1,6 @@
 // The cost of the grid in counts that are the same on every machine: entries, kernel steps, interrupt polls.
 #include "index/candidate_pairs.h"
 #include "index/gpcd_grid/grid.h"
-#include "index/gpcd_grid/moving_source.h"
 #include "index/resting_bodies.h"
 #include "stopping_interrupt.h"
 
@@ -21,13 +20,11 @@ struct Cost {
 
 template <int D>
 Cost cost_of(const std::vector<Box<D>>& boxes) {
-  GridSpace space;
   const RestingBodies<D> resting(boxes);
-  const MovingBoxes<D> side = resting.side();
-  gpcd::Grid<D> grid(gpcd::MovingSource<D>(side, never), nullptr, space, 0, never);
-  gpcd::GridVisit<D> visit(grid, space.visit, never);
+  const auto grid = std::make_shared<gpcd::Grid<D>>(resting.side(), nullptr, nullptr, 0, never);
+  gpcd::GridVisit<D> visit(grid, never);
   const std::size_t candidates = drain(visit).size();
-  return {grid.entry_count(), grid.giant_count(), visit.steps_taken(), candidates};
+  return {grid->entry_count(), grid->giant_count(), visit.steps_taken(), candidates};
 }
 
 template <int D>
@@ -111,8 +108,7 @@ TEST(GpcdGridInterrupt, IsSeenDuringTheBuild) {
   const MovingBoxes<2> side = resting.side();
   for (int checks : {0, 1, 5, 20}) {
     StopAt stop(checks);
-    GridSpace space;
-    EXPECT_THROW(gpcd::Grid<2>(gpcd::MovingSource<2>(side, stop), nullptr, space, 0, stop), Interrupted);
+    EXPECT_THROW(gpcd::Grid<2>(side, nullptr, nullptr, 0, stop), Interrupted);
   }
 }
 
@@ -120,9 +116,7 @@ TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
   const RestingBodies<2> resting(std::vector(20000, Box<2>{Vec<2>::Zero(), Vec<2>::Constant(1)}));
   const MovingBoxes<2> side = resting.side();
   StopAt stop(1000);
-  GridSpace space;
-  gpcd::Grid<2> grid(gpcd::MovingSource<2>(side, stop), nullptr, space, 0, stop);
-  gpcd::GridVisit<2> visit(grid, space.visit, stop);
+  gpcd::GridVisit<2> visit(std::make_shared<gpcd::Grid<2>>(side, nullptr, nullptr, 0, stop), stop);
   std::vector<Pair> batch;
   ASSERT_TRUE(visit.next(batch));
   stop.checks_left = 0;
@@ -143,7 +137,7 @@ TEST(GpcdGridKeys, AreSortedWhateverTheRange) {
           const auto x = static_cast<float>(random.in(-1, 1) * scale);
           keys.push_back(gpcd::key_of(i % 50 == 7 ? max : i % 70 == 9 ? -max : i % 90 == 3 ? -inf : x, i));
         }
-        const auto sorted = gpcd::along_x(keys, range, memory, never);
+        const auto sorted = gpcd::sorted_along_x(keys, range, memory, never);
         std::sort(keys.begin(), keys.end());
         EXPECT_TRUE(std::equal(keys.begin(), keys.end(), sorted.begin(), sorted.end()));
       }
