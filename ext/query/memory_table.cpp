@@ -50,7 +50,8 @@ double MemoryTable::newest_t() {
   return read_newest_t(pages_);
 }
 
-std::shared_ptr<const Scene> MemoryTable::all(bool) {
+std::shared_ptr<const Scene> MemoryTable::all(const SceneNeeds& needs) {
+  if (plans_ && !needs.times.cover({})) return read_objects(needs.times);
   if (all_) return all_;
   if (plans_) return all_ = read_objects({});
   NeverInterrupt never;
@@ -61,10 +62,6 @@ std::shared_ptr<const Scene> MemoryTable::all(bool) {
   scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
   scene->levels = std::move(tree.levels);
   return all_ = scene;
-}
-
-std::shared_ptr<const Scene> MemoryTable::all_during(const LegTimes& times) {
-  return plans_ ? read_objects(times) : all();
 }
 
 std::span<const double> MemoryTable::find_record(std::int64_t id) {

@@ -86,8 +86,7 @@ class MemoryTable final : public TableSource {
   const Layout& layout() const override { return pages_.layout(); }
   double likely_objects() const override { return static_cast<double>(pages_.object_count()); }
   double newest_t() override;
-  std::shared_ptr<const Scene> all(bool with_levels = false) override;
-  std::shared_ptr<const Scene> all_during(const LegTimes& times) override;
+  std::shared_ptr<const Scene> all(const SceneNeeds& needs = {}) override;
   bool is_loaded() override { return all_ != nullptr; }
   std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids, const LegTimes& times) override;
   /// Valid until the next change.

@@ -18,6 +18,7 @@
 #include "index/tpr_tree/search/tree_join.h"
 #include "motion/plan/plan.h"
 #include "shape/bodies.h"
+#include "shape/kinds.h"
 #include "shape/turned_forms.h"
 
 namespace foresee {
@@ -29,6 +30,14 @@ struct RowRange {
   std::size_t first, last;
 
   std::size_t size() const { return last - first; }
+};
+
+/// What a query needs of a table's objects; by default all of them, without the tree.
+struct SceneNeeds {
+  bool with_levels =
+      false;            ///< the levels of the tree; not of a layout with plans, which has none in a scene
+  LegTimes times = {};  ///< of a layout with plans: legs that exist at no time of these may be missing
+  std::optional<Kinds> others = {};  ///< objects that may meet none of these kinds, or-ed, may be missing
 };
 
 struct Scene {

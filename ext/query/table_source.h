@@ -19,7 +19,6 @@
 #include "index/gpcd_grid/work_space.h"
 #include "index/pages.h"
 #include "query/scene.h"
-#include "shape/kinds.h"
 
 namespace foresee {
 
@@ -43,14 +42,8 @@ class TableSource {
   virtual double likely_objects() const = 0;
   /// The largest reference time stored; 0 without objects or without t. Cost: one node.
   virtual double newest_t() = 0;
-  /// All objects, with the levels of the tree on request. Cost: all are decoded, unless is_loaded().
-  virtual std::shared_ptr<const Scene> all(bool with_levels = false) = 0;
-  /// The same of a layout with plans: rows that exist at some time of `times`, plans as their legs.
-  virtual std::shared_ptr<const Scene> all_during(const LegTimes&) { return all(); }
-  /// The same, perhaps without objects that may meet none of these kinds, or-ed. Requires: a layout without plans.
-  virtual std::shared_ptr<const Scene> all_meeting(Kinds, bool with_levels = false) {
-    return all(with_levels);
-  }
+  /// All objects, or at least those that are needed; plans as their legs. Cost: all are decoded, unless is_loaded().
+  virtual std::shared_ptr<const Scene> all(const SceneNeeds& needs = {}) = 0;
   virtual bool is_loaded() = 0;
   /// Those of these ids that exist at some time of `times`, plans as their legs of that time, and perhaps others.
   /// Requires: ids in rising order. Cost: a look-up per id, and per plan the chunks of `times`.

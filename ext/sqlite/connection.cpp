@@ -87,74 +87,56 @@ std::span<TableCursor* const> Connection::cursors(const Store* store) const noex
   return open->second;
 }
 
-std::shared_ptr<const Scene> Connection::find_scene(const OpenTable& table, bool with_levels,
-                                                    const LegTimes& times,
-                                                    const std::optional<Kinds>& others) {
-  const ContentVersion version = table.store->read_version();
+bool Connection::is_loaded(const OpenTable& table) const {
   const auto cached = scenes_.find(table.store.get());
-  if (cached == scenes_.end() || cached->second.version != version ||
-      (with_levels && !cached->second.scene->levels) || !cached->second.scene->legs_during.cover(times) ||
-      (cached->second.others && cached->second.others != others))
-    return nullptr;
-  cached->second.used = ++last_use_;
-  return cached->second.scene;
+  return cached != scenes_.end() && cached->second.version == table.store->read_version() &&
+         cached->second.has({});
 }
 
-std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool with_levels,
-                                                    std::optional<Kinds> others) {
-  if (table.store->declaration().layout.has_plan) return load_legs(table);
-  if (auto scene = find_scene(table, with_levels, {}, others)) return scene;
-  const ContentVersion version = table.store->read_version();
-  const auto cached = scenes_.find(table.store.get());
-  if (cached != scenes_.end()) {
-    // Queries of different kinds alternate: one scene of all objects serves them all.
-    if (cached->second.version == version && cached->second.others != others) others.reset();
+std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, SceneNeeds needs) {
+  Store& store = *table.store;
+  const Layout& layout = store.declaration().layout;
+  if (layout.has_plan)
+    needs.with_levels = false, needs.others.reset();
+  else
+    needs.times = {};
+  const ContentVersion version = store.read_version();
+  if (const auto cached = scenes_.find(&store); cached != scenes_.end()) {
+    if (cached->second.version == version) {
+      if (cached->second.has(needs)) {
+        cached->second.used = ++last_use_;
+        return cached->second.scene;
+      }
+      // Queries of different kinds alternate: one scene of all objects serves them all.
+      if (cached->second.others != needs.others) needs.others.reset();
+    }
     scenes_.erase(cached);  // before the new one is decoded, so that memory holds only one
   }
-  std::optional<KindTest> wanted;
-  if (others) wanted = KindTest::of_partners(*others);
   auto scene = std::make_shared<Scene>();
-  scene->name = table.table;
-  scene->layout = table.store->declaration().layout;
+  scene->name = table.table, scene->layout = layout, scene->legs_during = needs.times;
+  std::optional<KindTest> wanted;
+  if (needs.others) wanted = KindTest::of_partners(*needs.others);
   const FloatEnvironment environment;  // accelerations are computed on loading
-  if (with_levels) {
-    TreeScene tree = read_tree(*table.store->take_snapshot(), interrupt_, wanted);
+  bool complete = true;                // no object was left out by its kind
+  if (layout.has_plan) {
+    const auto add = [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
+      scene->add(id, record.data(), legs);
+    };
+    store.read_objects(needs.times.from, needs.times.until, add, interrupt_);
+  } else if (needs.with_levels) {
+    TreeScene tree = read_tree(*store.take_snapshot(), interrupt_, wanted);
     scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
     scene->levels = std::move(tree.levels);
-    if (tree.complete) others.reset(), table.store->expect_objects(scene->ids.size());
-  } else if (table.store->read_all(scene->ids, scene->rows, interrupt_, wanted)) {
-    others.reset();
+    complete = tree.complete;
+    if (complete) store.expect_objects(scene->ids.size());
+  } else {
+    complete = store.read_all(scene->ids, scene->rows, interrupt_, wanted);
   }
-  scene->take_forms(table.store->forms(), interrupt_);
-  keep_scene(table, version, scene, others);
-  return scene;
-}
-
-std::shared_ptr<const Scene> Connection::load_legs(const OpenTable& table, const LegTimes& times) {
-  if (!table.store->declaration().layout.has_plan) return load_scene(table);
-  if (auto scene = find_scene(table, false, times)) return scene;
-  const ContentVersion version = table.store->read_version();
-  scenes_.erase(table.store.get());  // before the new one is decoded, so that memory holds only one
-  auto scene = std::make_shared<Scene>();
-  scene->name = table.table;
-  scene->layout = table.store->declaration().layout;
-  scene->legs_during = times;
-  const FloatEnvironment environment;
-  table.store->read_objects(
-      times.from, times.until,
-      [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
-        scene->add(id, record.data(), legs);
-      },
-      interrupt_);
-  scene->take_forms(table.store->forms(), interrupt_);
-  keep_scene(table, version, scene);
-  return scene;
-}
-
-void Connection::keep_scene(const OpenTable& table, const ContentVersion& version,
-                            std::shared_ptr<const Scene> scene, const std::optional<Kinds>& others) {
-  scenes_[table.store.get()] = {version, std::move(scene), ++last_use_, others};
+  scene->take_forms(store.forms(), interrupt_);
+  if (complete) needs.others.reset();
+  scenes_[&store] = {version, scene, ++last_use_, needs.others};
   evict_scenes();
+  return scene;
 }
 
 std::shared_ptr<Scene> Connection::load_object(const OpenTable& table, std::int64_t id,

@@ -80,32 +80,23 @@ class Connection {
   void scan_closed(const Store* store, TableCursor& cursor) noexcept;
   std::span<TableCursor* const> cursors(const Store* store) const noexcept;
 
-  /// A snapshot of the table's current contents, with the levels of its tree on request. Throws StoreError
-  /// for damaged rows. Cost: a look-up if this version's scene is cached, else all rows are read and decoded.
-  /// With `others`, it may lack objects that may meet none of these kinds; they are read past. Then it is cached for
-  /// queries with equal `others` alone.
-  std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false,
-                                          std::optional<Kinds> others = {});
+  /// A snapshot of the table's current contents, with all that is needed. Throws StoreError for damaged rows. Cost: a
+  /// look-up if such a scene of this version is cached. Else the needed rows and plans are read and decoded, and the
+  /// new scene replaces the cached one.
+  std::shared_ptr<const Scene> load_scene(const OpenTable& table, SceneNeeds needs = {});
 
-  /// The same; of a table with plans, whose legs are rows, those that exist at some time of `times`, perhaps more.
-  /// Cost: as above, for the plans that exist then; a cached scene of other times is replaced.
-  std::shared_ptr<const Scene> load_legs(const OpenTable& table, const LegTimes& times = {});
-
-  /// The cached scene of this version, or null: nothing is decoded. `times`: those that it must cover. `others`: as
-  /// above.
-  std::shared_ptr<const Scene> find_scene(const OpenTable& table, bool with_levels = false,
-                                          const LegTimes& times = {},
-                                          const std::optional<Kinds>& others = {});
+  /// Whether load_scene() would find all objects in its cache.
+  bool is_loaded(const OpenTable& table) const;
 
   /// A scene of the one object with this id, with its legs of these times, empty if it does not exist; without its
   /// outline or mesh. Cost: a look-up, and decoding some chunks of the plan.
   static std::shared_ptr<Scene> load_object(const OpenTable& table, std::int64_t id,
                                             const LegTimes& times = {});
 
-  /// The one object with this id, as above; without an id all, as load_legs() gives them.
+  /// The one object with this id, as above; without an id all, as load_scene() gives them.
   std::shared_ptr<const Scene> load_queried(const OpenTable& table, const std::optional<std::int64_t>& id,
                                             const LegTimes& times) {
-    return id ? load_object(table, *id, times) : load_legs(table, times);
+    return id ? load_object(table, *id, times) : load_scene(table, {.times = times});
   }
 
   /// PRAGMA threads: the number of helper threads that a computation may use; 0 by default.
@@ -122,13 +113,15 @@ class Connection {
   struct CachedScene {
     ContentVersion version;
     std::shared_ptr<const Scene> scene;
-    std::uint64_t used;  ///< a counter: larger is later
-    std::optional<Kinds>
-        others;  ///< it lacks objects that may meet none of these; nothing: it has all objects
+    std::uint64_t used;           ///< a counter: larger is later
+    std::optional<Kinds> others;  ///< it lacks objects that may meet none of these; nothing: it has all
+
+    bool has(const SceneNeeds& needs) const {
+      return (!needs.with_levels || scene->levels) && scene->legs_during.cover(needs.times) &&
+             (!others || others == needs.others);
+    }
   };
 
-  void keep_scene(const OpenTable& table, const ContentVersion& version, std::shared_ptr<const Scene> scene,
-                  const std::optional<Kinds>& others = {});
   void evict_scenes() noexcept;
 
   sqlite3* db_;

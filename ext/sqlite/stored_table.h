@@ -23,16 +23,10 @@ class StoredTable final : public TableSource {
   const Layout& layout() const override { return table_.store->declaration().layout; }
   double likely_objects() const override { return static_cast<double>(table_.store->likely_objects()); }
   double newest_t() override { return table_.store->read_newest_t(); }
-  std::shared_ptr<const Scene> all(bool with_levels) override {
-    return connection_.load_scene(table_, with_levels);
+  std::shared_ptr<const Scene> all(const SceneNeeds& needs) override {
+    return connection_.load_scene(table_, needs);
   }
-  std::shared_ptr<const Scene> all_during(const LegTimes& times) override {
-    return connection_.load_legs(table_, times);
-  }
-  std::shared_ptr<const Scene> all_meeting(Kinds others, bool with_levels) override {
-    return connection_.load_scene(table_, with_levels, others);
-  }
-  bool is_loaded() override { return connection_.find_scene(table_) != nullptr; }
+  bool is_loaded() override { return connection_.is_loaded(table_); }
   std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids, const LegTimes& times) override;
   std::shared_ptr<NodeSource> tree() override { return table_.store->take_snapshot(); }
   std::shared_ptr<ChunkSource> chunks() override { return table_.store->chunks(); }

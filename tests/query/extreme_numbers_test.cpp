@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "query/join/probe.h"
+#include "query/join/join_scenes.h"
 #include "query/join/question.h"
 #include "query/nearest/nearest.h"
 #include "query/search_cases.h"

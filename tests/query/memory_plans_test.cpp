@@ -59,7 +59,7 @@ TEST_P(MemoryPlansOf, HoldWhatWasPutLast) {
   Movers movers{GetParam(), {}};
   for (const auto& [id, mover] : current) movers.all.push_back(mover);
   EXPECT_EQ(rows_by_id(*table.all()), plain_rows_of(movers, {}));
-  EXPECT_EQ(rows_by_id(*table.all_during({3, 5})), plain_rows_of(movers, {3, 5}));
+  EXPECT_EQ(rows_by_id(*table.all({.times = {3, 5}})), plain_rows_of(movers, {3, 5}));
   double newest = -no_end;
   for (const Mover& mover : movers.all) newest = std::max(newest, mover.record[0]);
   EXPECT_EQ(table.newest_t(), newest);

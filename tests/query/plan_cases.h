@@ -183,7 +183,7 @@ inline std::vector<ContactTimes> plain_contacts(const Bodies& legs_a, const Bodi
 inline std::vector<SearchTarget> targets_of(MemoryTable& table, const Horizon& horizon) {
   const LegTimes during{horizon.now, std::nextafter(horizon.now + horizon.h, no_end)};
   return {{table.name(), table.all(), nullptr},
-          {table.name(), table.all_during(during), nullptr},
+          {table.name(), table.all({.times = during}), nullptr},
           {table.name(), nullptr, table.tree(), table.chunks()}};
 }
 

@@ -9,7 +9,7 @@
 #include "base/axes.h"
 #include "index/tpr_tree/moving_box.h"
 #include "query/join/question.h"
-#include "query/sweep_margin.h"
+#include "query/margin.h"
 #include "shape/shapes.h"
 
 namespace foresee {

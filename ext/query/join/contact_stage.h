@@ -30,8 +30,6 @@ class ContactStage {
   /// without a distance.
   ContactStage(const JoinQuestion& question, Interrupt& interrupt);
 
-  Contact::Reach reach() const { return contact_->reach(); }
-
   /// Appends the pairs of the last batch that touch, and whose time `slab` holds, to `hits`, in order; the
   /// batch is overwritten. Ends may be left to write(). Times are computed only where they are read, decide
   /// whether a pair is a hit, or are not certain yet.
@@ -46,7 +44,7 @@ class ContactStage {
 
   /// Whether answer() would do nothing with the last batch but write_touching().
   bool would_only_write(const Candidates& candidates) const;
-  /// Whether pairs that touch when the slab starts are rows of this slab, not of an earlier one.
+  /// Whether a contact that starts at `now` is a row of this slab: by the slab, and by the queried t and dt.
   bool queries_start(const TimeSlab& slab) const;
   /// Appends the rows of pairs that touch at `now`.
   void write_touching(std::span<const Pair> pairs, std::vector<JoinRow>& rows) const;

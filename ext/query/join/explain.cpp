@@ -83,11 +83,11 @@ class Explanation {
       : kinds_count_(kinds),
         question_(question),
         a_(*question.a),
-        b_(question.b ? *question.b : a_),
+        b_(question.last()),
         interrupt_(interrupt),
         contact_(contact_of(question, true)),
         refinement_(has(Shape::outline) || has(Shape::mesh) ? contact_of(question) : nullptr),
-        plan_(plan_join(question, contact_->reach())) {
+        plan_(plan_join(question)) {
     if (refinement_) refinement_->set_interrupt(interrupt);
     if (has_plans(question)) movers_.emplace(question);
     open_axes();
@@ -129,14 +129,14 @@ class Explanation {
   template <int D>
   void open() {
     const Horizon horizon{question_.now, question_.h};
-    const Vec<D> margin = margin_of<D>(contact_->reach());
+    const Vec<D> margin = margin_of<D>(question_);
     const Bodies a = a_.bodies(), b = b_.bodies();
     const bool between = question_.b != nullptr;
     const double begin = thread_seconds();
     if (uses_paper_grid())
       candidates_ = owned(meeting(make_paper_grid<D>(a, b, between, horizon, margin, interrupt_)));
     else
-      candidates_ = join_candidates(question_, plan_.method, horizon, contact_->reach(), interrupt_);
+      candidates_ = join_candidates(question_, plan_.method, horizon, interrupt_);
     candidates_count_.seconds = thread_seconds() - begin;
     stages_ = make_paper_stages<D>(a, b, between, horizon, margin, interrupt_);
   }
@@ -274,6 +274,7 @@ std::optional<StageCount> count_kinds(const JoinQuestion& all, Interrupt& interr
 
 std::vector<ExplainRow> explain_join(const JoinQuestion& whole, Interrupt& interrupt) {
   const FloatEnvironment environment;
+  require_valid(whole);
   const JoinQuestion all = with_kinds(in_tile(whole, interrupt));
   JoinQuestion question = all.kinds ? with_kinds(in_tile(without_inert(whole), interrupt)) : all;
   question.only_a = question.only_b = {};

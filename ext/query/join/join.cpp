@@ -16,35 +16,33 @@ namespace foresee {
 
 namespace {
 
-/// The same query about the objects that it needs, with a grid space of its own if the caller gives none.
+/// The same query about the objects that it needs, with a grid space of its own if the caller gives none. Throws Error
+/// as require_valid() does.
 JoinQuestion prepared(JoinQuestion whole, Interrupt& interrupt) {
+  require_valid(whole);
   JoinQuestion question = with_kinds(in_tile(without_inert(std::move(whole)), interrupt));
+  // Straight paths of two objects meet once at most.
+  if (!has_plans(question) && !has_bent_paths(question)) question.all_contacts = false;
   if (!question.space) question.space = std::make_shared<GridSpace>();
   return question;
 }
 
 }  // namespace
 
-/// The state of a join: its query, plan and open slab.
+/// The state of a join: the query, the contact test, the plan, and the slabs, of which one is open at a time.
 struct Join::Progress {
   /// `whole`: prepared, and of tables without plans.
   Progress(JoinQuestion whole, Interrupt& interrupt)
-      : question(with_contacts(std::move(whole))),
+      : question(std::move(whole)),
         interrupt(interrupt),
         stage(question, interrupt),
-        plan(plan_join(question, stage.reach())),
+        plan(plan_join(question)),
         slabs(slabs_of(plan, question)),
         sorted(question) {}
   ~Progress() {
     candidates.reset();
     helpers.reset();
     question.space->trim();
-  }
-
-  /// The same query; for the first contacts if no two paths meet more than once, since all are straight.
-  static JoinQuestion with_contacts(JoinQuestion question) {
-    if (!has_bent_paths(question)) question.all_contacts = false;
-    return question;
   }
 
   /// Opens the next slab, or the same one again for the hits that were left out.
@@ -55,34 +53,31 @@ struct Join::Progress {
     sorts = question.order == JoinOrder::by_t ? slab->before > std::nextafter(question.now, HUGE_VAL)
                                               : question.order != JoinOrder::any;
     if (plan.with_helpers)
-      helpers = std::make_unique<SlabHelpers>(question, *slab, sorts, stage.reach(), interrupt);
+      helpers = std::make_unique<SlabHelpers>(question, *slab, sorts, interrupt);
     else
-      candidates = join_candidates(question, plan.method, slab->horizon, stage.reach(), interrupt);
+      candidates = join_candidates(question, plan.method, slab->horizon, interrupt);
     return true;
   }
 
-  /// Processes one batch, or closes the slab, which frees its space for the next one.
+  /// Processes one batch: gives its rows, or adds its hits if the slab has to be sorted. At the end closes the slab:
+  /// sorts its hits and frees its grid.
   void advance() {
-    if (helpers ? !advance_helpers() : !advance_alone()) {
+    pairs.clear();
+    if (helpers ? advance_helpers() : candidates->next(pairs)) {
+      if (helpers) return;
+      if (!sorts) {
+        stage.answer(*candidates, pairs, *slab, rows);
+        given = rows;
+      } else {
+        hits.clear();
+        stage.query(*candidates, pairs, *slab, hits);
+        sorted.add(hits, interrupt);
+      }
+    } else {
       helpers.reset();
       candidates.reset();
       sorted.sort(interrupt);
     }
-  }
-
-  /// Gives the rows of a batch, or adds its hits if the slab has to be sorted. False at the end of the slab.
-  bool advance_alone() {
-    pairs.clear();
-    if (!candidates->next(pairs)) return false;
-    if (!sorts) {
-      stage.answer(*candidates, pairs, *slab, rows);
-      given = rows;
-      return true;
-    }
-    hits.clear();
-    stage.query(*candidates, pairs, *slab, hits);
-    sorted.add(hits, interrupt);
-    return true;
   }
 
   /// Gives some rows of a batch, or reads the next batch. False at the end of the slab.

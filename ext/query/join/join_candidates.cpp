@@ -71,63 +71,47 @@ std::unique_ptr<Candidates> tree(const JoinQuestion& question, const Horizon& ho
                            interrupt, kinds, kinds_of_b(question));
 }
 
-template <int D>
-std::unique_ptr<Candidates> by_index(const JoinQuestion& question, JoinMethod method, const Horizon& horizon,
-                                     const Contact::Reach& reach, Interrupt& interrupt) {
-  const Vec<D> margin = margin_of<D>(reach);
-  if (method == JoinMethod::tree && has_plans(question))
-    return make_leg_tree<D>(question, horizon, margin, interrupt);
-  if (method == JoinMethod::tree) return tree<D>(question, horizon, margin, interrupt);
-  if (method == JoinMethod::gpcd) {
-    const Scene& b = question.b ? *question.b : *question.a;
-    return make_paper_candidates<D>(question.a->bodies(), b.bodies(), question.b != nullptr, horizon, margin,
-                                    interrupt);
-  }
-  const MovingBoxes<D> a{question.a->bodies(), horizon, margin, kinds_of_a(question)};
-  if (!question.b) return make_gpcd_grid<D>(a, nullptr, interrupt, question.space);
-  const MovingBoxes<D> b{question.b->bodies(), horizon, margin, kinds_of_b(question)};
-  return make_gpcd_grid<D>(a, &b, interrupt, question.space);
-}
-
-template <int D>
-std::unique_ptr<DividedCandidates> divided(const JoinQuestion& question, const Horizon& horizon,
-                                           const Contact::Reach& reach, Interrupt& interrupt) {
-  const Vec<D> margin = margin_of<D>(reach);
-  const MovingBoxes<D> a{question.a->bodies(), horizon, margin, kinds_of_a(question)};
-  if (!question.b) return make_divided_grid<D>(a, nullptr, question.helpers, interrupt, question.space);
-  const MovingBoxes<D> b{question.b->bodies(), horizon, margin, kinds_of_b(question)};
-  return make_divided_grid<D>(a, &b, question.helpers, interrupt, question.space);
-}
-
 std::unique_ptr<Candidates> all_candidates(const JoinQuestion& question, JoinMethod method,
-                                           const Horizon& horizon, const Contact::Reach& reach,
-                                           Interrupt& interrupt) {
+                                           const Horizon& horizon, Interrupt& interrupt) {
   const Scene& a = *question.a;
-  const Scene& b = question.b ? *question.b : a;
+  const Scene& b = question.last();
   if (has_plans(question) && (question.only_a || question.only_b || method == JoinMethod::scan))
     return leg_candidates(question, horizon, interrupt);
   if (question.only_a) return one_row(a, *question.only_a, Side::a, b.size(), interrupt);
   if (question.only_b) return one_row(b, *question.only_b, Side::b, a.size(), interrupt);
   if (method == JoinMethod::scan) return scan(a, question.b.get(), interrupt);
-  return with_axes(a.layout.axes,
-                   [&]<int D>(Axes<D>) { return by_index<D>(question, method, horizon, reach, interrupt); });
+  return with_axes(a.layout.axes, [&]<int D>(Axes<D>) -> std::unique_ptr<Candidates> {
+    const Vec<D> margin = margin_of<D>(question);
+    if (method == JoinMethod::tree && has_plans(question))
+      return make_leg_tree<D>(question, horizon, margin, interrupt);
+    if (method == JoinMethod::tree) return tree<D>(question, horizon, margin, interrupt);
+    const Bodies bodies_a = a.bodies(), bodies_b = b.bodies();
+    if (method == JoinMethod::gpcd)
+      return make_paper_candidates<D>(bodies_a, bodies_b, question.b != nullptr, horizon, margin, interrupt);
+    const MovingBoxes<D> boxes_a{bodies_a, horizon, margin, kinds_of_a(question)};
+    const MovingBoxes<D> boxes_b{bodies_b, horizon, margin, kinds_of_b(question)};
+    return make_gpcd_grid<D>(boxes_a, question.b ? &boxes_b : nullptr, interrupt, question.space);
+  });
 }
 
 }  // namespace
 
 std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
-                                                      const Contact::Reach& reach, Interrupt& interrupt) {
+                                                      Interrupt& interrupt) {
   const FloatEnvironment environment;
-  auto all = with_axes(question.a->layout.axes,
-                       [&]<int D>(Axes<D>) { return divided<D>(question, horizon, reach, interrupt); });
+  auto all = with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
+    const Vec<D> margin = margin_of<D>(question);
+    const MovingBoxes<D> a{question.a->bodies(), horizon, margin, kinds_of_a(question)};
+    const MovingBoxes<D> b{question.last().bodies(), horizon, margin, kinds_of_b(question)};
+    return make_divided_grid<D>(a, question.b ? &b : nullptr, question.helpers, interrupt, question.space);
+  });
   return question.own ? owned_candidates(std::move(all), question.own) : std::move(all);
 }
 
 std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMethod method,
-                                            const Horizon& horizon, const Contact::Reach& reach,
-                                            Interrupt& interrupt) {
+                                            const Horizon& horizon, Interrupt& interrupt) {
   const FloatEnvironment environment;
-  auto all = all_candidates(question, method, horizon, reach, interrupt);
+  auto all = all_candidates(question, method, horizon, interrupt);
   if (some_may_not_meet(question) && !tests_kinds(question, method))
     all = meeting_candidates(std::move(all), question.kinds);
   return question.own ? owned_candidates(std::move(all), question.own) : std::move(all);

@@ -8,14 +8,12 @@ namespace foresee {
 
 /// Every queried pair that can touch during `horizon`, once, and others (candidates.h), by `method` (not
 /// automatic); the method decides only which others, and the order. Only pairs that `question.own` owns.
-/// `reach`: the distance by which the two swept boxes of a pair are inflated together. `question` must
-/// outlive the result. Cost: the index is built here, candidates are found as they are pulled.
+/// `question` must outlive the result. Cost: the index is built here, candidates are found as they are pulled.
 std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMethod method,
-                                            const Horizon& horizon, const Contact::Reach& reach,
-                                            Interrupt& interrupt);
+                                            const Horizon& horizon, Interrupt& interrupt);
 
 /// The same by the grid, divided among `question.helpers` threads.
 std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
-                                                      const Contact::Reach& reach, Interrupt& interrupt);
+                                                      Interrupt& interrupt);
 
 }  // namespace foresee

@@ -103,9 +103,9 @@ Horizon middle_part(const JoinQuestion& question, const QueriedSpan& span, std::
 }
 
 /// Estimated number of pairs that touch at one instant.
-double expected_contacts(const JoinQuestion& question, const Contact::Reach& reach, double time) {
+double expected_contacts(const JoinQuestion& question, double time) {
   return with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
-    return pairs_of(question) * share_that_touches<D>(question, time, margin_of<D>(reach));
+    return pairs_of(question) * share_that_touches<D>(question, time, margin_of<D>(question));
   });
 }
 
@@ -119,13 +119,13 @@ struct JoinCosts {
   double of_grid(std::size_t slabs) const { return grid_setup + grid_object * rows(slabs); }
 };
 
-JoinCosts costs_of_objects(const JoinQuestion& question, const Contact::Reach& reach) {
+JoinCosts costs_of_objects(const JoinQuestion& question) {
   const double objects = static_cast<double>(question.a->size() + (question.b ? question.b->size() : 0));
   return {.pairs = pairs_of(question),
           .rows = [objects](std::size_t) { return objects; },
           .meetings =
               [&](std::size_t slabs) {
-                return expected_meetings(question, reach, middle_part(question, span_of(question), slabs));
+                return expected_meetings(question, middle_part(question, span_of(question), slabs));
               }};
 }
 
@@ -197,7 +197,7 @@ class LegSample {
 
 /// Each leg that crosses the border of a slab is entered twice. A scan merges the legs of each pair of movers.
 template <int D>
-JoinCosts costs_of_legs(const JoinQuestion& question, const Contact::Reach& reach) {
+JoinCosts costs_of_legs(const JoinQuestion& question) {
   const QueriedSpan span = span_of(question);
   const bool between = question.b && question.b != question.a;
   const Horizon whole{question.now + span.begin, span.length};
@@ -206,7 +206,7 @@ JoinCosts costs_of_legs(const JoinQuestion& question, const Contact::Reach& reac
   const double movers_a = static_cast<double>(question.a->object_count()),
                movers_b = between ? static_cast<double>(question.b->object_count()) : movers_a;
   const auto part = [span](std::size_t slabs) { return span.length / static_cast<double>(slabs); };
-  const auto meetings = [=, &question, margin = margin_of<D>(reach)](std::size_t slabs) {
+  const auto meetings = [=, &question, margin = margin_of<D>(question)](std::size_t slabs) {
     const Horizon middle = middle_part(question, span, slabs);
     const std::vector<Box<D>> of_a = a->template boxes<D>(middle, margin),
                               of_b = between ? b->template boxes<D>(middle, margin) : of_a;
@@ -233,7 +233,7 @@ struct SlabChoice {
 
 /// Increases the number of slabs while the grid gets cheaper. Every slab pays for its rows again, so the lower bound on
 /// the cost soon ends the search.
-SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reach, const JoinCosts& costs) {
+SlabChoice choose_slabs(const JoinQuestion& question, const JoinCosts& costs) {
   const QueriedSpan span = span_of(question);
   SlabChoice best{1, costs.of_grid(1) + grid_meeting * costs.meetings(1)};
   std::optional<double> repeated;
@@ -242,8 +242,7 @@ SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reac
     double floor = times * costs.of_grid(slabs);
     if (!(length > 0) || length < costs.shortest || floor >= best.cost) break;
     if (!repeated)
-      repeated =
-          grid_repetition * expected_contacts(question, reach, question.now + span.begin + span.length / 2);
+      repeated = grid_repetition * expected_contacts(question, question.now + span.begin + span.length / 2);
     floor += (times - 1) * *repeated;
     if (floor >= best.cost) break;
     const double cost = floor + grid_meeting * times * costs.meetings(slabs);
@@ -254,13 +253,13 @@ SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reac
 
 }  // namespace
 
-double expected_meetings(const JoinQuestion& question, const Contact::Reach& reach, const Horizon& horizon) {
+double expected_meetings(const JoinQuestion& question, const Horizon& horizon) {
   return with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
-    return pairs_of(question) * share_that_meets<D>(question, horizon, margin_of<D>(reach));
+    return pairs_of(question) * share_that_meets<D>(question, horizon, margin_of<D>(question));
   });
 }
 
-JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach) {
+JoinPlan plan_join(const JoinQuestion& question) {
   const FloatEnvironment environment;
   const bool automatic = question.method == JoinMethod::automatic;
   const bool may_be_grid = automatic || question.method == JoinMethod::grid;
@@ -268,13 +267,12 @@ JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach) {
   const bool of_legs = has_plans(question);
   if (!may_be_grid && (!of_legs || question.method == JoinMethod::scan))
     return {question.method, "as requested", 1};
-  const JoinCosts costs =
-      !of_legs ? costs_of_objects(question, reach) : with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
-        return costs_of_legs<D>(question, reach);
-      });
+  const JoinCosts costs = !of_legs ? costs_of_objects(question)
+                                   : with_axes(question.a->layout.axes,
+                                               [&]<int D>(Axes<D>) { return costs_of_legs<D>(question); });
   if (automatic && scan_pair * costs.pairs <= costs.of_grid(1))
     return {JoinMethod::scan, "to test each of so few pairs costs less than a grid", 1};
-  const SlabChoice best = choose_slabs(question, reach, costs);
+  const SlabChoice best = choose_slabs(question, costs);
   if (!may_be_grid) return {question.method, "as requested", best.slabs};
   const bool with_helpers =
       question.helpers > 0 && best.cost >= worth_helpers * static_cast<double>(best.slabs);

@@ -22,13 +22,15 @@ struct JoinPlan {
 
 /// The requested method, or for 'auto' the one with the lowest estimated cost, and the cheapest number of
 /// slabs. A query of one id is always a scan. The same query gets the same plan. Cost: tens of thousands of
-/// comparisons of boxes for each number of slabs that is tried, however many objects there are.
-JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach);
+/// comparisons of boxes for each number of slabs that is tried, however many objects there are. Throws Error for shapes
+/// without a distance.
+JoinPlan plan_join(const JoinQuestion& question);
 
-/// The plan's slabs. If rows come in the order of t, the first slabs are short, so that they come early.
+/// The plan's slabs: one without an end unless the plan cuts the horizon. If rows come in the order of t, the first
+/// slabs are short, so that they come early.
 TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question);
 
 /// Estimated number of pairs whose swept boxes intersect during `horizon`, from a deterministic sample.
-double expected_meetings(const JoinQuestion& question, const Contact::Reach& reach, const Horizon& horizon);
+double expected_meetings(const JoinQuestion& question, const Horizon& horizon);
 
 }  // namespace foresee

@@ -89,9 +89,9 @@ std::vector<Group> groups_of(const SceneKinds& scene, const std::vector<TileMark
 
 }  // namespace
 
-std::shared_ptr<const Scene> all_that_may_meet(TableSource& table, TableSource& others, bool with_levels) {
-  if (!has_kinds(table.layout()) || table.layout().has_plan) return table.all(with_levels);
-  return table.all_meeting(kinds_of_all(*others.tree()), with_levels);
+std::shared_ptr<const Scene> all_that_may_meet(TableSource& table, TableSource& others, SceneNeeds needs) {
+  if (has_kinds(table.layout()) && !table.layout().has_plan) needs.others = kinds_of_all(*others.tree());
+  return table.all(needs);
 }
 
 bool has_kinds(const JoinQuestion& question) {

@@ -45,10 +45,10 @@ struct PairKinds {
   bool may_meet(const Pair& pair) const { return foresee::may_meet(a->of[pair.a], b->of[pair.b]); }
 };
 
-/// All objects of a table that may meet one of `others`, and perhaps some that may not. Cost: as all(), without
-/// the rows and subtrees that are left out.
+/// All objects of a table that are needed and may meet one of `others`, and perhaps some that may not. Cost: as all(),
+/// without the rows and subtrees that are left out.
 std::shared_ptr<const Scene> all_that_may_meet(TableSource& table, TableSource& others,
-                                               bool with_levels = false);
+                                               SceneNeeds needs = {});
 
 /// Whether a side has category or mask.
 bool has_kinds(const JoinQuestion& question);

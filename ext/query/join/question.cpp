@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "contact/pair_rule.h"
 #include "query/input_checks.h"
 
 namespace foresee {
@@ -69,9 +70,15 @@ void require_valid(const JoinQuestion& question) {
   }
 }
 
+Contact::Reach reach_of(const JoinQuestion& question) {
+  const Scene &a = *question.a, &b = question.last();
+  require_distance(a.layout, b.layout, question.within_z, a.name, b.name);
+  const PairRule rule(a.layout, b.layout, question.within, question.within_z);
+  return {rule.within(), rule.within_z()};
+}
+
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines) {
-  const Scene& a = *question.a;
-  const Scene& b = question.b ? *question.b : a;
+  const Scene &a = *question.a, &b = question.last();
   const ContactQuestion contact_question{
       {question.now, question.h}, question.within, question.within_z, rectangles_for_outlines};
   return make_contact(a.bodies(), b.bodies(), contact_question, a.name, b.name);

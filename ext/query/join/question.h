@@ -13,8 +13,8 @@
 
 #include "contact/contact.h"
 #include "index/gpcd_grid/work_space.h"
+#include "query/margin.h"
 #include "query/scene.h"
-#include "query/sweep_margin.h"
 #include "query/tile/tile.h"
 
 namespace foresee {
@@ -76,6 +76,8 @@ struct JoinQuestion {
   bool all_contacts =
       false;  ///< a row for each contact of a pair, not for outlines and meshes; else for the first
 
+  /// Side b, which is a for pairs within one scene.
+  const Scene& last() const { return b ? *b : *a; }
   bool queries_all_times() const { return queried_t.are_all() && queried_dt.are_all(); }
 };
 
@@ -100,6 +102,15 @@ inline bool has_bent_paths(const JoinQuestion& question) {
 /// Throws Error if h, within or within_z is negative or not finite, now is not finite, or the axes of both
 /// scenes differ. Also if the tile is empty or has a bound on an axis that the scenes do not have.
 void require_valid(const JoinQuestion& question);
+
+/// The inflation of the swept boxes of both sides together. Throws Error for shapes without a distance.
+Contact::Reach reach_of(const JoinQuestion& question);
+
+/// The same for the swept boxes of each side.
+template <int D>
+Vec<D> margin_of(const JoinQuestion& question) {
+  return margin_of<D>(reach_of(question));
+}
 
 /// The contact test for the pairs of `question`: make_contact() with its scenes, which must outlive it, and
 /// its distances. With `rectangles_for_outlines` the smallest boxes take the place of outlines and meshes.

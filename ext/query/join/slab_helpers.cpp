@@ -29,13 +29,12 @@ struct SlabHelpers::Shared {
     bool done = false;
   };
 
-  Shared(const JoinQuestion& of_join, const TimeSlab& part_of_time, bool sorted, const Contact::Reach& reach,
-         Interrupt& of_caller)
+  Shared(const JoinQuestion& of_join, const TimeSlab& part_of_time, bool sorted, Interrupt& of_caller)
       : question(of_join),
         slab(part_of_time),
         sorts(sorted),
         interrupt(of_caller),
-        candidates(divided_candidates(question, slab.horizon, reach, interrupt)),
+        candidates(divided_candidates(question, slab.horizon, interrupt)),
         parts(candidates->parts()),
         own(question, interrupt) {}
 
@@ -186,9 +185,8 @@ struct SlabHelpers::Shared {
   std::vector<std::jthread> threads;  // last member: joined first
 };
 
-SlabHelpers::SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, bool sorts,
-                         const Contact::Reach& reach, Interrupt& interrupt)
-    : shared_(std::make_unique<Shared>(question, slab, sorts, reach, interrupt)) {
+SlabHelpers::SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, bool sorts, Interrupt& interrupt)
+    : shared_(std::make_unique<Shared>(question, slab, sorts, interrupt)) {
   Shared& shared = *shared_;
   shared.ahead = parts_ahead_per_thread * (question.helpers + 1);
   shared.threads.reserve(question.helpers);

@@ -1,6 +1,6 @@
 // Parallel execution of one time slab of a join: helper threads and the caller answer partitions of the grid.
 //
-//   SlabHelpers helpers(question, slab, sorts, reach, interrupt);
+//   SlabHelpers helpers(question, slab, sorts, interrupt);
 //   while (helpers.next(batch)) …                        // in the order of one thread
 //
 // Helpers never call SQLite. Each takes the next partition of the grid. A helper pauses once some hundred
@@ -98,8 +98,7 @@ class SlabHelpers {
  public:
   /// Builds a grid of the slab's objects with `question.helpers` threads besides the caller's, then starts
   /// the helpers. All arguments must outlive this. `sorts`: batches have hits, otherwise rows and pairs.
-  SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, bool sorts, const Contact::Reach& reach,
-              Interrupt& interrupt);
+  SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, bool sorts, Interrupt& interrupt);
   /// Stops the helpers, which takes about a millisecond.
   ~SlabHelpers();
   SlabHelpers(const SlabHelpers&) = delete;

@@ -7,7 +7,6 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/sweep_walk.h"
-#include "query/legs/leg_scene.h"
 #include "query/sweep/sweep.h"
 #include "query/tile/ownership.h"
 
@@ -169,43 +168,7 @@ void mark(JoinQuestion& question, Interrupt& interrupt) {
   question.own = std::move(ownership);
 }
 
-/// Throws Error for a `JoinQuestion` that is invalid for any objects.
-void require_valid_between(const JoinedTables& tables, JoinQuestion question) {
-  question.a = empty_scene(*tables.a);
-  if (tables.b) question.b = empty_scene(*tables.b);
-  require_valid(question);
-}
-
-// Shares of all objects: above them the whole scene costs less than the nodes of a tile, read one by one.
-constexpr double max_share = 0.5, max_share_if_cached = 0.1;
-
-/// A scene of at least the objects that the tile needs, read through the tree. Null if the tile covers most
-/// of the table: the caller then loads the whole scene, which stays cached for the next query.
-std::shared_ptr<const Scene> scene_by_tree(TableSource& table, const JoinQuestion& question,
-                                           Interrupt& interrupt) {
-  const auto tree = table.tree();
-  const double share = share_in_tile(*tree, question, interrupt);
-  if (share > (table.is_loaded() ? max_share_if_cached : max_share)) return nullptr;
-  return scene_of_tile(*tree, table.name(), question, interrupt);
-}
-
 }  // namespace
-
-void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt,
-                 InertObjects inert) {
-  const bool with_levels = question.method == JoinMethod::tree;
-  const auto scene = [&](TableSource& table, TableSource& others) {
-    std::shared_ptr<const Scene> in_tile;
-    if (table.layout().has_plan) return table.all_during(leg_times_of({question.now, question.h}));
-    if (question.tile && !with_levels) in_tile = scene_by_tree(table, question, interrupt);
-    if (in_tile) return in_tile;
-    return inert == InertObjects::counted ? table.all(with_levels)
-                                          : all_that_may_meet(table, others, with_levels);
-  };
-  if (question.tile) require_valid_between(tables, question);
-  question.a = scene(*tables.a, tables.last());
-  if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b, *tables.a);
-}
 
 std::shared_ptr<const Scene> scene_of_tile(NodeSource& tree, const std::string& name,
                                            const JoinQuestion& question, Interrupt& interrupt) {
@@ -224,7 +187,6 @@ double share_in_tile(NodeSource& tree, const JoinQuestion& question, Interrupt& 
 }
 
 JoinQuestion in_tile(JoinQuestion question, Interrupt& interrupt) {
-  require_valid(question);
   if (!question.tile) return question;
   const FloatEnvironment environment;
   with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) { mark<D>(question, interrupt); });

@@ -22,8 +22,8 @@
 
 #include "base/error.h"
 #include "index/pages.h"
+#include "query/margin.h"
 #include "query/scene.h"
-#include "query/sweep_margin.h"
 #include "shape/bodies.h"
 
 namespace foresee {

@@ -1,8 +1,8 @@
 #include "query/watch/pair_search.h"
 
 #include "query/join/join.h"
+#include "query/join/join_scenes.h"
 #include "query/join/pair_kinds.h"
-#include "query/join/probe.h"
 #include "query/watch/pair_contacts.h"
 
 namespace foresee {

@@ -13,23 +13,6 @@ namespace foresee {
 
 namespace {
 
-constexpr char no_column = 'A' - 1;
-
-/// The second letter of a LIMIT or OFFSET constraint; 0 for other constraints.
-char limit_letter(int op) {
-  if (op == SQLITE_INDEX_CONSTRAINT_LIMIT) return 'n';
-  return op == SQLITE_INDEX_CONSTRAINT_OFFSET ? 'o' : 0;
-}
-
-/// Whether the call itself leaves out the rows that do not satisfy a constraint.
-bool is_applied(const TableFunction& function, const sqlite3_index_info& info, int i) {
-  const auto& constraint = info.aConstraint[i];
-  if (info.aConstraintUsage[i].argvIndex == 0) return false;
-  if (constraint.iColumn >= static_cast<int>(function.outputs.size())) return true;
-  const bool probed = function.probed >> constraint.iColumn & 1;  // then only equality is applied
-  return !probed || constraint.op == SQLITE_INDEX_CONSTRAINT_EQ;
-}
-
 /// The input that a message names as an example: within, or the first one.
 std::string example_input(const TableFunction& function) {
   for (const std::string_view name : function.inputs)
@@ -39,33 +22,15 @@ std::string example_input(const TableFunction& function) {
 
 }  // namespace
 
-void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments) {
-  for (int i = 0; i < info.nConstraint; ++i)
-    if (!limit_letter(info.aConstraint[i].op) && !is_applied(function, info, i)) return;
-  for (int i = 0; i < info.nConstraint; ++i) {
-    const char letter = limit_letter(info.aConstraint[i].op);
-    if (!letter || !info.aConstraint[i].usable) continue;
-    arguments += {no_column, letter};
-    info.aConstraintUsage[i].argvIndex = static_cast<int>(arguments.size() / 2);
-  }
-}
-
-bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit) {
-  if (letters[0] != no_column) return false;
-  (letters[1] == 'n' ? limit.rows : limit.skipped) = sqlite3_value_int64(value);
-  return true;
-}
-
 void FunctionCall::reject(int input, const char* kind) const {
-  const auto place = static_cast<std::size_t>(input);
-  const std::string name = function_.inputs[place];
-  const int type = sqlite3_value_type(inputs_[place]);
+  const std::string name = name_of(input);
+  const int type = sqlite3_value_type(value(input));
   std::string remedy;
-  if (const auto seconds = as_unixepoch(inputs_[place])) remedy = ": write " + *seconds;
+  if (const auto seconds = as_unixepoch(value(input))) remedy = ": write " + *seconds;
   // f(300, within = 60) passes the result of a comparison, a number, in the place of the table.
   if (name == "tbl" && (type == SQLITE_INTEGER || type == SQLITE_FLOAT))
     remedy = "; to give an input by its name, write WHERE " + example_input(function_) + " = 60";
-  throw Error(name + " must be " + kind + ", not " + shown(inputs_[place]) + remedy);
+  throw Error(name + " must be " + kind + ", not " + shown(value(input)) + remedy);
 }
 
 const char* FunctionCall::name_of(int input) const {
@@ -73,7 +38,7 @@ const char* FunctionCall::name_of(int input) const {
 }
 
 std::optional<double> FunctionCall::number(int input) const {
-  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
+  sqlite3_value* value = this->value(input);
   if (!value) return std::nullopt;
   const int type = sqlite3_value_numeric_type(value);
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, "a number");
@@ -83,12 +48,12 @@ std::optional<double> FunctionCall::number(int input) const {
 
 double FunctionCall::required_number(int input) const {
   if (const auto given = number(input)) return *given;
-  const std::string name = function_.inputs[static_cast<std::size_t>(input)];
+  const std::string name = name_of(input);
   throw Error(name + " is missing or NULL: write " + usage(function_));
 }
 
 std::int64_t FunctionCall::required_integer(int input) const {
-  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
+  sqlite3_value* value = this->value(input);
   if (value && sqlite3_value_numeric_type(value) == SQLITE_INTEGER) return sqlite3_value_int64(value);
   if (const auto integer = integer_of(required_number(input))) return *integer;
   reject(input, "a whole number");
@@ -96,24 +61,24 @@ std::int64_t FunctionCall::required_integer(int input) const {
 
 std::optional<std::uint32_t> FunctionCall::bits(int input) const {
   constexpr double max = std::numeric_limits<std::uint32_t>::max();
-  if (!inputs_[static_cast<std::size_t>(input)]) return std::nullopt;
+  if (!value(input)) return std::nullopt;
   constexpr const char* kind = "a whole number from 0 to 4294967295";
-  const int type = sqlite3_value_numeric_type(inputs_[static_cast<std::size_t>(input)]);
+  const int type = sqlite3_value_numeric_type(value(input));
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, kind);
-  const double number = sqlite3_value_double(inputs_[static_cast<std::size_t>(input)]);
+  const double number = sqlite3_value_double(value(input));
   if (!(0 <= number && number <= max && integer_of(number))) reject(input, kind);
   return static_cast<std::uint32_t>(number);
 }
 
 std::optional<std::string> FunctionCall::text(int input, const char* kind) const {
-  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
+  sqlite3_value* value = this->value(input);
   if (!value) return std::nullopt;
   if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, kind);
   return text_of(value);
 }
 
 std::optional<std::int64_t> FunctionCall::only(int output) const {
-  for (const Hint& hint : hints_) {
+  for (const Hint& hint : arguments_.hints) {
     if (hint.output != output || hint.op != SQLITE_INDEX_CONSTRAINT_EQ) continue;
     const int type = sqlite3_value_numeric_type(hint.value);
     if (type == SQLITE_INTEGER) return sqlite3_value_int64(hint.value);
@@ -126,7 +91,7 @@ std::optional<std::int64_t> FunctionCall::only(int output) const {
 FunctionCall::Bounds FunctionCall::bounds(int output) const {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Bounds bounds{-inf, inf};
-  for (const Hint& hint : hints_) {
+  for (const Hint& hint : arguments_.hints) {
     if (hint.output != output) continue;
     const int type = sqlite3_value_numeric_type(hint.value);
     if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) continue;

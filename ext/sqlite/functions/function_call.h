@@ -71,14 +71,6 @@ struct RowLimit {
   }
 };
 
-/// Requests LIMIT and OFFSET from SQLite and appends two letters for each to the plan's arguments. Requests
-/// neither if SQLite checks a condition that the call does not apply itself. Requires: all other constraints
-/// have been taken.
-void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments);
-
-/// Stores an argument in `limit` by its letters. False, without a change, if it is neither LIMIT nor OFFSET.
-bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit);
-
 struct FreeValue {
   void operator()(sqlite3_value* value) const { sqlite3_value_free(value); }
 };
@@ -91,19 +83,20 @@ struct Hint {
   sqlite3_value* value;
 };
 
+/// The arguments of a call, by their use.
+struct Arguments {
+  std::vector<sqlite3_value*> inputs = {};  ///< one per input of the function, null if it was left out
+  std::vector<Hint> hints = {};
+  RowLimit limit = {};
+  std::uint64_t columns_read = 0;   ///< one bit per column
+  std::span<const int> order = {};  ///< the outputs by which rows must ascend
+};
+
 class FunctionCall {
  public:
-  FunctionCall(const TableFunction& function, Connection& connection, std::span<sqlite3_value* const> inputs,
-               std::vector<Hint> hints, std::uint64_t columns_read, std::span<const int> order,
-               const RowLimit& limit, UsedInputs& used)
-      : function_(function),
-        connection_(connection),
-        inputs_(inputs),
-        hints_(std::move(hints)),
-        columns_read_(columns_read),
-        order_(order),
-        limit_(limit),
-        used_(used) {}
+  /// `used`: for the inputs that were left out. All references must outlive the call.
+  FunctionCall(const TableFunction& function, Connection& connection, Arguments arguments, UsedInputs& used)
+      : function_(function), connection_(connection), arguments_(std::move(arguments)), used_(used) {}
 
   Connection& connection() const { return connection_; }
 
@@ -119,18 +112,20 @@ class FunctionCall {
                                   const char* kind = "a name in quotes, or NULL to leave it out") const;
 
   /// The value as it was given; null if it was left out.
-  sqlite3_value* value(int input) const { return inputs_[static_cast<std::size_t>(input)]; }
+  sqlite3_value* value(int input) const { return arguments_.inputs[static_cast<std::size_t>(input)]; }
+  /// Whether the function has an input of this number.
+  bool has(int input) const { return static_cast<std::size_t>(input) < arguments_.inputs.size(); }
 
   const char* name_of(int input) const;
 
-  /// Makes `input`, if it was left out, read back as `value`. Requires: the same value in every call of one
+  /// Makes `input`, if it was left out, read back as this value. Requires: the same value in every call of one
   /// statement, because SQLite compares the inputs too when it removes duplicate rows of an OR.
-  void used(int input, UsedInputs::Value value) const {
-    if (!inputs_[static_cast<std::size_t>(input)]) used_.keep(input, std::move(value));
+  void reads_back_as(int input, UsedInputs::Value of_call) const {
+    if (!value(input)) used_.keep(input, std::move(of_call));
   }
 
   /// Whether the statement reads it; from the 64th column on, whether it reads any of them.
-  bool reads(int output) const { return (columns_read_ >> std::min(output, 63) & 1) != 0; }
+  bool reads(int output) const { return (arguments_.columns_read >> std::min(output, 63) & 1) != 0; }
 
   /// The integer that the query requires `output` to equal; nothing if it has no such condition.
   std::optional<std::int64_t> only(int output) const;
@@ -141,19 +136,15 @@ class FunctionCall {
   };
   Bounds bounds(int output) const;
   /// The outputs by which rows must ascend: one of the function's orders, or a prefix of one.
-  std::span<const int> order() const { return order_; }
-  const RowLimit& limit() const { return limit_; }
+  std::span<const int> order() const { return arguments_.order; }
+  const RowLimit& limit() const { return arguments_.limit; }
 
  private:
   [[noreturn]] void reject(int input, const char* kind) const;
 
   const TableFunction& function_;
   Connection& connection_;
-  std::span<sqlite3_value* const> inputs_;  ///< one per input, null if it was left out
-  std::vector<Hint> hints_;
-  std::uint64_t columns_read_;
-  std::span<const int> order_;
-  RowLimit limit_;
+  Arguments arguments_;
   UsedInputs& used_;
 };
 

@@ -151,6 +151,37 @@ int take_order(const TableFunction& function, sqlite3_index_info& info) {
   return 0;
 }
 
+constexpr char no_column = 'A' - 1;
+
+/// The second letter of a LIMIT or OFFSET constraint; 0 for other constraints.
+char limit_letter(int op) {
+  if (op == SQLITE_INDEX_CONSTRAINT_LIMIT) return 'n';
+  return op == SQLITE_INDEX_CONSTRAINT_OFFSET ? 'o' : 0;
+}
+
+/// Whether the call itself leaves out the rows that do not satisfy a constraint.
+bool is_applied(const TableFunction& function, const sqlite3_index_info& info, int i) {
+  const auto& constraint = info.aConstraint[i];
+  if (info.aConstraintUsage[i].argvIndex == 0) return false;
+  if (constraint.iColumn >= output_count(function)) return true;
+  const bool probed = function.probed >> constraint.iColumn & 1;  // then only equality is applied
+  return !probed || constraint.op == SQLITE_INDEX_CONSTRAINT_EQ;
+}
+
+/// Requests LIMIT and OFFSET from SQLite and appends two letters for each to the plan's arguments. Requests
+/// neither if SQLite checks a condition that the call does not apply itself. Requires: all other constraints
+/// have been taken.
+void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments) {
+  for (int i = 0; i < info.nConstraint; ++i)
+    if (!limit_letter(info.aConstraint[i].op) && !is_applied(function, info, i)) return;
+  for (int i = 0; i < info.nConstraint; ++i) {
+    const char letter = limit_letter(info.aConstraint[i].op);
+    if (!letter || !info.aConstraint[i].usable) continue;
+    arguments += {no_column, letter};
+    info.aConstraintUsage[i].argvIndex = static_cast<int>(arguments.size() / 2);
+  }
+}
+
 }  // namespace
 
 int plan_call(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
@@ -173,7 +204,14 @@ int plan_call(const TableFunction& function, const Connection& connection, Earli
 
 PlannedArgument planned_argument(const char* plan, std::size_t argument) {
   const char* letters = plan + columns_read_length + 2 * argument;
-  return {letters, letters[0] - 'A', op_of(letters[1]), letters[1] == '!'};
+  return {letters[0] - 'A', op_of(letters[1]), letters[1] == '!'};
+}
+
+bool read_row_limit(const char* plan, std::size_t argument, sqlite3_value* value, RowLimit& limit) {
+  const char* letters = plan + columns_read_length + 2 * argument;
+  if (letters[0] != no_column) return false;
+  (letters[1] == 'n' ? limit.rows : limit.skipped) = sqlite3_value_int64(value);
+  return true;
 }
 
 std::uint64_t planned_columns(const char* plan) {

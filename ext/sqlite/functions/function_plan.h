@@ -5,7 +5,7 @@
 //            upwards its index
 //   idxStr   SQLite's colUsed in 16 hexadecimal digits, one bit per column that the statement reads; then two letters
 //            per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an input that SQLite
-//            compares again; or '@' and then 'n' (LIMIT) or 'o' (OFFSET): function_call.h
+//            compares again; or '@' and then 'n' (LIMIT) or 'o' (OFFSET)
 //
 // Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. If SQLite compares
 // an input again and it is NULL, no row would pass: such a call must be refused. LIMIT and OFFSET are hints
@@ -33,13 +33,14 @@ int plan_call(const TableFunction& function, const Connection& connection, Earli
 
 // Decoding of a plan.
 struct PlannedArgument {
-  const char* letters;  ///< its two letters in idxStr
   int column;
   int op;               ///< of an output: SQLITE_INDEX_CONSTRAINT_EQ, GT, GE, LT or LE
   bool compared_again;  ///< an input, by SQLite
 };
 /// Requires: `argument` is less than the number of xFilter's arguments.
 PlannedArgument planned_argument(const char* plan, std::size_t argument);
+/// Stores an argument in `limit` if it is LIMIT or OFFSET; else false.
+bool read_row_limit(const char* plan, std::size_t argument, sqlite3_value* value, RowLimit& limit);
 /// One bit per column, set if the statement reads it; the last one for all further columns too.
 std::uint64_t planned_columns(const char* plan);
 /// The outputs by which rows must ascend; empty: in any order.

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "query/input_checks.h"
-#include "query/join/tile_scenes.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/stored_table.h"
 #include "storage/rows/value_text.h"
@@ -19,15 +18,6 @@ constexpr int in_h = join_inputs["h"], in_tbl = join_inputs["tbl"], in_within = 
               in_own_x0 = join_inputs["own_x0"], in_own_x1 = join_inputs["own_x1"],
               in_own_y0 = join_inputs["own_y0"], in_own_y1 = join_inputs["own_y1"],
               in_contacts = join_inputs["contacts"];
-
-/// Both tables by open_table(), of one frame. Throws Error.
-OpenTables open_tables(Connection& connection, const JoinInputs& inputs) {
-  OpenTables tables{open_table(connection, inputs.tbl)};
-  if (inputs.other) tables.b = open_table(connection, {inputs.other, inputs.tbl.schema});
-  if (tables.b) require_one_frame(tables.a, *tables.b);
-  require_upright(tables.a, inputs.within_z);
-  return tables;
-}
 
 /// The tile that the inputs own_x0 to own_y1 bound; nothing without a bound. An infinity is not a bound.
 std::optional<Tile> read_tile(const FunctionCall& call) {
@@ -57,49 +47,33 @@ std::vector<const char*> join_input_names(bool with_contacts) {
 
 bool all_contacts_input(const FunctionCall& call, int contacts) {
   const bool all = wants_all_contacts(call.text(contacts, "'first' or 'all'").value_or("first"));
-  call.used(contacts, "first");
+  call.reads_back_as(contacts, "first");
   return all;
 }
 
-JoinInputs read_join_inputs(const FunctionCall& call, bool with_contacts) {
-  JoinInputs inputs;
-  if (with_contacts) inputs.all_contacts = all_contacts_input(call, in_contacts);
-  inputs.h = call.required_number(in_h);
-  inputs.within = call.number(in_within).value_or(inputs.within);
-  inputs.within_z = call.number(in_within_z);
-  if (const auto method = call.text(in_method)) inputs.method = join_method(without_nul(*method));
-  inputs.now = call.number(in_now);
-  inputs.tbl.schema = call.text(in_schema);
-  inputs.tbl.table = call.text(in_tbl);
-  inputs.other = call.text(in_other);
-  inputs.tile = read_tile(call);
-  return inputs;
-}
-
-JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids,
-                           const JoinWants& wants, InertObjects inert) {
+JoinQuestion join_question(const FunctionCall& call, JoinQuestion question, InertObjects inert) {
   Connection& connection = call.connection();
-  const OpenTables open = open_tables(connection, inputs);
+  if (call.has(in_contacts)) question.all_contacts = all_contacts_input(call, in_contacts);
+  question.h = call.required_number(in_h);
+  question.within = call.number(in_within).value_or(0);
+  question.within_z = call.number(in_within_z);
+  if (const auto method = call.text(in_method)) question.method = join_method(without_nul(*method));
+  const std::optional<double> now = call.number(in_now);
+  const std::optional<std::string> schema = call.text(in_schema), table = call.text(in_tbl),
+                                   other = call.text(in_other);
+  question.tile = read_tile(call);
+
+  OpenTables open{open_table(connection, {table, schema})};
+  if (other) open.b = open_table(connection, {other, schema});
+  if (open.b) require_one_frame(open.a, *open.b);
+  require_upright(open.a, question.within_z);
   const JoinedTables tables = sources_of(connection, open);
-  JoinQuestion question;
-  question.now = inputs.now ? *inputs.now : tables.newest_t();
-  question.h = inputs.h;
-  question.within = inputs.within;
-  question.within_z = inputs.within_z;
-  question.method = inputs.method;
-  question.tile = inputs.tile;
-  question.all_contacts = inputs.all_contacts;
-  question.wants = wants;
-  call.used(in_tbl, open.a.table), call.used(in_schema, open.a.schema);
-  call.used(in_now, question.now), call.used(in_within, question.within), call.used(in_method, "auto");
-  const bool by_tree = question.method == JoinMethod::automatic || question.method == JoinMethod::tree;
-  if (by_tree && (ids.a || ids.b)) {
-    take_object_and_near(tables, ids, question, connection.interrupt());
-  } else {
-    take_scenes(tables, question, connection.interrupt(), inert);
-    question.only_a = ids.a, question.only_b = ids.b;
-    question.space = connection.grid_space();
-  }
+  question.now = now ? *now : tables.newest_t();
+  call.reads_back_as(in_tbl, open.a.table), call.reads_back_as(in_schema, open.a.schema);
+  call.reads_back_as(in_now, question.now), call.reads_back_as(in_within, question.within);
+  call.reads_back_as(in_method, "auto");
+  question.space = connection.grid_space();
+  take_scenes(tables, question, connection.interrupt(), inert);
   return question;
 }
 

@@ -220,7 +220,7 @@ OpenTables open_tables(const FunctionCall& call, AvoidQuestion& question) {
   require_upright(tables.a, question.within_z);
   question.on_globe = tables.a.store->frame().on_globe();
   question.others = searched(tables.a);
-  call.used(in_tbl, tables.a.table), call.used(in_schema, tables.a.schema);
+  call.reads_back_as(in_tbl, tables.a.table), call.reads_back_as(in_schema, tables.a.schema);
   if (const auto also = call.text(in_also)) {
     tables.b = open_table(call.connection(), {also, tbl.schema});
     require_one_frame(tables.a, *tables.b);
@@ -273,7 +273,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     question.now = read_newest_t(*question.others.tree);
     if (question.also) question.now = std::max(question.now, read_newest_t(*question.also->tree));
   }
-  call.used(in_now, question.now), call.used(in_within, question.within), call.used(in_touching, "part");
+  call.reads_back_as(in_now, question.now), call.reads_back_as(in_within, question.within),
+      call.reads_back_as(in_touching, "part");
   read_object(tables.a, id, interrupt, question);
   std::vector<AvoidRow> rows = avoid(question, interrupt);
   if (const auto clear = call.only(out_clear))

@@ -44,7 +44,7 @@ class ExplainRows final : public FunctionRows {
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   Connection& connection = call.connection();
-  const JoinQuestion question = join_question(call, read_join_inputs(call), {}, {}, InertObjects::counted);
+  const JoinQuestion question = join_question(call, {}, InertObjects::counted);
   return std::make_unique<ExplainRows>(explain_join(question, connection.interrupt()));
 }
 

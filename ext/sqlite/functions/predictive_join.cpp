@@ -71,32 +71,33 @@ QueriedTimes queried(const FunctionCall::Bounds& bounds) {
 }
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
-  JoinWants wants;
+  JoinQuestion outputs;
+  outputs.only_a = call.only(out_a), outputs.only_b = call.only(out_b);
+  JoinWants& wants = outputs.wants;
   wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
   wants.contact = wants.ends || call.reads(out_t) || call.reads(out_dt);
   wants.approach = call.reads(out_t_cpa) || call.reads(out_dt_cpa) || call.reads(out_d_cpa);
-  JoinQuestion question =
-      join_question(call, read_join_inputs(call, true), {call.only(out_a), call.only(out_b)}, wants);
-  question.queried_t = queried(call.bounds(out_t)), question.queried_dt = queried(call.bounds(out_dt));
-  question.order = order_of(call.order());
-  question.likely_rows = call.limit().total().value_or(all_rows);
-  question.helpers = call.connection().helper_threads();
-  return std::make_unique<JoinRows>(std::move(question), call.connection().interrupt());
+  outputs.queried_t = queried(call.bounds(out_t)), outputs.queried_dt = queried(call.bounds(out_dt));
+  outputs.order = order_of(call.order());
+  outputs.likely_rows = call.limit().total().value_or(all_rows);
+  outputs.helpers = call.connection().helper_threads();
+  return std::make_unique<JoinRows>(join_question(call, std::move(outputs)), call.connection().interrupt());
 }
 
 }  // namespace
 
 const TableFunction& predictive_join() {
-  static const TableFunction function = {.name = "predictive_join",
-                                         .outputs = join_outputs,
-                                         .inputs = join_input_names(true),
-                                         .key = "a, b, t, t_end",
-                                         .hinted = 1u << out_a | 1u << out_b | 1u << out_t | 1u << out_dt,
-                                         .estimate = estimate_join,
-                                         .start = start,
-                                         .probed = 1u << out_a | 1u << out_b,
-                                         .estimate_probe = estimate_pairs_of_one,
-                                         .orders = {{out_t, out_a, out_b}, {out_dt}}};
+  static const TableFunction function = {
+      .name = "predictive_join",
+      .outputs = join_outputs,
+      .inputs = join_input_names(true),
+      .key = "a, b, t, t_end",  // with contacts = 'all' a pair may come again
+      .hinted = 1u << out_a | 1u << out_b | 1u << out_t | 1u << out_dt,
+      .estimate = estimate_join,
+      .start = start,
+      .probed = 1u << out_a | 1u << out_b,  // one id: through the tree
+      .estimate_probe = estimate_pairs_of_one,
+      .orders = {{out_t, out_a, out_b}, {out_dt}}};
   return function;
 }
 

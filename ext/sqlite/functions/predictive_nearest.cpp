@@ -97,7 +97,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     const auto j = static_cast<std::size_t>(axis);
     question.point[j] = call.number(in_x + axis);
     question.velocity[j] = call.number(in_qvx + axis).value_or(0);
-    call.used(in_qvx + axis, 0.0);
+    call.reads_back_as(in_qvx + axis, 0.0);
   }
   question.mask = call.bits(in_mask);
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});

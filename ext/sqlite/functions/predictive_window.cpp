@@ -90,7 +90,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     faces.lower[j] = call.number(in_x0 + 2 * axis).value_or(faces.lower[j]);
     faces.upper[j] = call.number(in_x0 + 2 * axis + 1).value_or(faces.upper[j]);
     faces.velocity[j] = call.number(in_wvx + axis).value_or(0);
-    call.used(in_wvx + axis, 0.0);
+    call.reads_back_as(in_wvx + axis, 0.0);
   }
   question.mask = call.bits(in_mask);
   question.all_contacts = all_contacts_input(call, in_contacts);

@@ -13,8 +13,8 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
   const auto now = call.number(inputs.now);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
-  call.used(inputs.tbl, table.table), call.used(inputs.schema, table.schema);
-  call.used(inputs.method, "auto");
+  call.reads_back_as(inputs.tbl, table.table), call.reads_back_as(inputs.schema, table.schema);
+  call.reads_back_as(inputs.method, "auto");
   SearchedTable searched{{table.table, nullptr, nullptr}, now.value_or(0), table.store->frame()};
   if (method == "scan") {
     if (!now) searched.now = table.store->read_newest_t();
@@ -24,7 +24,7 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
     searched.objects.chunks = table.store->chunks();
     if (!now) searched.now = read_newest_t(*searched.objects.tree);
   }
-  call.used(inputs.now, searched.now);
+  call.reads_back_as(inputs.now, searched.now);
   return searched;
 }
 

@@ -103,13 +103,6 @@ void step(FunctionCursor& cursor) {
               " out, or write two queries with UNION ALL");
 }
 
-/// The arguments of xFilter, by their use.
-struct Arguments {
-  std::vector<sqlite3_value*> inputs;
-  std::vector<Hint> hints;
-  RowLimit limit;
-};
-
 /// Sorts the values into inputs, hints and limits; the cursor keeps copies of the inputs for xColumn. A NULL
 /// input counts as left out. False if a hint is NULL: no row can match. Throws Error if a NULL would lose
 /// every row (function_plan.h). The call reads the originals, because SQLite 3.53 crashes in
@@ -121,8 +114,8 @@ bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const ch
   sorted.inputs.resize(cursor.inputs.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     sqlite3_value* value = values[i];
+    if (read_row_limit(plan, i, value, sorted.limit)) continue;
     const PlannedArgument planned = planned_argument(plan, i);
-    if (read_row_limit(planned.letters, value, sorted.limit)) continue;
     const bool is_null = sqlite3_value_type(value) == SQLITE_NULL;
     const int input = planned.column - table.output_count();
     if (input < 0) {
@@ -147,13 +140,12 @@ int function_filter(sqlite3_vtab_cursor* base, int number, const char* plan, int
     const FunctionTable& table = table_of(base->pVtab);
     cursor.rows.reset();
     cursor.used.clear();
-    Arguments sorted;
+    const TableFunction& function = table.function();
+    Arguments sorted{.outputs_read = planned_outputs(function, number),
+                     .order = planned_order(function, number)};
     const std::span<sqlite3_value*> given(arguments, static_cast<std::size_t>(count));
     if (!sort_arguments(cursor, table, plan, given, sorted)) return;
-    const FunctionCall call(table.function(), *table.registration->connection, sorted.inputs,
-                            std::move(sorted.hints), planned_columns(plan),
-                            planned_order(table.function(), number), sorted.limit, cursor.used);
-    cursor.rows = table.function().start(call);
+    cursor.rows = function.start({function, *table.registration->connection, std::move(sorted), cursor.used});
     step(cursor);
   });
 }

@@ -120,7 +120,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const auto name = call.text(in_watch, "the name of a watch in quotes");
   if (!name) throw Error("watch is missing or NULL: write predictive_changes('alerts', since)");
   const QualifiedName watch = find_watch(connection.db(), *name, call.text(in_schema));
-  call.used(in_schema, watch.schema);
+  call.reads_back_as(in_schema, watch.schema);
   const ReadTransaction transaction(connection.db(), watch.schema);
   const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(watch);
   const WatchState state = rows->read_state();

@@ -49,7 +49,7 @@ TEST(JoinHelpers, GiveTheSameRowsInTheSameOrder) {
       for (std::size_t helpers : {1u, 3u}) {
         if (sanitized && helpers == 1) continue;
         question.helpers = helpers;
-        EXPECT_TRUE(plan_join(question, {}).with_helpers);
+        EXPECT_TRUE(plan_join(question).with_helpers);
         EXPECT_EQ(numbers_in_order(question), alone) << helpers;
       }
     }
@@ -75,7 +75,7 @@ void expect_same_with_helpers(JoinQuestion question, bool starts_alone) {
     const auto alone = numbers_in_order(question);
     EXPECT_GT(alone.size(), 100000u);
     question.helpers = 2;
-    EXPECT_TRUE(plan_join(question, {}).with_helpers);
+    EXPECT_TRUE(plan_join(question).with_helpers);
     EXPECT_EQ(numbers_in_order(question), alone);
   }
 }
@@ -103,18 +103,18 @@ TEST(JoinHelpers, WriteWhatTouchesOnceInSeveralSlabs) {
   giant[at.half] = giant[at.half + 1] = 1e5;
   JoinQuestion question{.a = scene_of(scene), .now = scene.now, .h = 40};
   question.wants = {.ends = false, .approach = false};
-  EXPECT_GT(plan_join(question, {}).slabs, 1u);
+  EXPECT_GT(plan_join(question).slabs, 1u);
   const auto alone = numbers_in_order(question);
   EXPECT_GT(alone.size(), 9 * 2 * count);
   question.helpers = 2;
-  EXPECT_TRUE(plan_join(question, {}).with_helpers);
+  EXPECT_TRUE(plan_join(question).with_helpers);
   EXPECT_EQ(numbers_in_order(question), alone);
 }
 
 TEST(JoinHelpers, AreLeftAloneBySmallScenes) {
   JoinQuestion question = question_of(SceneKind::uniform, discs, 1000);
   question.helpers = 8;
-  EXPECT_FALSE(plan_join(question, {}).with_helpers);
+  EXPECT_FALSE(plan_join(question).with_helpers);
 }
 
 void end_early(const JoinQuestion& question) {

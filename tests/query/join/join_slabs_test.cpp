@@ -130,7 +130,7 @@ TEST(JoinSlabs, LeaveOutTimesThatAreNotQueried) {
 TEST(JoinSlabs, AreTakenWhereTheHorizonIsLong) {
   const RandomScene scene = random_scene({.layout = discs, .count = 2000, .seed = 8});
   JoinQuestion question = question_about(scene);
-  const auto slabs = [&] { return plan_join(question, {}).slabs; };
+  const auto slabs = [&] { return plan_join(question).slabs; };
   EXPECT_EQ(slabs(), 1u);
   question.h = 100;
   EXPECT_GE(slabs(), 2u);
@@ -147,7 +147,7 @@ TEST(JoinSlabs, OfTwoTablesGiveThePlainAnswer) {
   JoinQuestion question = question_about(ships);
   question.b = scene_of(crates, "crates");
   question.h = 300;
-  EXPECT_GE(plan_join(question, {}).slabs, 2u);
+  EXPECT_GE(plan_join(question).slabs, 2u);
   const auto cut = numbers_of(rows_of(question));
   question.method = JoinMethod::scan;
   EXPECT_EQ(cut, numbers_of(rows_of(question)));

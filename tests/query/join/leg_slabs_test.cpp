@@ -32,7 +32,7 @@ JoinQuestion crowd(int movers, int legs, double side, std::uint64_t seed) {
 std::size_t slabs_of_grid(JoinQuestion question) {
   question.method = JoinMethod::grid;
   const JoinQuestion prepared = with_kinds(question);
-  return plan_join(prepared, contact_of(prepared)->reach()).slabs;
+  return plan_join(prepared).slabs;
 }
 
 TEST(LegSlabs, OfManyLegsGiveTheRowsOfAScan) {
@@ -94,7 +94,7 @@ TEST(LegSlabs, WithHelpersGiveTheSameRowsInTheSameOrder) {
       EXPECT_GT(alone.size(), 1000u);
       question.helpers = 2;
       const JoinQuestion prepared = with_kinds(question);
-      EXPECT_TRUE(plan_join(prepared, contact_of(prepared)->reach()).with_helpers);
+      EXPECT_TRUE(plan_join(prepared).with_helpers);
       std::vector<JoinRow> together = rows_in_order(question);
       for (JoinRow& row : together) row.approach = {};
       EXPECT_TRUE(numbers_of(together) == numbers_of(alone));

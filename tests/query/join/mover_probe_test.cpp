@@ -5,7 +5,7 @@
 
 #include "base/float_environment.h"
 #include "never_interrupt.h"
-#include "query/join/probe.h"
+#include "query/join/join_scenes.h"
 #include "query/plan_cases.h"
 
 namespace foresee::testing {

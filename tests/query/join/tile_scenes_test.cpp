@@ -9,7 +9,7 @@
 
 #include "base/axes.h"
 #include "never_interrupt.h"
-#include "query/join/probe.h"
+#include "query/join/join_scenes.h"
 #include "query/join/tilings.h"
 #include "query/join_cases.h"
 #include "query/memory_table.h"
@@ -229,12 +229,13 @@ TEST(TakenScenes, HoldAnObjectAndThoseNearIt) {
   NeverInterrupt never;
   const JoinedTables within_one{row_of_ships()}, with_itself{within_one.a, within_one.a};
   JoinQuestion question;
-  question.h = 1, question.within = 9;
-  take_object_and_near(within_one, {.b = 7}, question, never);  // pairs once, the smaller id first
+  question.h = 1, question.within = 9, question.only_b = 7;
+  take_scenes(within_one, question, never);  // pairs once, the smaller id first
   EXPECT_EQ(question.a->ids, std::vector<std::int64_t>{6});
   EXPECT_EQ(question.b->ids, std::vector<std::int64_t>{7});
   EXPECT_EQ(question.method, JoinMethod::scan);
-  take_object_and_near(with_itself, {.a = 7}, question, never);
+  question.method = JoinMethod::tree, question.only_a = 7;
+  take_scenes(with_itself, question, never);
   EXPECT_EQ(question.a->ids, std::vector<std::int64_t>{7});
   EXPECT_EQ(std::set(question.b->ids.begin(), question.b->ids.end()), (std::set<std::int64_t>{6, 8}));
 }

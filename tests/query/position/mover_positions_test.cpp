@@ -34,7 +34,7 @@ TEST_P(PositionsOfMovers, AreThoseOfTheLaterLeg) {
     for (int i = -10; i < 60; ++i) {
       const double time = i / (numbers == PlanNumbers::halves ? 4.0 : 3.0);
       const auto wanted = plain_positions(movers, time);
-      for (const auto& scene : {table->all(), table->all_during({time, time})}) {
+      for (const auto& scene : {table->all(), table->all({.times = {time, time}})}) {
         std::size_t rows = 0;
         Positions positions(scene, time);
         while (const auto row = positions.next()) {
@@ -54,7 +54,7 @@ TEST_P(PositionsOfMovers, AtRegularTimesAreTracks) {
   const Movers movers = random_movers(GetParam(), PlanNumbers::thirds, 40, 6);
   const auto table = table_of(movers);
   NeverInterrupt never;
-  Tracks tracks(table->all_during({0, 12}), {.t0 = 0, .t1 = 12, .step = 1.0 / 3}, never);
+  Tracks tracks(table->all({.times = {0, 12}}), {.t0 = 0, .t1 = 12, .step = 1.0 / 3}, never);
   std::optional<TrackRow> row = tracks.next();
   std::size_t found = 0;
   while (row) {

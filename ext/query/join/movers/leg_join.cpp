@@ -32,7 +32,7 @@ LegJoin::LegJoin(JoinQuestion question, Interrupt& interrupt)
       b_(other_ ? *other_ : a_),
       contact_(contact_of(question_)),
       pair_(a_, b_, *contact_, {question_.now, question_.h}, interrupt),
-      plan_(plan_join(question_, contact_->reach())),
+      plan_(plan_join(question_)),
       slabs_(slabs_of(plan_, question_)),
       legs_a_(a_, leg_times_of({question_.now, question_.h}), slabs_for(plan_, question_)),
       found_(question_, a_, b_, pair_, plan_.slabs == 1 && question_.order == JoinOrder::any) {
@@ -73,10 +73,10 @@ bool LegJoin::join_slab() {
   const JoinQuestion question = question_of_legs();
   ContactStage stage(question, interrupt_);
   if (plan_.with_helpers) {
-    SlabHelpers helpers(question, *slab, true, stage.reach(), interrupt_);
+    SlabHelpers helpers(question, *slab, true, interrupt_);
     for (SlabBatch batch; helpers.next(batch);) add(batch.hits);
   } else {
-    const auto candidates = join_candidates(question, plan_.method, slab->horizon, stage.reach(), interrupt_);
+    const auto candidates = join_candidates(question, plan_.method, slab->horizon, interrupt_);
     for (pairs_.clear(); candidates->next(pairs_); pairs_.clear()) {
       hits_.clear();
       if (found_.knows_pairs()) found_.drop_found(pairs_, legs_a_, legs_b_ ? *legs_b_ : legs_a_);

@@ -1,4 +1,4 @@
-#include "query/join/probe.h"
+#include "query/join/join_scenes.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 #include "base/float_environment.h"
 #include "base/interrupt_steps.h"
 #include "motion/plan/chunks.h"
-#include "query/join/question.h"
+#include "query/join/tile_scenes.h"
 #include "query/legs/leg_scene.h"
 #include "shape/swept_boxes.h"
 
@@ -75,6 +75,26 @@ void walk(const Scene& one, const SearchTarget& others, const Horizon& horizon, 
   add_objects_near<D>(others, boxes, horizon, margin, interrupt, partners_of(one, near.layout), keep, near);
 }
 
+/// Throws Error for a `JoinQuestion` that is invalid for any objects.
+void require_valid_between(const JoinedTables& tables, JoinQuestion question) {
+  question.a = empty_scene(*tables.a);
+  if (tables.b) question.b = empty_scene(*tables.b);
+  require_valid(question);
+}
+
+// Shares of all objects: above them the whole scene costs less than the nodes of a tile, read one by one.
+constexpr double max_share = 0.5, max_share_if_cached = 0.1;
+
+/// A scene of at least the objects that the tile needs, read through the tree. Null if the tile covers most
+/// of the table: the caller then loads the whole scene, which stays cached for the next query.
+std::shared_ptr<const Scene> scene_by_tree(TableSource& table, const JoinQuestion& question,
+                                           Interrupt& interrupt) {
+  const auto tree = table.tree();
+  const double share = share_in_tile(*tree, question, interrupt);
+  if (share > (table.is_loaded() ? max_share_if_cached : max_share)) return nullptr;
+  return scene_of_tile(*tree, table.name(), question, interrupt);
+}
+
 }  // namespace
 
 std::shared_ptr<const Scene> objects_near(const Scene& one, const SearchTarget& others,
@@ -91,10 +111,14 @@ std::shared_ptr<const Scene> objects_near(const Scene& one, const SearchTarget& 
   return near;
 }
 
-void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, JoinQuestion& question,
-                          Interrupt& interrupt) {
-  const bool by_a = ids.a.has_value();
-  const std::int64_t id = by_a ? *ids.a : *ids.b;
+namespace {
+
+/// Takes the object of `only_a`, or else of `only_b`, and the objects near it. Requires: one of the two ids.
+void take_object_and_near(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt) {
+  const bool by_a = question.only_a.has_value();
+  std::optional<std::int64_t>& queried = by_a ? question.only_a : question.only_b;
+  const std::int64_t id = queried.value();
+  queried.reset();
   TableSource &one = by_a ? *tables.a : tables.last(), &others = by_a ? tables.last() : *tables.a;
   std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
                         &near = by_a ? question.b : question.a;
@@ -106,12 +130,30 @@ void take_object_and_near(const JoinedTables& tables, const QueriedIds& ids, Joi
     if (tables.are_one()) return other != id;
     return tables.b != nullptr || (by_a ? id < other : other < id);
   };
-  near = objects_near(*object, trees_of(others), {question.now, question.h}, contact_of(question)->reach(),
-                      interrupt, keep);
+  near = objects_near(*object, trees_of(others), {question.now, question.h}, reach_of(question), interrupt,
+                      keep);
   // The closest approach is that of all legs.
   if (near->layout.has_plan && question.wants.approach) near = others.objects(objects_in(*near), times);
   question.method = JoinMethod::scan;
-  if (by_a) question.only_b = ids.b;
+  question.space = nullptr;  // a scan would only trim the memory of the last grid
+}
+
+}  // namespace
+
+void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt,
+                 InertObjects inert) {
+  const bool by_tree = question.method == JoinMethod::tree;
+  if ((question.only_a || question.only_b) && (by_tree || question.method == JoinMethod::automatic))
+    return take_object_and_near(tables, question, interrupt);
+  if (question.tile) require_valid_between(tables, question);
+  const SceneNeeds needs{.with_levels = by_tree, .times = leg_times_of({question.now, question.h})};
+  const auto scene = [&](TableSource& table, TableSource& others) {
+    if (question.tile && !by_tree && !table.layout().has_plan)
+      if (auto in_tile = scene_by_tree(table, question, interrupt)) return in_tile;
+    return inert == InertObjects::counted ? table.all(needs) : all_that_may_meet(table, others, needs);
+  };
+  question.a = scene(*tables.a, tables.last());
+  if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b, *tables.a);
 }
 
 }  // namespace foresee
