@@ -141,8 +141,7 @@ int function_filter(sqlite3_vtab_cursor* base, int number, const char* plan, int
     cursor.rows.reset();
     cursor.used.clear();
     const TableFunction& function = table.function();
-    Arguments sorted{.outputs_read = planned_outputs(function, number),
-                     .order = planned_order(function, number)};
+    Arguments sorted{.columns_read = planned_columns(plan), .order = planned_order(function, number)};
     const std::span<sqlite3_value*> given(arguments, static_cast<std::size_t>(count));
     if (!sort_arguments(cursor, table, plan, given, sorted)) return;
     cursor.rows = function.start({function, *table.registration->connection, std::move(sorted), cursor.used});
