@@ -6,7 +6,7 @@
 
 #include "contact/certified/chord.h"
 #include "contact/exact/exact_contact.h"
-#include "contact/minkowski/minkowski_sum.h"
+#include "contact/minkowski/contact_set.h"
 #include "contact/oracle.h"
 #include "contact/set/set_pair.h"
 

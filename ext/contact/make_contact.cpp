@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "contact/contact.h"
 #include "contact/contact_factories.h"
-#include "contact/minkowski/minkowski_sum.h"
+#include "contact/minkowski/contact_set.h"
 #include "contact/window_contact.h"
 #include "shape/shared_form.h"
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "contact/exact/exact_contact.h"
-#include "contact/minkowski/minkowski_sum.h"
+#include "contact/minkowski/contact_set.h"
 #include "contact/pair_by_hand.h"
 #include "contact/window_contact.h"
 

@@ -9,7 +9,7 @@
 #include "contact/certified/chord.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
-#include "contact/minkowski/minkowski_sum.h"
+#include "contact/minkowski/contact_set.h"
 #include "contact/set/set_lanes.h"
 #include "contact/set/set_pair.h"
 #include "every_simd.h"

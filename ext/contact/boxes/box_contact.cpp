@@ -5,7 +5,7 @@
 
 #include "contact/boxes/box_lanes.h"
 #include "contact/contact_factories.h"
-#include "contact/minkowski/minkowski_sum.h"
+#include "contact/minkowski/contact_set.h"
 #include "contact/set/set_filter.h"
 #include "contact/set/set_traits.h"
 

@@ -6,7 +6,7 @@
 //   const AxisPart centre[] = {{.axis = 0}, {.axis = 1}};
 //   set.add_piece({.all = {set.ball(centre, {radius})}});
 //
-// A set is made once per statement, from the distance of two tables (minkowski_sum.h). It contains no number of any
+// A set is made once per statement, from the distance of two tables: contact_set(setup). It contains no number of any
 // pair: it names the lengths of a pair by their source, and the primitives and pieces. Each stage of contact
 // computes the lengths in its own number type (AllLengths, PairLengths) and the polynomials of the primitives
 // (primitive.h). So primitive number i is the same in all stages. The number of primitives and pieces is not
@@ -22,6 +22,8 @@
 #include "shape/row_layout.h"
 
 namespace foresee {
+
+struct Setup;
 
 /// The formula of a length of a pair: one addition, or two products and their sum.
 struct Length {
@@ -120,6 +122,10 @@ class ContactSet : public ConstraintUnion {
   std::vector<Primitive> primitives_;
   std::vector<Faces> hull_;
 };
+
+/// The contact set of the setup (relative_motion.h): between its tables, or between its window and the second
+/// table. Requires: neither has outlines or meshes.
+ContactSet contact_set(const Setup& setup);
 
 template <class T>
 T length_of(const ContactSet& set, const double* row_a, const double* row_b, int number);

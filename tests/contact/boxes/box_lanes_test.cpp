@@ -9,7 +9,7 @@
 #include "contact/certified/certain_motion.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
-#include "contact/minkowski/minkowski_sum.h"
+#include "contact/minkowski/contact_set.h"
 #include "every_simd.h"
 
 namespace foresee {
