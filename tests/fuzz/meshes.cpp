@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "shape/mesh/mesh.h"
-#include "shape/mesh/mesh_check.h"
 #include "shape/mesh/mesh_text.h"
 #include "shape/mesh/triangle_tree.h"
 #include "storage/format/mesh_blob.h"

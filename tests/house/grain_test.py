@@ -17,7 +17,7 @@ from house import ROOT, main
 from prose import split_code_line, without_raw_pages
 
 LIMITS = {
-    "C++ files of ext/": 593,
+    "C++ files of ext/": 585,
     "private headers": 35,
     "private headers without a reason": 0,
     "files over 300 lines": 0,
@@ -105,7 +105,7 @@ def users_of_headers(root):
 
 
 def is_own_source(header, file):
-    """Whether `file` is mesh_check.cpp or mesh_check.kernel.cpp, of mesh_check.h."""
+    """Whether `file` is box_lanes.cpp or box_lanes.kernel.cpp, of box_lanes.h."""
     return file.endswith(".cpp") and file.startswith("ext/" + header.removesuffix("h")) and "/" not in file[len("ext/" + header):]
 
 
@@ -120,7 +120,7 @@ def private_headers(root):
 
 
 def own_source(root, file):
-    """Of mesh_check.h mesh_check.cpp, if there is one; of a .cpp the file itself."""
+    """Of mesh.h mesh.cpp, if there is one; of a .cpp the file itself."""
     source = Path(file).with_suffix(".cpp")
     return source.as_posix() if (root / "ext" / source).exists() else None
 

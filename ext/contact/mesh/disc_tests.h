@@ -1,5 +1,5 @@
 // Node tests of TreeWalk for meshes: boxes and bounding discs of two nodes cut the time at which triangles
-// below them could touch (shape/mesh/bounding_discs.h).
+// below them could touch (shape/mesh/triangle_tree.h).
 //
 //   const DiscTests tests(a, b, chord, relative, sizes, end);
 //   const Interval<double> near = tests.near(node_a, node_b, {0, end});             // empty: never

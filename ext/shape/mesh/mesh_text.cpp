@@ -7,7 +7,7 @@
 #include "base/float_environment.h"
 #include "base/number_text.h"
 #include "base/text/wkt_lexer.h"
-#include "shape/mesh/weld.h"
+#include "shape/mesh/mesh.h"
 
 namespace foresee {
 

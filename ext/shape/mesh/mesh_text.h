@@ -5,7 +5,7 @@
 // TIN Z is a surface, POLYHEDRALSURFACE Z a solid, MULTIPOLYGON Z a solid if it is closed. Every face is a
 // triangle: a ring of three corners with three numbers each; the first corner is repeated at the end. Equal
 // corners become one; -0 is 0. At most `max_triangles`: a larger mesh is refused at the first triangle
-// beyond. Areas of triangles and the closedness of a solid are checked in mesh_check.h.
+// beyond. Areas of triangles and the closedness of a solid are checked in mesh.h.
 //
 // Throws Error, which names the face or the character (the first is 1) and quotes at most 40 characters.
 // Cost: about a microsecond per triangle; n log n for any text.

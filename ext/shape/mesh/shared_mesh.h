@@ -10,7 +10,6 @@
 #include <mutex>
 
 #include "shape/mesh/mesh.h"
-#include "shape/mesh/mesh_check.h"
 #include "shape/mesh/mesh_text.h"
 #include "shape/mesh/triangle_tree.h"
 #include "shape/shared_form.h"
@@ -21,7 +20,7 @@ class SharedMesh final : public Form {
  public:
   using Pieces = TriangleTree;
 
-  /// Requires: a sound mesh (mesh_check.h).
+  /// Requires: a sound mesh (mesh.h).
   explicit SharedMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
 
   const Mesh& mesh() const { return mesh_; }

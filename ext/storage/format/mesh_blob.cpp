@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "shape/mesh/mesh_check.h"
+#include "shape/mesh/mesh.h"
 #include "storage/format/form_blob.h"
 #include "storage/format/node_format.h"
 

@@ -1,5 +1,4 @@
 // Every corner below a node lies within its box and its bounding disc, before and after a rotation.
-#include "shape/mesh/bounding_discs.h"
 
 #include <gtest/gtest.h>
 

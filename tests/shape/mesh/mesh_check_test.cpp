@@ -1,5 +1,4 @@
 // Validity of meshes: every triangle has an area, a solid is closed, and both also after a rotation.
-#include "shape/mesh/mesh_check.h"
 
 #include <gtest/gtest.h>
 
