@@ -7,29 +7,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 
 namespace foresee {
 
 class ConvexPieces;
 class TriangleTree;
-
-/// A form and the heading by which it is rotated: the key of caches. `Id` says which form.
-template <class Id>
-struct Pose {
-  Id form;
-  double heading;
-
-  friend bool operator==(const Pose&, const Pose&) = default;
-};
-
-template <class Id>
-struct PoseHash {
-  std::size_t operator()(const Pose<Id>& pose) const {
-    return std::hash<Id>()(pose.form) ^ 0x9e3779b97f4a7c15U * std::hash<double>()(pose.heading);
-  }
-};
 
 /// Scratch storage of one thread for the pieces of one rotated form that the shared cache does not keep
 /// (turned_forms.h).

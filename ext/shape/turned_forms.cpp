@@ -2,8 +2,21 @@
 
 #include "base/integer_of.h"
 #include "base/interrupt_steps.h"
+#include "shape/mesh/mesh_text.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee {
+
+std::shared_ptr<const Form> read_form(Shape shape, std::string_view text) {
+  if (shape == Shape::mesh) {
+    Mesh mesh = read_mesh(text);
+    check_mesh(mesh);
+    return std::make_shared<const SharedMesh>(std::move(mesh));
+  }
+  Outline outline = read_outline(text);
+  check_outline(outline);
+  return std::make_shared<const SharedOutline>(std::move(outline));
+}
 
 template <class KindOfForm>
 void TurnedForms<KindOfForm>::assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
@@ -28,25 +41,22 @@ template <class KindOfForm>
 const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::pieces(std::size_t row,
                                                                    ScratchPieces<Pieces>& own) const {
   const KindOfForm* const form = forms_[row];
-  const FormPose pose{form, heading(row)};
+  const Pose pose{form, heading(row)};
   if (!form || pose.heading == 0) return form ? &form->pieces() : nullptr;
   if (const Pieces* const known = turned_[row].load(std::memory_order_acquire)) return known;
-  const Pieces* pieces = kept(pose);
-  if (!pieces) pieces = made_for(row, pose, own);
+  const Pieces* const pieces = kept_or_made(row, pose, own);
   if (pieces != own.pieces.get()) turned_[row].store(pieces, std::memory_order_release);
   return pieces;
 }
 
 template <class KindOfForm>
-const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::kept(const FormPose& pose) const {
-  const std::lock_guard lock(mutex_);
-  const auto found = kept_.find(pose);
-  return found == kept_.end() ? nullptr : found->second.get();
-}
-
-template <class KindOfForm>
-const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::made_for(std::size_t row, const FormPose& pose,
-                                                                     ScratchPieces<Pieces>& own) const {
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::kept_or_made(std::size_t row, const Pose& pose,
+                                                                         ScratchPieces<Pieces>& own) const {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = kept_.find(pose);
+    if (found != kept_.end()) return found->second.get();
+  }
   if (own.are_of(pose.form, pose.heading)) return own.pieces.get();
   auto made = std::make_unique<const Pieces>(pose.form->rotated_pieces(pose.heading));
   if (const Pieces* const shared = keep(pose, made)) return shared;
@@ -55,7 +65,7 @@ const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::made_for(std::size_t
 }
 
 template <class KindOfForm>
-const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::keep(const FormPose& pose,
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::keep(const Pose& pose,
                                                                  std::unique_ptr<const Pieces>& made) const {
   const std::lock_guard lock(mutex_);
   const std::size_t more = made->memory() + sizeof(typename decltype(kept_)::value_type);

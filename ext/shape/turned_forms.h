@@ -11,6 +11,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
@@ -53,12 +54,24 @@ class TurnedForms final : public FormRows<typename KindOfForm::Pieces> {
  private:
   using Turned = std::atomic<const Pieces*>;
 
-  using FormPose = Pose<const KindOfForm*>;
+  /// A form and the heading by which it is rotated.
+  struct Pose {
+    const KindOfForm* form;
+    double heading;
 
-  const Pieces* kept(const FormPose& pose) const;
+    friend bool operator==(const Pose&, const Pose&) = default;
+  };
+  struct PoseHash {
+    std::size_t operator()(const Pose& pose) const {
+      return std::hash<const KindOfForm*>()(pose.form) ^
+             0x9e3779b97f4a7c15U * std::hash<double>()(pose.heading);
+    }
+  };
+
+  /// From the cache, or made for this row.
+  const Pieces* kept_or_made(std::size_t row, const Pose& pose, ScratchPieces<Pieces>& own) const;
   /// Caches the pieces; null if the budget does not allow it.
-  const Pieces* keep(const FormPose& pose, std::unique_ptr<const Pieces>& made) const;
-  const Pieces* made_for(std::size_t row, const FormPose& pose, ScratchPieces<Pieces>& own) const;
+  const Pieces* keep(const Pose& pose, std::unique_ptr<const Pieces>& made) const;
   double heading(std::size_t row) const { return value_or(bodies_.row(row), bodies_.at.heading, 0); }
 
   Bodies bodies_;
@@ -67,7 +80,7 @@ class TurnedForms final : public FormRows<typename KindOfForm::Pieces> {
   mutable std::unique_ptr<Turned[]> turned_;  ///< per row: its cached pieces; null: not known
   std::size_t budget_;
   mutable std::mutex mutex_;  ///< protects the members below
-  mutable std::unordered_map<FormPose, std::unique_ptr<const Pieces>, PoseHash<const KindOfForm*>> kept_;
+  mutable std::unordered_map<Pose, std::unique_ptr<const Pieces>, PoseHash> kept_;
   mutable std::size_t kept_bytes_ = 0;
 };
 

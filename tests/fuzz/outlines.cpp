@@ -9,7 +9,7 @@
 #include "geography/zone.h"
 #include "numbers/dyadic.h"
 #include "shape/outline/convex_pieces.h"
-#include "shape/outline/orientation_predicate.h"
+#include "shape/outline/outline.h"
 #include "shape/outline/outline_rotation.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"

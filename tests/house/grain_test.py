@@ -17,8 +17,8 @@ from house import ROOT, main
 from prose import split_code_line, without_raw_pages
 
 LIMITS = {
-    "C++ files of ext/": 585,
-    "private headers": 35,
+    "C++ files of ext/": 580,
+    "private headers": 33,
     "private headers without a reason": 0,
     "files over 300 lines": 0,
     "folders over 26 files": 0,
@@ -36,7 +36,6 @@ PRIVATE = {
     "query/nearest/nearest_rows.h": "the ranking of distances, apart from the search; nearest.cpp would have over 300 lines",
     "query/window/mover_window.h": "windows over plans, apart from those over rows; window.cpp would have over 300 lines",
     "query/legs/slab_legs.h": "legs of one slab; leg_join.cpp would have over 300 lines",
-    "shape/outline/triangulation.h": "the public header of triangulation.cpp; convex_pieces.cpp would have over 300 lines",
     "sqlite/watch/pair_keys.h": "two shadow tables with an interface of their own; watch_rows.cpp would have over 300 lines",
     "storage/nodes/id_map.h": "the id map with an interface of its own; node_cache.h would have over 300 lines",
     "storage/nodes/node_slots.h": "nodes in memory, without rows and log; node_cache.h would have over 300 lines",

@@ -1,7 +1,7 @@
 #include "contact/mesh/space_sum.h"
 
 #include "numbers/dyadic.h"
-#include "shape/outline/orientation_predicate.h"
+#include "shape/outline/outline.h"
 
 namespace foresee {
 namespace {

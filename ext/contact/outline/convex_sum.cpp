@@ -1,6 +1,6 @@
 #include "contact/outline/convex_sum.h"
 
-#include "shape/outline/orientation_predicate.h"
+#include "shape/outline/outline.h"
 
 namespace foresee {
 namespace {

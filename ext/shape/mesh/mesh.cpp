@@ -11,7 +11,7 @@
 #include "base/float_environment.h"
 #include "base/number_text.h"
 #include "shape/mesh/mesh_text.h"
-#include "shape/outline/orientation_predicate.h"
+#include "shape/outline/outline.h"
 #include "shape/outline/outline_rotation.h"
 
 namespace foresee {

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "base/float_environment.h"
-#include "shape/outline/orientation_predicate.h"
-#include "shape/outline/triangulation.h"
+#include "shape/outline/outline.h"
 
 namespace foresee {
 

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "shape/outline/orientation_predicate.h"
+#include "shape/outline/outline.h"
 
 namespace foresee {
 

@@ -1,7 +1,15 @@
-#include "shape/outline/triangulation.h"
+// Triangulation of an outline by one plane sweep.
+//
+// Every gap between two edges that belongs to the region keeps the boundary of its uncut rest: a chain of
+// corners that bulges to the right. Each new corner cuts off all triangles that it sees.
+//
+// As in S. Hertel, K. Mehlhorn, "Fast triangulation of the plane with respect to simple polygons"
+// (Information and Control 64, 1985), extended to places where any number of rings touch, at corners and
+// along edges.
 
 #include <utility>
 
+#include "shape/outline/convex_pieces.h"
 #include "shape/outline/sweep.h"
 
 namespace foresee {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "base/error.h"
 #include "base/interrupt_steps.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "shape/extents_cache.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/format/node_format.h"
@@ -55,7 +55,8 @@ class FormCheck {
   ShapeRows& rows_;
   const NodeFormat& format_;
   std::map<std::int64_t, std::shared_ptr<const Form>> forms_;  // null: damaged
-  ExtentsCache known_;
+  std::map<std::pair<std::int64_t, double>, Extents<3>>
+      known_;  // by form and heading; some megabytes at most
 };
 
 std::string FormCheck::object_fault(const double* record) {
@@ -67,7 +68,11 @@ std::string FormCheck::object_fault(const double* record) {
   if (!found->second) return "";  // damaged: reported already
   Extents<3> around = Extents<3>::none();
   try {
-    around = known_.of(number, *found->second, value_or(record, format_.at.heading, 0));
+    const std::pair pose{number, value_or(record, format_.at.heading, 0)};
+    if (known_.size() >= 1 << 16) known_.clear();
+    auto known = known_.find(pose);
+    if (known == known_.end()) known = known_.emplace(pose, found->second->extents(pose.second)).first;
+    around = known->second;
   } catch (const Error& error) {
     return "has a heading that " + named + " cannot have: " + error.what();
   }

@@ -1,9 +1,8 @@
-#include "shape/outline/orientation_predicate.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "shape/outline/outline.h"
 #include "shape/outline/outline_judge.h"
 
 namespace foresee {
