@@ -43,26 +43,6 @@ std::vector<std::uint32_t> first_equals(std::span<const SpaceCorner> corners) {
   return firsts;
 }
 
-/// An edge of one triangle.
-struct NamedEdge {
-  std::uint32_t lower, upper, place;  ///< the two corners; place: 3 * triangle + number of the edge
-
-  bool joins_same(const NamedEdge& other) const { return lower == other.lower && upper == other.upper; }
-  friend auto operator<=>(const NamedEdge&, const NamedEdge&) = default;
-};
-
-std::vector<NamedEdge> sorted_edges(std::span<const Triangle> triangles) {
-  std::vector<NamedEdge> edges;
-  edges.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const auto [lower, upper] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
-      edges.push_back({lower, upper, 3 * t + i});
-    }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
 /// An edge between two corners of a mesh, and the number of triangles that have it.
 struct MeshEdge {
   std::uint32_t from, to;
@@ -128,6 +108,18 @@ std::string shown_face(const Mesh& mesh, std::size_t t) {
 }
 
 }  // namespace
+
+std::vector<NamedEdge> sorted_edges(std::span<const Triangle> triangles) {
+  std::vector<NamedEdge> edges;
+  edges.reserve(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto [lower, upper] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
+      edges.push_back({lower, upper, 3 * t + i});
+    }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
 
 Extents<3> Mesh::extents() const {
   const Vec<3> first = place_of(corners_[0]);

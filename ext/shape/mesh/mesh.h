@@ -17,6 +17,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -75,6 +76,17 @@ class Mesh {
   std::vector<SpaceCorner> corners_;
   std::vector<Triangle> triangles_;
 };
+
+/// An edge of one triangle.
+struct NamedEdge {
+  std::uint32_t lower, upper, place;  ///< the two corners; place: 3 * triangle + number of the edge
+
+  bool joins_same(const NamedEdge& other) const { return lower == other.lower && upper == other.upper; }
+  friend auto operator<=>(const NamedEdge&, const NamedEdge&) = default;
+};
+
+/// The edges of all triangles, sorted: those that join the same corners follow each other by place.
+std::vector<NamedEdge> sorted_edges(std::span<const Triangle> triangles);
 
 /// Welds a triangle soup into a mesh: equal corners become one, so that the triangles are connected. Corners are
 /// numbered in the order of their first use, so that equal triangles in the same order give equal meshes.

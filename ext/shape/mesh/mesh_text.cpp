@@ -15,6 +15,19 @@ namespace {
 
 constexpr const char* all_words = "TIN Z, POLYHEDRALSURFACE Z or MULTIPOLYGON Z";
 
+/// The first word of a text of this kind.
+const char* word_of(Mesh::Kind kind) {
+  switch (kind) {
+    case Mesh::Kind::surface:
+      return "TIN";
+    case Mesh::Kind::solid:
+      return "POLYHEDRALSURFACE";
+    case Mesh::Kind::parts:
+      return "MULTIPOLYGON";
+  }
+  return "";
+}
+
 class MeshReader : WktLexer {
  public:
   using WktLexer::WktLexer;
@@ -132,18 +145,6 @@ Mesh read_mesh(std::string_view text) {
 
 std::string shown(const SpaceCorner& corner) {
   return shown(corner.x) + ' ' + shown(corner.y) + ' ' + shown(corner.z);
-}
-
-const char* word_of(Mesh::Kind kind) {
-  switch (kind) {
-    case Mesh::Kind::surface:
-      return "TIN";
-    case Mesh::Kind::solid:
-      return "POLYHEDRALSURFACE";
-    case Mesh::Kind::parts:
-      return "MULTIPOLYGON";
-  }
-  return "";
 }
 
 std::string write_mesh(const Mesh& mesh) {

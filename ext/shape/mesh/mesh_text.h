@@ -32,7 +32,4 @@ std::string write_mesh(const Mesh& mesh);
 /// "0 0 3", as in texts and messages.
 std::string shown(const SpaceCorner& corner);
 
-/// The first word of a text of this kind: "TIN".
-const char* word_of(Mesh::Kind kind);
-
 }  // namespace foresee

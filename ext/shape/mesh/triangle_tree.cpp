@@ -23,34 +23,17 @@ class Parts {
   std::vector<std::uint32_t> next_;
 };
 
-/// A corner or an edge of one triangle.
-struct Side {
-  std::uint32_t from, to, place;  ///< place: 3 * triangle + number of the side
-
-  friend auto operator<=>(const Side&, const Side&) = default;
-};
-
-/// Assigns each corner or edge to the first triangle that has it.
-void own_first(std::vector<Side>& sides, int first_bit, std::vector<std::uint8_t>& owned) {
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i > 0 && sides[i].from == sides[i - 1].from && sides[i].to == sides[i - 1].to) continue;
-    owned[sides[i].place / 3] |= static_cast<std::uint8_t>(1 << (first_bit + sides[i].place % 3));
-  }
-}
-
-std::vector<std::uint8_t> owned_of(std::span<const Triangle> triangles) {
+/// A bit for each corner and edge of each triangle that owns it: the first triangle that has it.
+std::vector<std::uint8_t> owned_of(std::span<const Triangle> triangles, std::size_t corners) {
   std::vector<std::uint8_t> owned(triangles.size());
-  std::vector<Side> corners, edges;
-  corners.reserve(3 * triangles.size()), edges.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t here = triangles[t][i], next = triangles[t][(i + 1) % 3];
-      corners.push_back({here, here, 3 * t + i});
-      edges.push_back({std::min(here, next), std::max(here, next), 3 * t + i});
-    }
-  own_first(corners, 0, owned);
-  own_first(edges, 3, owned);
+  const auto own = [&](std::size_t t, std::size_t bit) { owned[t] |= static_cast<std::uint8_t>(1 << bit); };
+  std::vector<bool> is_owned(corners);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!is_owned[triangles[t][i]]) own(t, i), is_owned[triangles[t][i]] = true;
+  const std::vector<NamedEdge> edges = sorted_edges(triangles);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (i == 0 || !edges[i].joins_same(edges[i - 1])) own(edges[i].place / 3, 3 + edges[i].place % 3);
   return owned;
 }
 
@@ -194,7 +177,7 @@ TriangleTree::TriangleTree(const Mesh& mesh)
   for (const Triangle& triangle : mesh.triangles()) boxes.push_back(box_around(triangle, corners_));
   auto links = std::make_shared<Links>();
   for (const std::uint32_t t : tree_order<3>(boxes)) links->triangles.push_back(mesh.triangles()[t]);
-  links->owned = owned_of(links->triangles);
+  links->owned = owned_of(links->triangles, corners_.size());
   links->part_corners = part_corners_of(links->triangles, corners_.size());
   tree_ = tree_of(links->triangles, corners_);
   discs_ = BoundingDiscs(tree_, links->triangles, corners_);
