@@ -9,42 +9,39 @@ namespace foresee {
 
 namespace {
 
-constexpr std::size_t lives_per_check = 8192;
+constexpr std::size_t rows_per_check = 4096;
+
+/// Whether the predicate holds for a row.
+template <class Predicate>
+bool any_row(const Bodies& bodies, Interrupt& interrupt, Predicate&& holds) {
+  for (std::size_t i = 0; i < bodies.count; ++i) {
+    if (i % rows_per_check == 0) interrupt.check();
+    if (holds(bodies.row(i))) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
 bool all_exist_at_start(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt) {
   if (bodies.at.t == Offsets::absent) return horizon.now >= 0;
-  bool late = false;
-  for (std::size_t i = 0; i < bodies.count && !late; ++i) {
-    if (i % lives_per_check == 0) interrupt.check();
-    const double t = bodies.row(i)[bodies.at.t];
-    late = t > horizon.now && !(t - horizon.now > horizon.h);
-  }
-  return !late;
+  return !any_row(bodies, interrupt, [&](const double* row) {
+    const double t = row[bodies.at.t];
+    return t > horizon.now && !(t - horizon.now > horizon.h);
+  });
 }
 
 bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt) {
   const Offsets& at = bodies.at;
   if (at.t == Offsets::absent && at.until == Offsets::absent && horizon.now >= 0) return true;
-  bool partly = false;
-  for (std::size_t i = 0; i < bodies.count && !partly; ++i) {
-    if (i % lives_per_check == 0) interrupt.check();
-    const double* row = bodies.row(i);
+  return !any_row(bodies, interrupt, [&](const double* row) {
     const double t = value_or(row, at.t, 0);
     const bool late = t > horizon.now;
     const bool early = at.until != Offsets::absent && row[at.until] - horizon.now < horizon.h;
-    partly = (late || early) &&
-             !life_of(t, value_or(row, at.until, std::numeric_limits<double>::infinity()), horizon).none;
-  }
-  return !partly;
+    return (late || early) &&
+           !life_of(t, value_or(row, at.until, std::numeric_limits<double>::infinity()), horizon).none;
+  });
 }
-
-namespace {
-
-constexpr std::size_t objects_per_check = 4096;
-
-}  // namespace
 
 template <int D>
 std::vector<Box<D>> swept_boxes(const Bodies& bodies, const Horizon& horizon, const Vec<D>& margin,
@@ -53,7 +50,7 @@ std::vector<Box<D>> swept_boxes(const Bodies& bodies, const Horizon& horizon, co
   std::vector<Box<D>> boxes;
   boxes.reserve(bodies.count);
   for (std::size_t i = 0; i < bodies.count; ++i) {
-    if (i % objects_per_check == 0) interrupt.check();
+    if (i % rows_per_check == 0) interrupt.check();
     boxes.push_back(swept_box<D>(bodies, i, horizon, margin));
   }
   return boxes;
