@@ -4,8 +4,8 @@
 //
 // A shape is a type of static members. `shape` is its enumerator in a layout. `sizes` are its columns in the
 // order of a record, each a number >= 0; an outline or a mesh need not have all. `extents` is the bounding box
-// of the shape and its position. `core` is a box within the shape. Both are relative to the position and as of
-// t, from when on the shape may grow. contact/make_contact.cpp selects contact by pairs of shapes.
+// of the shape and its position, relative to the position and as of t, from when on the shape may grow.
+// contact/make_contact.cpp selects contact by pairs of shapes.
 #pragma once
 
 #include <algorithm>
@@ -84,10 +84,6 @@ struct PointShape {
   static Extents<D> extents(const double* /*numbers*/, const Offsets& /*at*/) {
     return Extents<D>::none();
   }
-  template <int D>
-  static Extents<D> core(const double* numbers, const Offsets& at) {
-    return extents<D>(numbers, at);
-  }
 };
 
 // A box along the axes: half extents hx, hy, hz.
@@ -99,18 +95,9 @@ struct BoxShape {
   static Extents<D> extents(const double* numbers, const Offsets& at) {
     return symmetric<D>(Eigen::Map<const Vec<D>>(numbers + at.half));
   }
-  template <int D>
-  static Extents<D> core(const double* numbers, const Offsets& at) {
-    return extents<D>(numbers, at);
-  }
 };
 
 // An interval, a disc or a ball, by the number of axes: a radius r, or radius 0 at first if it grows.
-
-/// Half the side of the square or cube inscribed in a disc or ball of radius 1, by the number of axes,
-/// rounded down.
-constexpr double inscribed[] = {1, 1, 0.7071, 0.5773};
-
 struct BallShape {
   static constexpr Shape shape = Shape::ball;
   static constexpr SizeColumn sizes[] = {radius_column};
@@ -118,10 +105,6 @@ struct BallShape {
   template <int D>
   static Extents<D> extents(const double* numbers, const Offsets& at) {
     return symmetric<D>(Vec<D>::Constant(value_or(numbers, at.r, 0)));
-  }
-  template <int D>
-  static Extents<D> core(const double* numbers, const Offsets& at) {
-    return symmetric<D>(Vec<D>::Constant(value_or(numbers, at.r, 0) * inscribed[D]));
   }
 };
 
@@ -133,18 +116,8 @@ struct CylinderShape {
 
   template <int D>
   static Extents<D> extents(const double* numbers, const Offsets& at) {
-    return upright<D>(value_or(numbers, at.r, 0), value_or(numbers, at.hz, 0));
-  }
-  template <int D>
-  static Extents<D> core(const double* numbers, const Offsets& at) {
-    return upright<D>(value_or(numbers, at.r, 0) * inscribed[2], value_or(numbers, at.hz, 0));
-  }
-
- private:
-  template <int D>
-  static Extents<D> upright(double radius, double half_height) {
-    Vec<D> half = Vec<D>::Constant(radius);
-    half[D - 1] = half_height;
+    Vec<D> half = Vec<D>::Constant(value_or(numbers, at.r, 0));
+    half[D - 1] = value_or(numbers, at.hz, 0);
     return symmetric<D>(half);
   }
 };
@@ -164,11 +137,6 @@ struct OutlineShape {
     if constexpr (D == 3) around.lower[2] = -numbers[at.hz], around.upper[2] = numbers[at.hz];
     return around;
   }
-  /// Empty: a point within the box may lie in a hole.
-  template <int D>
-  static Extents<D> core(const double* /*numbers*/, const Offsets& /*at*/) {
-    return no_extents<D>();
-  }
 };
 
 // A mesh of triangles in space, a surface or a solid; r inflates it on all sides. An object without a mesh is
@@ -183,11 +151,6 @@ struct MeshShape {
   template <int D>
   static Extents<D> extents(const double* numbers, const Offsets& at) {
     return extents_of_bounds<D, 3>(numbers, at);
-  }
-  /// Empty: a surface has no inside.
-  template <int D>
-  static Extents<D> core(const double* /*numbers*/, const Offsets& /*at*/) {
-    return no_extents<D>();
   }
 };
 
@@ -244,10 +207,20 @@ Vec<D> growth_of(Shape shape, const double* numbers, const Offsets& at) {
   return growth;
 }
 
-/// A box within the shape, from t on.
+/// Half the side of the square or cube inscribed in a disc or ball of radius 1, by the number of axes,
+/// rounded down.
+constexpr double inscribed[] = {1, 1, 0.7071, 0.5773};
+
+/// A box within the shape, from t on; empty for shapes that need not contain a box. A point within the box around an
+/// outline may lie in a hole.
 template <int D>
 Extents<D> core_of(Shape shape, const double* numbers, const Offsets& at) {
-  return with_shape(shape, [&](auto known) { return known.template core<D>(numbers, at); });
+  const int round = shape == Shape::ball ? D : shape == Shape::cylinder ? 2 : 0;
+  if (round == 0 && shape != Shape::point && shape != Shape::box) return no_extents<D>();
+  Extents<D> core = extents_of<D>(shape, numbers, at);
+  for (int axis = 0; axis < round; ++axis)
+    core.lower[axis] *= inscribed[round], core.upper[axis] *= inscribed[round];
+  return core;
 }
 
 }  // namespace foresee
