@@ -106,7 +106,8 @@ void measure(const char* name, const Outline& outline, int repetitions) {
   const double check = median_of(repetitions, [&] { check_outline(outline); });
   const double cut = median_of(repetitions, [&] { convex_pieces(outline); });
   const double turn = median_of(repetitions, [&] { turned(outline, next_heading()); });
-  const double again = median_of(repetitions, [&] { check_turned(outline, rotated, 37.5); });
+  const double again =
+      median_of(repetitions, [&] { check_turned(outline, edge_touch_of(outline), rotated, 37.5); });
   const double recut = median_of(repetitions, [&] { turned_pieces(pieces, rotated); });
   const double ns = 1e9 / corners;
   std::printf("%-14s %6.0f %7zu %9.1f %9.1f %9.1f %9.1f %9.1f %9.1f %14.1f\n", name, corners, pieces.count(),

@@ -43,6 +43,60 @@ const char* plural_of(Shape shape) {
   return shape == Shape::cylinder ? "cylinders" : shape == Shape::outline ? "prisms" : nullptr;
 }
 
+bool has(const Layout& a, const Layout& b, Shape shape) {
+  return a.shape == shape || b.shape == shape;
+}
+
+void require_cylinders_or_points(const Layout& a, const Layout& b) {
+  if (a.axes != 3)
+    throw Error("within_z is for tables with x, y and z; leave it out here (within covers every axis)");
+  if (has(a, b, Shape::mesh))
+    throw Error("within_z is not for meshes: leave it out; within covers every axis");
+  if (!has(a, b, Shape::point) && !has(a, b, Shape::cylinder) && !has(a, b, Shape::outline))
+    throw Error(
+        "within_z needs points, cylinders (r with hz) or prisms (shape with hz) on one side; else leave it "
+        "out: within covers every axis");
+}
+
+void require_no_ball_with_upright(const Layout& a, const Layout& b, const std::string& name_a,
+                                  const std::string& name_b) {
+  if (!has(a, b, Shape::ball)) return;
+  const bool ball_a = a.shape == Shape::ball;
+  const std::string& ball = ball_a ? name_a : name_b;
+  const std::string& upright = ball_a ? name_b : name_a;
+  const char* const other = plural_of((ball_a ? b : a).shape);
+  throw Error("no distance is defined between " + upright + " (" +
+              (other ? other : "points, cylinders by within_z") + ") and " + ball +
+              " (balls): declare hz in " + ball +
+              (other ? " to make them cylinders" : ", or leave out within_z"));
+}
+
+void require_distance_of_outlines(const Layout& a, const Layout& b, const std::string& name_a,
+                                  const std::string& name_b) {
+  for (const Layout* side : {&a, &b})
+    if (side->shape == Shape::box && grows(*side))
+      throw Error("no distance is defined between outlines and boxes that grow: declare r and growth in " +
+                  (side == &a ? name_a : name_b) + " in place of hx and hy");
+  if (a.axes == 3) require_no_ball_with_upright(a, b, name_a, name_b);
+}
+
+void require_distance_of_meshes(const Layout& a, const Layout& b, const std::string& name_a,
+                                const std::string& name_b) {
+  const bool mesh_a = a.shape == Shape::mesh;
+  const Shape other = (mesh_a ? b : a).shape;
+  if (other == Shape::cylinder || other == Shape::outline) {
+    const std::string& mesh = mesh_a ? name_a : name_b;
+    const std::string& upright = mesh_a ? name_b : name_a;
+    throw Error("no distance is defined between " + mesh + " (meshes) and " + upright + " (" +
+                plural_of(other) + "): leave hz out of " + upright +
+                (other == Shape::outline ? " and declare meshes" : " to make them balls"));
+  }
+  for (const Layout* side : {&a, &b})
+    if (grows(*side))
+      throw Error("no distance is defined between meshes and what grows: leave growth out of " +
+                  (side == &a ? name_a : name_b) + ", or write within");
+}
+
 }  // namespace
 
 /// One table, or a window.
@@ -109,64 +163,6 @@ PairRule PairRule::without_radius() const {
   rule.distance = Distance::per_axis, rule.radius = {};
   return rule;
 }
-
-namespace {
-
-bool has(const Layout& a, const Layout& b, Shape shape) {
-  return a.shape == shape || b.shape == shape;
-}
-
-void require_cylinders_or_points(const Layout& a, const Layout& b) {
-  if (a.axes != 3)
-    throw Error("within_z is for tables with x, y and z; leave it out here (within covers every axis)");
-  if (has(a, b, Shape::mesh))
-    throw Error("within_z is not for meshes: leave it out; within covers every axis");
-  if (!has(a, b, Shape::point) && !has(a, b, Shape::cylinder) && !has(a, b, Shape::outline))
-    throw Error(
-        "within_z needs points, cylinders (r with hz) or prisms (shape with hz) on one side; else leave it "
-        "out: within covers every axis");
-}
-
-void require_no_ball_with_upright(const Layout& a, const Layout& b, const std::string& name_a,
-                                  const std::string& name_b) {
-  if (!has(a, b, Shape::ball)) return;
-  const bool ball_a = a.shape == Shape::ball;
-  const std::string& ball = ball_a ? name_a : name_b;
-  const std::string& upright = ball_a ? name_b : name_a;
-  const char* const other = plural_of((ball_a ? b : a).shape);
-  throw Error("no distance is defined between " + upright + " (" +
-              (other ? other : "points, cylinders by within_z") + ") and " + ball +
-              " (balls): declare hz in " + ball +
-              (other ? " to make them cylinders" : ", or leave out within_z"));
-}
-
-void require_distance_of_outlines(const Layout& a, const Layout& b, const std::string& name_a,
-                                  const std::string& name_b) {
-  for (const Layout* side : {&a, &b})
-    if (side->shape == Shape::box && grows(*side))
-      throw Error("no distance is defined between outlines and boxes that grow: declare r and growth in " +
-                  (side == &a ? name_a : name_b) + " in place of hx and hy");
-  if (a.axes == 3) require_no_ball_with_upright(a, b, name_a, name_b);
-}
-
-void require_distance_of_meshes(const Layout& a, const Layout& b, const std::string& name_a,
-                                const std::string& name_b) {
-  const bool mesh_a = a.shape == Shape::mesh;
-  const Shape other = (mesh_a ? b : a).shape;
-  if (other == Shape::cylinder || other == Shape::outline) {
-    const std::string& mesh = mesh_a ? name_a : name_b;
-    const std::string& upright = mesh_a ? name_b : name_a;
-    throw Error("no distance is defined between " + mesh + " (meshes) and " + upright + " (" +
-                plural_of(other) + "): leave hz out of " + upright +
-                (other == Shape::outline ? " and declare meshes" : " to make them balls"));
-  }
-  for (const Layout* side : {&a, &b})
-    if (grows(*side))
-      throw Error("no distance is defined between meshes and what grows: leave growth out of " +
-                  (side == &a ? name_a : name_b) + ", or write within");
-}
-
-}  // namespace
 
 void require_distance(const Layout& a, const Layout& b, const std::optional<double>& within_z,
                       const std::string& name_a, const std::string& name_b) {

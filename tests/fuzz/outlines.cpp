@@ -95,7 +95,7 @@ void run(FuzzBytes& bytes) {
     const ConvexPieces pieces = convex_pieces(outline);
     require_tiling(pieces, outline, text);
     const Outline rotated = turned(outline, heading);
-    check_turned(outline, rotated, heading);
+    check_turned(outline, edge_touch_of(outline), rotated, heading);
     require_tiling(turned_pieces(pieces, rotated), rotated, text);
   } catch (const Error& error) {
     require(std::strlen(error.what()) < 400, "a long message", text);

@@ -35,35 +35,7 @@ std::string both_edges(const Flaw& flaw, const Outline& outline) {
   return "edges " + shown_edge(outline, flaw.a) + " and " + shown_edge(outline, flaw.b);
 }
 
-}  // namespace
-
-std::string shown(const Flaw& flaw, const Outline& outline) {
-  const auto ring = [&](std::uint32_t edge) { return name_of_ring(outline, ring_of(outline, edge)); };
-  const std::string place = '(' + shown(flaw.place) + ')';
-  switch (flaw.kind) {
-    case Flaw::Kind::few_corners:
-      return ring(flaw.a) + " has fewer than three corners";
-    case Flaw::Kind::no_area:
-      return ring(flaw.a) + " encloses no area: its corners lie on one line";
-    case Flaw::Kind::cross:
-      return both_edges(flaw, outline) + " cross";
-    case Flaw::Kind::overlap:
-      return both_edges(flaw, outline) + " overlap";
-    case Flaw::Kind::self_touch:
-      return ring(flaw.a) + " touches itself at " + place + ": write a ring for each loop";
-    case Flaw::Kind::edge_touch:
-      return both_edges(flaw, outline) + " touch at " + place +
-             ": write this point as a corner of both rings";
-    case Flaw::Kind::hole_outside:
-      return ring(flaw.a) + " is a hole but lies outside its part";
-    case Flaw::Kind::hole_inside:
-      return ring(flaw.a) + " is a hole but lies within " + ring(flaw.b);
-    case Flaw::Kind::part_inside:
-      return ring(flaw.a) + " lies within " + ring(flaw.b) + ": write parts that lie apart";
-  }
-  return {};
-}
-
+/// What is wrong with the outline rotated by `heading` degrees.
 std::string shown_turned(const Flaw& flaw, const Outline& outline, double heading) {
   const std::string turned = "turned by " + shown(heading) + " degrees ";
   if (flaw.kind == Flaw::Kind::edge_touch)
@@ -74,8 +46,6 @@ std::string shown_turned(const Flaw& flaw, const Outline& outline, double headin
            " encloses no area: its corners are closer than doubles resolve";
   return turned + "its " + both_edges(flaw, outline) + " touch: they are closer than doubles resolve";
 }
-
-namespace {
 
 /// Thrown to end the sweep at the first flaw.
 struct FlawFound {
@@ -240,6 +210,33 @@ std::optional<Flaw> ring_of_few_corners(const Outline& outline) {
 
 }  // namespace
 
+std::string shown(const Flaw& flaw, const Outline& outline) {
+  const auto ring = [&](std::uint32_t edge) { return name_of_ring(outline, ring_of(outline, edge)); };
+  const std::string place = '(' + shown(flaw.place) + ')';
+  switch (flaw.kind) {
+    case Flaw::Kind::few_corners:
+      return ring(flaw.a) + " has fewer than three corners";
+    case Flaw::Kind::no_area:
+      return ring(flaw.a) + " encloses no area: its corners lie on one line";
+    case Flaw::Kind::cross:
+      return both_edges(flaw, outline) + " cross";
+    case Flaw::Kind::overlap:
+      return both_edges(flaw, outline) + " overlap";
+    case Flaw::Kind::self_touch:
+      return ring(flaw.a) + " touches itself at " + place + ": write a ring for each loop";
+    case Flaw::Kind::edge_touch:
+      return both_edges(flaw, outline) + " touch at " + place +
+             ": write this point as a corner of both rings";
+    case Flaw::Kind::hole_outside:
+      return ring(flaw.a) + " is a hole but lies outside its part";
+    case Flaw::Kind::hole_inside:
+      return ring(flaw.a) + " is a hole but lies within " + ring(flaw.b);
+    case Flaw::Kind::part_inside:
+      return ring(flaw.a) + " lies within " + ring(flaw.b) + ": write parts that lie apart";
+  }
+  return {};
+}
+
 std::optional<Flaw> flaw_of(const Outline& outline) {
   const FloatEnvironment environment;
   if (outline.rings() == 1 && convex_direction(outline.corners()) != 0) return std::nullopt;
@@ -262,11 +259,6 @@ std::optional<Flaw> edge_touch_of(const Outline& outline) {
   Validity validity(outline);
   validity.check();
   return validity.edge_touch();
-}
-
-void check_turned(const Outline& outline, const Outline& turned, double heading) {
-  if (std::fmod(heading, 90) == 0) return;
-  check_turned(outline, edge_touch_of(outline), turned, heading);
 }
 
 void check_turned(const Outline& outline, const std::optional<Flaw>& edge_touch, const Outline& turned,

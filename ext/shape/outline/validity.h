@@ -2,7 +2,7 @@
 //
 //   check_outline(outline);               // throws Error: "edges (0 0, 2 2) and (2 0, 0 2) cross"
 //   const Outline rotated = turned(outline, 37.5);
-//   check_turned(outline, rotated, 37.5);
+//   check_turned(outline, edge_touch_of(outline), rotated, 37.5);
 //
 // Every ring has at least three corners, neither crosses nor touches itself, and so encloses an area. Two
 // rings may touch in single points, but neither cross nor overlap. Holes lie within the outer ring of their
@@ -44,26 +44,19 @@ struct Flaw {
 /// The text for the author of the outline.
 std::string shown(const Flaw& flaw, const Outline& outline);
 
-/// The same for a flaw of the outline rotated by `heading` degrees.
-std::string shown_turned(const Flaw& flaw, const Outline& outline, double heading);
-
 /// The leftmost flaw; empty if the outline is valid.
 std::optional<Flaw> flaw_of(const Outline& outline);
 
 /// Throws Error, which says what is wrong and where, for the author of the outline.
 void check_outline(const Outline& outline);
 
-/// The same for `turned`, the valid `outline` rotated by `heading` degrees: rounding may close a gap of an
-/// ulp. Rings may then touch only at corners of both, unless the rotation is by right angles: rounding would
-/// separate a corner from an edge.
-void check_turned(const Outline& outline, const Outline& turned, double heading);
-
-/// The leftmost place at which rings of the valid outline touch at a corner of only one of them, which
-/// forbids those rotations; empty if there is no such place.
+/// The leftmost place at which rings of the valid outline touch at a corner of only one of them; empty if there is
+/// no such place. It costs as much as a check, and one outline may be rotated for many rows.
 std::optional<Flaw> edge_touch_of(const Outline& outline);
 
-/// As above, with the result of edge_touch_of(): it costs as much as a check, and one outline may be rotated
-/// for many rows.
+/// As check_outline() for `turned`, the valid `outline` rotated by `heading` degrees: rounding may close a gap of
+/// an ulp. Rings may then touch only at corners of both, unless the rotation is by right angles: rounding would
+/// separate a corner from an edge. `edge_touch`: edge_touch_of(outline).
 void check_turned(const Outline& outline, const std::optional<Flaw>& edge_touch, const Outline& turned,
                   double heading);
 

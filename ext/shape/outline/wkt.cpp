@@ -112,15 +112,6 @@ class OutlineReader : WktLexer {
   Outline outline_;
 };
 
-}  // namespace
-
-Outline read_outline(std::string_view text, WktUnit unit) {
-  const FloatEnvironment environment;
-  return OutlineReader(text, unit).outline();
-}
-
-namespace {
-
 /// "(0 0, 2 0, 1 1, 0 0)"
 void write_ring(std::span<const Corner> ring, std::string& text) {
   text += '(';
@@ -138,6 +129,11 @@ void write_part(const Outline& outline, std::size_t part, std::string& text) {
 }
 
 }  // namespace
+
+Outline read_outline(std::string_view text, WktUnit unit) {
+  const FloatEnvironment environment;
+  return OutlineReader(text, unit).outline();
+}
 
 std::string shown(const Corner& corner) {
   return shown(corner.x) + ' ' + shown(corner.y);

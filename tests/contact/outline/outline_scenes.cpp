@@ -59,7 +59,7 @@ class Draw {
     const double heading = family_.turned < 0 ? std::abs(number(180)) : family_.turned;
     check_outline(drawn);
     o.outline = turned(drawn, heading);
-    check_turned(drawn, o.outline, heading);
+    check_turned(drawn, edge_touch_of(drawn), o.outline, heading);
     return o;
   }
 

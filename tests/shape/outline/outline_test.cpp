@@ -55,7 +55,7 @@ struct AllAbout {
 AllAbout all_about(const std::string& text) {
   const Outline outline = read_outline(text), posed = turned(outline, 37.3);
   check_outline(outline);
-  check_turned(outline, posed, 37.3);
+  check_turned(outline, edge_touch_of(outline), posed, 37.3);
   AllAbout all{write_outline(outline), write_outline(posed), {}};
   const ConvexPieces pieces = turned_pieces(convex_pieces(outline), posed);
   for (std::size_t p = 0; p < pieces.count(); ++p)

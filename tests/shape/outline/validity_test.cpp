@@ -31,7 +31,7 @@ std::string flaw_in(const char* text) {
 
 std::string flaw_turned(const Outline& outline, double heading) {
   try {
-    check_turned(outline, turned(outline, heading), heading);
+    check_turned(outline, edge_touch_of(outline), turned(outline, heading), heading);
   } catch (const Error& error) {
     return error.what();
   }
