@@ -9,12 +9,6 @@ namespace {
 /// Squares of smaller numbers underflow, or nearly; those of larger numbers overflow.
 constexpr double min_size = 0x1p-490, max_size = 0x1p500;
 
-double dot(const Corner& a, const Corner& b) {
-  return a.x * b.x + a.y * b.y;
-}
-Corner gap(const Corner& a, const Corner& b) {
-  return {a.x - b.x, a.y - b.y};
-}
 double l1_norm(const Corner& c) {
   return std::abs(c.x) + std::abs(c.y);
 }
@@ -48,14 +42,14 @@ class SumAlongPath {
   Verdict is_near(const Bounded& radius, double slack) {
     if (!(size_ < max_size)) return Verdict::uncertain;
     const double surely = radius.value - radius.error - slack, possibly = radius.value + radius.error + slack;
-    corners_[0] = gap(gap(a_[0], b_[0]), path_[0]), count_ = 1;
+    corners_[0] = a_[0] - b_[0] - path_[0], count_ = 1;
     Corner nearest = corners_[0];
     for (double last = HUGE_VAL;;) {
       const double square = dot(nearest, nearest), distance = std::sqrt(square);
       if (distance <= surely) return Verdict::yes;
       if (!(distance > min_size && square < last)) return Verdict::uncertain;
       const Corner against{-nearest.x, -nearest.y};
-      const Corner next = gap(gap(extreme(a_, against), extreme(b_, nearest)), extreme(path_, nearest));
+      const Corner next = extreme(a_, against) - extreme(b_, nearest) - extreme(path_, nearest);
       if (dot(next, nearest) / distance > possibly) return Verdict::no;
       if (count_ == 2 && is_around(next)) return depth(next) > slack ? Verdict::yes : Verdict::uncertain;
       last = square * (1 - 0x1p-20);
@@ -66,8 +60,8 @@ class SumAlongPath {
  private:
   /// Whether the triangle of the two corners and this one contains the origin, by signs in plain doubles.
   bool is_around(const Corner& next) const {
-    const double one = side(corners_[0], corners_[1]), other = side(corners_[1], next),
-                 third = side(next, corners_[0]);
+    const double one = cross(corners_[0], corners_[1]), other = cross(corners_[1], next),
+                 third = cross(next, corners_[0]);
     return (one > 0 && other > 0 && third > 0) || (one < 0 && other < 0 && third < 0);
   }
   /// A lower bound on the origin's distance from the sides of that triangle; below 0 where a sign is
@@ -75,11 +69,10 @@ class SumAlongPath {
   double depth(const Corner& next) const {
     const auto from = [](const Corner& a, const Corner& b) {
       const double rounding = 0x1p-50 * (l1_norm(a) * l1_norm(b)) + min_size * min_size;
-      return (std::abs(side(a, b)) - rounding) / std::max(l1_norm(gap(b, a)), min_size);
+      return (std::abs(cross(a, b)) - rounding) / std::max(l1_norm(b - a), min_size);
     };
     return std::min({from(corners_[0], corners_[1]), from(corners_[1], next), from(next, corners_[0])});
   }
-  static double side(const Corner& a, const Corner& b) { return a.x * b.y - a.y * b.x; }
 
   /// The point of the triangle or segment that is nearest to the origin. Keeps the two corners on both
   /// sides of it.
@@ -94,7 +87,7 @@ class SumAlongPath {
     return best;
   }
   static Corner nearest_between(const Corner& a, const Corner& b) {
-    const Corner run = gap(b, a);
+    const Corner run = b - a;
     const double length = dot(run, run), part = length > 0 ? std::clamp(-dot(a, run) / length, 0.0, 1.0) : 0;
     return {a.x + part * run.x, a.y + part * run.y};
   }

@@ -24,11 +24,14 @@
 
 namespace foresee {
 
-/// Finite, and never -0.
+/// Finite, and never -0; or a vector, in rounded arithmetic.
 struct Corner {
   double x, y;
 
   friend bool operator==(const Corner&, const Corner&) = default;
+  friend Corner operator-(const Corner& a, const Corner& b) { return {a.x - b.x, a.y - b.y}; }
+  friend double dot(const Corner& a, const Corner& b) { return a.x * b.x + a.y * b.y; }
+  friend double cross(const Corner& a, const Corner& b) { return a.x * b.y - a.y * b.x; }
 };
 
 /// The maximum number of corners of an outline, without closing ones.
