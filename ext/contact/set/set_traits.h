@@ -67,11 +67,4 @@ struct SetTraits {
 template <int D, int Degree>
 using SetContact = UnionContact<SetTraits<D, Degree>>;
 
-extern template class UnionContact<SetTraits<1, 1>>;
-extern template class UnionContact<SetTraits<1, 2>>;
-extern template class UnionContact<SetTraits<2, 1>>;
-extern template class UnionContact<SetTraits<2, 2>>;
-extern template class UnionContact<SetTraits<3, 1>>;
-extern template class UnionContact<SetTraits<3, 2>>;
-
 }  // namespace foresee
