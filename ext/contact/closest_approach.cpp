@@ -1,10 +1,17 @@
-#include "contact/closest_approach.h"
+// The closest approach of two centres: the minimum of |x + v tau + a tau^2| while both objects exist in the
+// horizon, and its time; the earliest one on ties.
+//
+// Time and distance are the exact ones, each rounded once. As for contact, doubles with error bounds and one
+// step in DoubleDouble decide nearly all pairs. Exact arithmetic decides a tie, a distance of exactly 0,
+// numbers near the ends of the range of doubles, and times halfway between two doubles.
 
 #include <optional>
 
 #include "contact/certified/certain_motion.h"
 #include "contact/certified/certain_slope.h"
+#include "contact/contact.h"
 #include "contact/exact/exact_contact.h"
+#include "contact/minkowski/relative_motion.h"
 #include "numbers/crossed_root.h"
 
 namespace foresee {

@@ -122,4 +122,11 @@ class Contact {
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b);
 
+struct Setup;
+
+/// The closest approach of two centres (closest_approach.cpp). Cost: about a microsecond; tens of them in exact
+/// arithmetic. Requires: both objects exist together at some time of the horizon.
+template <int D>
+ClosestApproach closest_approach_of(const Setup& setup, const double* row_a, const double* row_b);
+
 }  // namespace foresee

@@ -103,8 +103,8 @@ class ExactUnion {
     Polynomials polynomials = polynomials_of(pairs);
     polynomials.set_interrupt(context_.steps);
     if constexpr (Traits::has_solids)
-      return exact_times_of_solids(polynomials, lifetime,
-                                   [this](const Dyadic& time) { return intervals_.is_inside_at(time); });
+      return exact_times(polynomials, lifetime,
+                         [this](const Dyadic& time) { return intervals_.is_inside_at(time); });
     return exact_times(polynomials, lifetime);
   }
 

@@ -1,7 +1,7 @@
 // The constraints of the pairs of pieces that doubles leave undecided, for the exact stage.
 //
 //   UndecidedPieces<FlatTraits<2, 1>> undecided(setup, row_a, row_b, a, b, pairs, true);
-//   PolynomialsOf polynomials(setup, row_a, row_b, std::move(undecided));          // pair_polynomials.h
+//   PolynomialsOf polynomials(setup, row_a, row_b, std::move(undecided));          // exact_contact.h
 //
 // The parts of the Minkowski sum of each pair are pieces of the union, in the order of the pairs.
 #pragma once

@@ -14,7 +14,6 @@
 
 #include "base/float_environment.h"
 #include "contact/certified/pair_context.h"
-#include "contact/closest_approach.h"
 #include "contact/contact.h"
 #include "numbers/crossed_root.h"
 

@@ -5,7 +5,7 @@
 //   sum.support(0, 1)                      // no point of the sum is farther north
 //   sum.turn(15);                          // rotates the first piece by 15 degrees from its given pose
 //
-// The sum is the set of relative positions at which the two touch (contact/outline/convex_sum.h). Its support
+// The sum is the set of relative positions at which the two touch (contact/outline/object_pieces.h). Its support
 // function is an upper bound for proofs; the signed distance is approximate, for guesses.
 // Cost: linear in the corners of both, some nanoseconds each.
 #pragma once
@@ -15,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include "contact/outline/convex_sum.h"
 #include "contact/outline/object_pieces.h"
 #include "numbers/correct_rounding.h"
 

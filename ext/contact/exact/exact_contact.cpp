@@ -283,18 +283,13 @@ bool exact_touches(PiecePolynomials& polynomials, const ExactLifetime& lifetime)
   return ExactPair(polynomials, lifetime).touches();
 }
 
-std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactLifetime& lifetime) {
-  return ExactPair(polynomials, lifetime).times({});
+std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactLifetime& lifetime,
+                                        const TouchesBetween& between) {
+  return ExactPair(polynomials, lifetime).times(between);
 }
 
 std::vector<ContactTimes> exact_contacts(PiecePolynomials& polynomials, const ExactLifetime& lifetime) {
   return ExactPair(polynomials, lifetime).contacts();
-}
-
-std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials,
-                                                  const ExactLifetime& lifetime,
-                                                  const TouchesBetween& between) {
-  return ExactPair(polynomials, lifetime).times(between);
 }
 
 }  // namespace foresee

@@ -4,7 +4,6 @@
 
 #include "contact/certified/uncertain_interval.h"
 #include "contact/exact/exact_contact.h"
-#include "contact/exact/pair_polynomials.h"
 #include "contact/mesh/space_constraint.h"
 
 namespace foresee {
@@ -15,10 +14,26 @@ class Displacement {
  public:
   /// All arguments but `instant`, a time after now, must outlive this.
   Displacement(const Setup& setup, const double* row_a, const double* row_b, const CertainMotion<3>& relative,
-               const Dyadic& instant);
+               const Dyadic& instant)
+      : setup_(setup), row_a_(row_a), row_b_(row_b), time_(instant) {
+    const double tau = rounded(instant);
+    const Bounded time{tau, unit_roundoff * std::abs(tau) + 0x1p-1070};
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto& axis = relative.axis[j];
+      near_[j] =
+          Bounded{axis.x, axis.ex} + time * (Bounded{axis.v, axis.ev} + time * Bounded{axis.a, axis.ea});
+      near_[j].error = near_[j].error_bound(relative.underflow);
+    }
+  }
 
   const Components<Bounded>& near() const { return near_; }
-  const Components<Dyadic>& exact();
+  const Components<Dyadic>& exact() {
+    if (exact_) return *exact_;
+    const auto x = motion_coefficients<Dyadic>(setup_, row_a_, row_b_);
+    exact_.emplace();
+    for (std::size_t j = 0; j < 3; ++j) (*exact_)[j] = x[j][0] + time_ * (x[j][1] + time_ * x[j][2]);
+    return *exact_;
+  }
 
  private:
   const Setup& setup_;
@@ -32,61 +47,31 @@ class Displacement {
 /// sign -1.
 class SeenCorner {
  public:
-  SeenCorner(const SpaceCorner& corner, int sign, Displacement& d);
+  SeenCorner(const SpaceCorner& corner, int sign, Displacement& d)
+      : corner_(corner), sign_(sign), d_(d), near_(seen(d.near())) {
+    for (Bounded& c : near_) c.error = c.error_bound(0x1p-1060);
+  }
 
   const Components<Bounded>& near() const { return near_; }
-  const Components<Dyadic>& exact();
+  const Components<Dyadic>& exact() {
+    if (!exact_) exact_ = seen(d_.exact());
+    return *exact_;
+  }
 
  private:
+  template <class T>
+  Components<T> seen(const Components<T>& d) const {
+    const Components<T> place = components_of<T>(corner_);
+    if (sign_ < 0) return difference_of(place, d);
+    return {place[0] + d[0], place[1] + d[1], place[2] + d[2]};
+  }
+
   const SpaceCorner& corner_;
   const int sign_;
   Displacement& d_;
   Components<Bounded> near_;
   std::optional<Components<Dyadic>> exact_;
 };
-
-Displacement::Displacement(const Setup& setup, const double* row_a, const double* row_b,
-                           const CertainMotion<3>& relative, const Dyadic& instant)
-    : setup_(setup), row_a_(row_a), row_b_(row_b), time_(instant) {
-  const double tau = rounded(instant);
-  const Bounded time{tau, unit_roundoff * std::abs(tau) + 0x1p-1070};
-  for (std::size_t j = 0; j < 3; ++j) {
-    const auto& axis = relative.axis[j];
-    near_[j] = Bounded{axis.x, axis.ex} + time * (Bounded{axis.v, axis.ev} + time * Bounded{axis.a, axis.ea});
-    near_[j].error = near_[j].error_bound(relative.underflow);
-  }
-}
-
-const Components<Dyadic>& Displacement::exact() {
-  if (exact_) return *exact_;
-  const auto x = motion_coefficients<Dyadic>(setup_, row_a_, row_b_);
-  exact_.emplace();
-  for (std::size_t j = 0; j < 3; ++j) (*exact_)[j] = x[j][0] + time_ * (x[j][1] + time_ * x[j][2]);
-  return *exact_;
-}
-
-SeenCorner::SeenCorner(const SpaceCorner& corner, int sign, Displacement& d)
-    : corner_(corner), sign_(sign), d_(d) {
-  const Components<Bounded> place{Bounded{corner.x}, Bounded{corner.y}, Bounded{corner.z}};
-  for (std::size_t j = 0; j < 3; ++j) {
-    near_[j] = sign < 0 ? place[j] - d.near()[j] : place[j] + d.near()[j];
-    near_[j].error = near_[j].error_bound(0x1p-1060);
-  }
-}
-
-const Components<Dyadic>& SeenCorner::exact() {
-  if (exact_) return *exact_;
-  const Components<Dyadic> place{Dyadic(corner_.x), Dyadic(corner_.y), Dyadic(corner_.z)};
-  exact_.emplace();
-  for (std::size_t j = 0; j < 3; ++j)
-    (*exact_)[j] = sign_ < 0 ? place[j] - d_.exact()[j] : place[j] + d_.exact()[j];
-  return *exact_;
-}
-
-template <class T>
-T coordinate(const SpaceCorner& corner, int axis) {
-  return Exactly<T>::number(axis == 0 ? corner.x : axis == 1 ? corner.y : corner.z);
-}
 
 /// The ray from a corner along x, and its crossings with the triangles of a solid.
 class Ray {
@@ -104,16 +89,12 @@ class Ray {
 
  private:
   bool may_cross(const Box<3>& box) const {
-    const auto& near = corner_.near();
-    const auto is_beyond = [&](int axis) {
-      const Bounded& c = near[static_cast<std::size_t>(axis)];
-      return c.value - c.error > box.upper[axis];
-    };
-    const auto is_before = [&](int axis) {
-      const Bounded& c = near[static_cast<std::size_t>(axis)];
-      return c.value + c.error < box.lower[axis];
-    };
-    return !is_beyond(0) && !is_beyond(1) && !is_before(1) && !is_beyond(2) && !is_before(2);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Bounded& c = corner_.near()[static_cast<std::size_t>(axis)];
+      if (c.value - c.error > box.upper[axis]) return false;
+      if (axis > 0 && c.value + c.error < box.lower[axis]) return false;  // the ray runs along x
+    }
+    return true;
   }
 
   bool crosses(std::size_t triangle) {
@@ -129,35 +110,28 @@ class Ray {
 
   /// The side of an edge on which the ray passes, seen along x; 0 for an edge that is parallel to x.
   int side_of(const SpaceCorner& from, const SpaceCorner& to) {
-    const int certain = certain_sign(with_lost(turn<Bounded>(from, to, corner_.near()), 0x1p-1060));
-    if (certain != 0) return certain;
-    const int exactly = turn<Dyadic>(from, to, corner_.exact()).sign();
-    if (exactly != 0) return exactly;
+    const int sign = sign_of([&]<class T>(const Components<T>& place) {
+      const Components<T> run = gap_between<T>(to, from), gap = difference_of(place, components_of<T>(from));
+      return run[1] * gap[2] - run[2] * gap[1];
+    });
+    if (sign != 0) return sign;
     if (to.z != from.z) return to.z > from.z ? -1 : 1;
     return to.y > from.y ? 1 : to.y < from.y ? -1 : 0;
-  }
-  template <class T>
-  static T turn(const SpaceCorner& from, const SpaceCorner& to, const Components<T>& place) {
-    const Components<T> run = gap_between<T>(to, from);
-    return run[1] * (place[2] - coordinate<T>(from, 2)) - run[2] * (place[1] - coordinate<T>(from, 1));
   }
 
   /// The side of the triangle's plane on which the corner is: 1 where the normal points.
   int plane_sign(const SpaceCorner* const corners[3]) {
-    const EdgeVector u{corners[0], corners[1]}, v{corners[1], corners[2]};
-    const Components<Bounded> normal = direction_of<Bounded>({.factors = 2, .u = u, .v = v});
-    Bounded sum{};
-    for (std::size_t j = 0; j < 3; ++j)
-      sum = sum + safe_product(normal[j],
-                               corner_.near()[j] - coordinate<Bounded>(*corners[0], static_cast<int>(j)));
-    const int certain = certain_sign(with_lost(sum, 0x1p-1060));
-    if (certain != 0) return certain;
-    const Components<Dyadic> direction = direction_of<Dyadic>({.factors = 2, .u = u, .v = v});
-    Dyadic exactly;
-    for (std::size_t j = 0; j < 3; ++j)
-      exactly = exactly +
-                direction[j] * (corner_.exact()[j] - coordinate<Dyadic>(*corners[0], static_cast<int>(j)));
-    return exactly.sign();
+    const SpaceAxis normal{.factors = 2, .u = {corners[0], corners[1]}, .v = {corners[1], corners[2]}};
+    return sign_of([&]<class T>(const Components<T>& place) {
+      return dot(direction_of<T>(normal), difference_of(place, components_of<T>(*corners[0])));
+    });
+  }
+
+  /// The sign of an expression of the corner's position.
+  template <class Expression>
+  int sign_of(const Expression& expression) {
+    const int certain = certain_sign(with_lost(expression(corner_.near()), 0x1p-1060));
+    return certain != 0 ? certain : expression(corner_.exact()).sign();
   }
 
   const TriangleTree& solid_;

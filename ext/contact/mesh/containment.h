@@ -13,7 +13,7 @@
 
 #include "base/interrupt_steps.h"
 #include "contact/certified/certain_motion.h"
-#include "contact/mesh/space_pieces.h"
+#include "contact/mesh/space_constraint.h"
 #include "contact/minkowski/relative_motion.h"
 #include "numbers/dyadic.h"
 

@@ -14,14 +14,11 @@ int sign_bits(const Bounded& c) {
   return c.value == 0 && c.error == 0 ? 0 : 2;
 }
 
-double coordinate(const SpaceCorner& corner, int axis) {
-  return axis == 0 ? corner.x : axis == 1 ? corner.y : corner.z;
-}
-
 /// The exact sign of component j of u x v.
 int minor_sign(const EdgeVector& u, const EdgeVector& v, int j) {
   const auto seen = [j](const SpaceCorner& corner) {
-    return Corner{coordinate(corner, (j + 1) % 3), coordinate(corner, (j + 2) % 3)};
+    const Components<double> at{corner.x, corner.y, corner.z};
+    return Corner{at[static_cast<std::size_t>((j + 1) % 3)], at[static_cast<std::size_t>((j + 2) % 3)]};
   };
   return turn_sign(seen(*u.from), seen(*u.to), seen(*v.from), seen(*v.to));
 }
@@ -75,10 +72,7 @@ class Extremes {
   int sign_from(int other, int i) const {
     const SpaceCorner &from = piece_.corner(other), &to = piece_.corner(i);
     if (is_perpendicular_factor(from, to)) return 0;
-    const Components<Bounded> gap = gap_between<Bounded>(to, from);
-    const Bounded sum = safe_product(direction_[0], gap[0]) + safe_product(direction_[1], gap[1]) +
-                        safe_product(direction_[2], gap[2]);
-    const int sign = sign_bits(sum);
+    const int sign = sign_bits(dot(direction_, gap_between<Bounded>(to, from)));
     return sign != 2 ? sign : exact_sign_from(from, to);
   }
 
@@ -92,8 +86,7 @@ class Extremes {
   }
 
   [[gnu::noinline]] int exact_sign_from(const SpaceCorner& from, const SpaceCorner& to) const {
-    const Components<Dyadic> direction = direction_of<Dyadic>(axis_), gap = gap_between<Dyadic>(to, from);
-    return (direction[0] * gap[0] + direction[1] * gap[1] + direction[2] * gap[2]).sign();
+    return dot(direction_of<Dyadic>(axis_), gap_between<Dyadic>(to, from)).sign();
   }
 
   const SpacePiece& piece_;

@@ -5,17 +5,8 @@
 namespace foresee {
 namespace {
 
-using Triple = std::array<double, 3>;
+using Triple = Components<double>;
 
-Triple difference_of(const Triple& a, const Triple& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Triple cross(const Triple& a, const Triple& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Triple& a, const Triple& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 double l1_norm(const Triple& a) {
   return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
 }
@@ -24,10 +15,7 @@ struct Corners {
   std::array<Triple, 3> at;
 
   explicit Corners(const SpacePiece& triangle) {
-    for (int i = 0; i < 3; ++i) {
-      const SpaceCorner& corner = triangle.corner(i);
-      at[static_cast<std::size_t>(i)] = {corner.x, corner.y, corner.z};
-    }
+    for (int i = 0; i < 3; ++i) at[static_cast<std::size_t>(i)] = components_of<double>(triangle.corner(i));
   }
   Triple edge(std::size_t i) const { return difference_of(at[(i + 1) % 3], at[i]); }
   double size() const { return l1_norm(at[0]) + l1_norm(at[1]) + l1_norm(at[2]); }
@@ -56,7 +44,7 @@ class TimeCut {
 
   /// Cuts the time by the axis u x v. Whether none is left.
   bool are_apart_across(const Triple& u, const Triple& v) {
-    const Triple n = cross(u, v);
+    const Triple n = cross_product(u, v);
     const Triple a{dot(n, a_.at[0]), dot(n, a_.at[1]), dot(n, a_.at[2])};
     const Triple b{dot(n, b_.at[0]), dot(n, b_.at[1]), dot(n, b_.at[2])};
     const auto [min_a, max_a] = std::minmax({a[0], a[1], a[2]});

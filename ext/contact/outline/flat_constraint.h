@@ -8,7 +8,7 @@
 #include "contact/constraint/constraint.h"
 #include "contact/minkowski/contact_set.h"
 #include "contact/minkowski/relative_motion.h"
-#include "contact/outline/convex_sum.h"
+#include "contact/outline/object_pieces.h"
 
 namespace foresee {
 
@@ -28,14 +28,13 @@ struct FlatFeature {
   /// The direction of an edge may be longer than the edge.
   template <class T>
   std::array<T, 2> direction() const {
-    const T ex = run_of<T>(edge, 0), ey = run_of<T>(edge, 1);
-    if (towards == Direction::along) return {ex, ey};
-    return {ey, -ex};
+    const std::array<T, 2> run = gap_between<T>(*edge.to, *edge.from);
+    return towards == Direction::along ? run : std::array<T, 2>{run[1], -run[0]};
   }
   template <class T>
   std::array<T, 2> origin(int sign) const {
-    if (towards == Direction::along && sign > 0) return {end_of<T>(edge, 0), end_of<T>(edge, 1)};
-    return {start_of<T>(edge, 0), start_of<T>(edge, 1)};
+    if (towards == Direction::along && sign > 0) return gap_between<T>(*edge.p_end, *edge.q_end);
+    return gap_between<T>(*edge.p, *edge.q);
   }
   template <class T>
   static T product(const T& a, const T& b) {

@@ -120,9 +120,11 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, FlatConstraint> {
     static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
                                       {.axis = 1, .below = {2}, .above = {3}}};
     const Bounded radius = largest(sizes_.radius, queried_.end.high);
+    const auto starts = gap_between<Bounded>(*edge.p, *edge.q);
+    const auto ends = gap_between<Bounded>(*edge.p_end, *edge.q_end);
     Bounded reach[4];
-    for (int j = 0; j < 2; ++j) {
-      const Bounded begin = start_of<Bounded>(edge, j), end = end_of<Bounded>(edge, j);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Bounded &begin = starts[j], &end = ends[j];
       const double error = std::max(begin.error, end.error);
       reach[2 * j] = radius - Bounded{std::min(begin.value, end.value), error};
       reach[2 * j + 1] = radius + Bounded{std::max(begin.value, end.value), error};
@@ -230,7 +232,10 @@ struct FlatTraits {
     return constraint.kind != ConstraintKind::ball && constraint.feature.edge.inner;
   }
   /// Reads the pieces of a pair of rows.
-  static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair);
+  static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair) {
+    take_pair(a, b, setup, tables, pair);
+    if (a.is_point() && b.is_point()) a.take_box(0, 0);  // a sum needs edges
+  }
 };
 
 }  // namespace foresee

@@ -3,30 +3,31 @@
 //   ObjectPieces pieces;
 //   pieces.take_row(ships, ships.outlines, 7);        // or take(pieces), take_box(8, 90), take_point()
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
-//
-// The box is made of the row's half extents; a point is a box of size 0.
 #pragma once
 
 #include <array>
+#include <span>
 
-#include "contact/outline/convex_sum.h"
-#include "shape/bodies.h"
-#include "shape/form_rows.h"
+#include "contact/certified/form_pieces.h"
+#include "numbers/exact_conversion.h"
 #include "shape/outline/convex_pieces.h"
 
 namespace foresee {
 
-/// Holds one object at a time, which must outlive its use here.
-class ObjectPieces {
- public:
-  static constexpr int axes = 2;
-  using Node = BoxTree<2>::Node;
-  static constexpr Node root = BoxTree<2>::root;
+/// A counterclockwise convex ring, which may be straight at a corner; or one point.
+struct ConvexPiece {
+  std::span<const Corner> corners;
+  /// Edge i has the direction from point i to point i + 1 of these. They are the corners, except for boxes:
+  /// a box without width has edge directions too.
+  const Corner* along;
+  const std::uint8_t* inner;  ///< 1 for each edge that is a cut of its outline; null: no cuts
 
-  /// Takes the shape of row i. `outlines` may be null: then a row with an outline counts as the smallest
-  /// rectangle around it.
-  void take_row(const Bodies& bodies, const OutlineRows* outlines, std::size_t i);
-  void take(const ConvexPieces& pieces) { pieces_ = &pieces; }
+  int edges() const { return corners.size() < 3 ? 0 : static_cast<int>(corners.size()); }
+};
+
+/// See certified/form_pieces.h.
+class ObjectPieces : public FormPieces<ObjectPieces, 2, ConvexPieces> {
+ public:
   void take_box(const Box<2>& box);
   void take_box(double hx, double hy) { take_box({Vec<2>(-hx, -hy), Vec<2>(hx, hy)}); }
   void take_point() {
@@ -34,22 +35,60 @@ class ObjectPieces {
     is_point_ = true;
   }
 
-  std::size_t count() const { return pieces_ ? pieces_->count() : 1; }
   ConvexPiece piece(std::size_t i) const;
-  std::size_t corner_count(std::size_t i) const { return pieces_ ? pieces_->corners(i).size() : 4; }
-  const Box<2>& box(Node node) const { return pieces_ ? pieces_->tree().box(node) : box_; }
-  bool is_leaf(Node node) const { return !pieces_ || pieces_->tree().is_leaf(node); }
-  std::size_t item(Node leaf) const { return pieces_ ? pieces_->tree().item(leaf) : 0; }
-  static Node left(Node node) { return 2 * node + 1; }
-  static Node right(Node node) { return 2 * node + 2; }
-  bool is_point() const { return !pieces_ && is_point_; }
+  std::size_t corner_count(std::size_t i) const { return form_ ? form_->corners(i).size() : 4; }
+  bool is_point() const { return !form_ && is_point_; }
 
  private:
-  const ConvexPieces* pieces_ = nullptr;  ///< null: the box
   std::array<Corner, 4> corners_;
-  Box<2> box_;
   bool is_point_ = false;
-  ScratchPieces<ConvexPieces> own_;
 };
+
+// Minkowski sum A + (-B) of two convex polygons, edge by edge: A touches B + d exactly if d lies in it.
+//
+//   SumEdge edge;
+//   for (ConvexSum sum(a, b); sum.next(edge);) use(edge);       // counterclockwise, from the lowest corner
+//
+// The sum is convex. Each of its edges is an edge of A, moved by minus the extreme corner of B, or an edge
+// of B rotated by 180 degrees. The edges of both are merged by their directions, with exact signs (M. de
+// Berg et al., "Computational Geometry", 3rd edition, section 13.3). Parallel edges follow each other.
+// Cost: some five nanoseconds per edge.
+
+/// An edge of the sum, from p - q to p_end - q_end. Its direction is that from `from` to `to`.
+struct SumEdge {
+  const Corner *from, *to;
+  const Corner *p, *q, *p_end, *q_end;
+  bool inner;
+};
+
+class ConvexSum {
+ public:
+  /// Requires: one of the pieces has edges; both outlive the walk.
+  ConvexSum(const ConvexPiece& a, const ConvexPiece& b);
+
+  bool next(SumEdge& edge);
+
+ private:
+  /// The position of the walk on one of the two pieces.
+  struct Walk {
+    const ConvexPiece& piece;
+    int corner, left;  ///< the current corner and the number of edges left
+
+    int next() const { return corner + 1 == static_cast<int>(piece.corners.size()) ? 0 : corner + 1; }
+    const Corner* at(int i) const { return &piece.corners[static_cast<std::size_t>(i)]; }
+    const Corner* along(int i) const { return piece.along + i; }
+    void step() { corner = next(), --left; }
+  };
+
+  bool a_turns_first() const;
+
+  Walk a_, b_;
+};
+
+/// a - b
+template <class T>
+std::array<T, 2> gap_between(const Corner& a, const Corner& b) {
+  return {Exactly<T>::difference_of(a.x, b.x), Exactly<T>::difference_of(a.y, b.y)};
+}
 
 }  // namespace foresee

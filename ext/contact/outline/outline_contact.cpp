@@ -1,22 +1,10 @@
 #include <algorithm>
 
-#include "contact/certified/bounded_window.h"
 #include "contact/certified/union_contact.h"
 #include "contact/contact_factories.h"
 #include "contact/outline/flat_traits.h"
 
 namespace foresee {
-
-template <int D, int Degree>
-void FlatTraits<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables,
-                                 const Pair& pair) {
-  if (setup.window && !tables.a)
-    a.take_box(bounded_window<2>(setup, setup.b.row(pair.b)));
-  else
-    a.take_row(setup.a, tables.a, pair.a);
-  b.take_row(setup.b, tables.b, pair.b);
-  if (a.is_point() && b.is_point()) a.take_box(0, 0);  // a sum needs edges
-}
 
 template <int D, int Degree>
 FilterAnswer FlatTraits<D, Degree>::filter_answer(const PairContext<FlatTraits>& context, bool times_wanted) {

@@ -5,7 +5,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "contact/closest_approach.h"
+#include "contact/contact.h"
 #include "contact/window_contact.h"
 #include "index/tpr_tree/search/nearest_walk.h"
 #include "query/input_checks.h"

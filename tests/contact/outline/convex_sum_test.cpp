@@ -1,6 +1,5 @@
 // The sum of two pieces against its definition: it holds every difference of their corners, and no edge could
 // be moved inward.
-#include "contact/outline/convex_sum.h"
 
 #include <gtest/gtest.h>
 
