@@ -4,6 +4,7 @@
 DRAWINGS = {
     "simd.h": ("template <int D", "with_simd"),  # a kernel of motion/, which base/ does not see
     "store_change.h": ("AtomicChange",),  # inside Store
+    "version.h": ("start   ",),
     "grid.h": ("step 1",),
     "pages.h": ("keys[i]",),
     "paper_stages.h": ("a  projection",),

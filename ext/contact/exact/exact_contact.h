@@ -196,7 +196,10 @@ using TouchesBetween = std::function<bool(const Dyadic& time)>;
 /// Start and end of the first contact; no value if the pair does not touch. Solids may stay in contact between and
 /// after the intervals of the pieces: `between` is called at one time of each such gap, unless it is empty.
 std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactLifetime& lifetime,
-                                        const TouchesBetween& between = {});
+                                        const TouchesBetween& between);
+inline std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactLifetime& lifetime) {
+  return exact_times(polynomials, lifetime, {});
+}
 
 /// Start and end of every contact, in order of time; contacts that touch each other are one.
 std::vector<ContactTimes> exact_contacts(PiecePolynomials& polynomials, const ExactLifetime& lifetime);

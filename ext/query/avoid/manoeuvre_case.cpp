@@ -4,7 +4,7 @@
 #include "contact/pair_rule.h"
 #include "query/join/question.h"
 #include "query/legs/leg_scene.h"
-#include "query/sweep_margin.h"
+#include "query/margin.h"
 #include "shape/kinds.h"
 #include "shape/swept_boxes.h"
 
