@@ -63,20 +63,18 @@ class Giants {
   int stripe_y_ = -1;
 };
 
-// The part of the x axis in which a giant can meet the boxes of a stripe.
-//
-//   clip(giants, inside, from, to);        // giants.size numbers each
-//
-// A fast object sweeps a box over half of the scene, but it is in one stripe for a short time only, and
-// therefore in a short part along x. The boxes of the stripe have heights; the giant's beam (shape/beam.h)
-// has those heights for a part of the horizon only. A scan compares the giant only with boxes near its x
-// during that part. Boxes that a giant can meet start before `to` and end after `from`; if there are
-// no such boxes, from > to.
-//
-// Rounding: y is padded by 2^-30 of all numbers in it, the part of the horizon by 2^-30, and x by 2^-22
-// before it becomes float. All is computed in double from the beams' floats, which are padded for their own
-// rounding (float_lanes.kernel.cpp). Requires: columns of travel, but not of life. Cost: some ten nanoseconds
-// per giant and axis.
+/// The part of the x axis in which each giant can meet the boxes of a stripe; `from` and `to` get giants.size numbers.
+///
+/// A fast object sweeps a box over half of the scene, but it is in one stripe for a short time only, and
+/// therefore in a short part along x. The boxes of the stripe have heights; the giant's beam (shape/beam.h)
+/// has those heights for a part of the horizon only. A scan compares the giant only with boxes near its x
+/// during that part. Boxes that a giant can meet start before `to` and end after `from`; if there are
+/// no such boxes, from > to.
+///
+/// Rounding: y is padded by 2^-30 of all numbers in it, the part of the horizon by 2^-30, and x by 2^-22
+/// before it becomes float. All is computed in double from the beams' floats, which are padded for their own
+/// rounding (float_lanes.kernel.cpp). Requires: columns of travel, but not of life. Cost: some ten nanoseconds
+/// per giant and axis.
 template <int D>
 void clip(const LaneView<D>& giants, const LaneView<D>& inside, float* from, float* to);
 
