@@ -98,14 +98,6 @@ class Contact {
   /// Closest approach of pairs that decide() has kept; `out` has one place for each.
   virtual void closest_approach(std::span<const Pair> hits, std::span<ClosestApproach> out) = 0;
 
-  /// The inflation of swept boxes, of both tables together, with which the boxes of every pair that touches
-  /// intersect: in x and y (or on all axes), and along z. Both are upper bounds.
-  struct Reach {
-    double within;
-    double within_z;
-  };
-  virtual Reach reach() const = 0;
-
   /// Contacts whose single pairs may take long poll `interrupt` within a pair from now on. It must outlive
   /// this.
   virtual void set_interrupt(Interrupt& /*interrupt*/) {}

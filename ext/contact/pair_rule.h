@@ -69,6 +69,13 @@ struct PairRule {
   double within() const { return distance == Distance::per_axis ? extent[0].limit : radius.limit; }
   double within_z() const { return distance == Distance::upright ? extent[2].limit : within(); }
 
+  /// The inflation of swept boxes, of both tables together, with which the boxes of every pair that touches intersect:
+  /// in x and y, or on all axes; and along z. Both are upper bounds.
+  struct Reach {
+    double within, within_z;
+  };
+  Reach reach() const { return {within(), within_z()}; }
+
   Distance distance = Distance::per_axis;
   PieceKind pieces = PieceKind::none;
   bool grows = false;                                ///< the sizes of a table grow with time

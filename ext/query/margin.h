@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/contact.h"
+#include "contact/pair_rule.h"
 #include "motion/motion.h"
 
 namespace foresee {
@@ -12,7 +12,7 @@ namespace foresee {
 /// Half the reach, rounded up, for the swept boxes of each side: two inflated boxes intersect wherever the
 /// pair can touch.
 template <int D>
-Vec<D> margin_of(const Contact::Reach& reach) {
+Vec<D> margin_of(const PairRule::Reach& reach) {
   auto half = [](double whole) {
     return whole > 0 ? std::nextafter(whole / 2, std::numeric_limits<double>::infinity()) : 0.0;
   };

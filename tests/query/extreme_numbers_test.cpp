@@ -68,8 +68,8 @@ TEST(ExtremeNumbers, AJoinAboutOneIdFindsAllThatMeetIt) {
       const Bodies body(scene.layout, scene.bodies().row(i), 1);
       const auto one =
           testing::scene_of(scene.layout, {scene.ids[i]}, {body.row(0), body.row(0) + body.at.size});
-      const auto near = objects_near(*one, {"ships", nullptr, tree}, scene.horizon(),
-                                     contact_of(question)->reach(), never, [](std::int64_t) { return true; });
+      const auto near = objects_near(*one, {"ships", nullptr, tree}, scene.horizon(), reach_of(question),
+                                     never, [](std::int64_t) { return true; });
       for (const std::int64_t id : met[scene.ids[i]])
         EXPECT_EQ(std::count(near->ids.begin(), near->ids.end(), id), 1) << "scene " << seed;
     }

@@ -33,7 +33,6 @@ class UnionContact : public Contact {
   UnionContact(const Setup& setup, Tables tables)
       : setup_(setup), tables_(std::move(tables)), filter_(setup_, tables_) {}
 
-  Reach reach() const override { return {setup_.rule.within(), setup_.rule.within_z()}; }
   void set_interrupt(Interrupt& interrupt) override { steps_.emplace(interrupt); }
 
   std::string effort() const override {

@@ -40,11 +40,11 @@ void grow_row(const Layout& layout, const double* row, double age, Layout out_la
 }
 
 /// Leaves the pairs whose moving boxes meet. Outlines alone are worth it: the first test of one turns it.
-void keep_near_outlines(const Bodies& a, const Bodies& b, const Horizon& horizon, const Contact::Reach& reach,
+void keep_near_outlines(const Bodies& a, const Bodies& b, const Horizon& horizon, const PairRule& rule,
                         std::vector<Pair>& pairs) {
   if (a.layout.shape != Shape::outline && b.layout.shape != Shape::outline) return;
   with_axes(a.layout.axes, [&]<int D>(Axes<D>) {
-    const Vec<D> margin = margin_of<D>(reach);
+    const Vec<D> margin = margin_of<D>(rule.reach());
     MovingBox<D> own;
     std::uint32_t known = std::numeric_limits<std::uint32_t>::max();
     std::erase_if(pairs, [&](const Pair& pair) {
@@ -150,6 +150,7 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
   std::vector<Intruder> touching;
   for (std::size_t table = 0; table < tables(); ++table) {
     std::vector<Pair> pairs, hits;
+    const PairRule rule(moved_.layout, near(table).layout, question_.within, question_.within_z);
     const auto count = static_cast<std::uint32_t>(near(table).size());
     for (std::uint32_t leg = 0; leg < legs_; ++leg)
       for (std::uint32_t row = 0; row < count;) {
@@ -158,7 +159,7 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
         for (; row < count && pairs.size() < pairs_at_once; ++row)
           if ((left_out.empty() || !left_out[table][row]) && may_meet(leg, table, row))
             pairs.push_back({leg, row});
-        keep_near_outlines(moved_.bodies(), near(table).bodies(), horizon, contacts[table]->reach(), pairs);
+        keep_near_outlines(moved_.bodies(), near(table).bodies(), horizon, rule, pairs);
         contacts[table]->decide(pairs, hits);
       }
     std::vector<std::uint8_t> known(legs_ > 1 ? count : 0);

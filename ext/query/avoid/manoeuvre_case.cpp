@@ -97,9 +97,8 @@ void walk_scene(const Scene& all, const RowsNear<D>& rows, std::optional<std::in
 }
 
 /// The distances at which the object touches another one.
-Contact::Reach reach_to(const AvoidQuestion& question, const SearchTarget& others) {
-  const PairRule rule(question.own_scene->layout, others.layout(), question.within, question.within_z);
-  return {rule.within(), rule.within_z()};
+PairRule::Reach reach_to(const AvoidQuestion& question, const SearchTarget& others) {
+  return PairRule(question.own_scene->layout, others.layout(), question.within, question.within_z).reach();
 }
 
 /// `itself`: the object of this id is left out.

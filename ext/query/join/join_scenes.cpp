@@ -67,7 +67,7 @@ std::vector<MovingBox<D>> boxes_of(const Scene& one, const Horizon& horizon, con
 }
 
 template <int D>
-void walk(const Scene& one, const SearchTarget& others, const Horizon& horizon, const Contact::Reach& reach,
+void walk(const Scene& one, const SearchTarget& others, const Horizon& horizon, const PairRule::Reach& reach,
           Interrupt& interrupt, const std::function<bool(std::int64_t)>& keep, Scene& near) {
   // The object's box is inflated by one half of the reach, those in the tree by the other.
   const Vec<D> margin = margin_of<D>(reach);
@@ -98,7 +98,7 @@ std::shared_ptr<const Scene> scene_by_tree(TableSource& table, const JoinQuestio
 }  // namespace
 
 std::shared_ptr<const Scene> objects_near(const Scene& one, const SearchTarget& others,
-                                          const Horizon& horizon, const Contact::Reach& reach,
+                                          const Horizon& horizon, const PairRule::Reach& reach,
                                           Interrupt& interrupt,
                                           const std::function<bool(std::int64_t)>& keep) {
   const FloatEnvironment environment;

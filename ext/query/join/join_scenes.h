@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "contact/contact.h"
+#include "contact/pair_rule.h"
 #include "index/pages.h"
 #include "query/join/pair_kinds.h"
 #include "query/join/question.h"
@@ -34,7 +34,7 @@ void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& 
 /// `others`: with a tree. Cost: the nodes whose bounds intersect the moving boxes of the object's legs. Memory:
 /// the result.
 std::shared_ptr<const Scene> objects_near(const Scene& one, const SearchTarget& others,
-                                          const Horizon& horizon, const Contact::Reach& reach,
+                                          const Horizon& horizon, const PairRule::Reach& reach,
                                           Interrupt& interrupt,
                                           const std::function<bool(std::int64_t)>& keep);
 

@@ -70,11 +70,10 @@ void require_valid(const JoinQuestion& question) {
   }
 }
 
-Contact::Reach reach_of(const JoinQuestion& question) {
+PairRule::Reach reach_of(const JoinQuestion& question) {
   const Scene &a = *question.a, &b = question.last();
   require_distance(a.layout, b.layout, question.within_z, a.name, b.name);
-  const PairRule rule(a.layout, b.layout, question.within, question.within_z);
-  return {rule.within(), rule.within_z()};
+  return PairRule(a.layout, b.layout, question.within, question.within_z).reach();
 }
 
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines) {

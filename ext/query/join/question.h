@@ -104,7 +104,7 @@ inline bool has_bent_paths(const JoinQuestion& question) {
 void require_valid(const JoinQuestion& question);
 
 /// The inflation of the swept boxes of both sides together. Throws Error for shapes without a distance.
-Contact::Reach reach_of(const JoinQuestion& question);
+PairRule::Reach reach_of(const JoinQuestion& question);
 
 /// The same for the swept boxes of each side.
 template <int D>

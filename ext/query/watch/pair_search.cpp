@@ -30,10 +30,7 @@ bool is_majority(const ChangedObjects& changed, const TableSource& table) {
 }
 
 PairSearch::PairSearch(const JoinedTables& tables, JoinQuestion question, const JoinResources& resources)
-    : tables_(tables),
-      question_(std::move(question)),
-      resources_(resources),
-      reach_(contact_of(question_)->reach()) {}
+    : tables_(tables), question_(std::move(question)), resources_(resources), reach_(reach_of(question_)) {}
 
 void PairSearch::pairs_of(Side side, std::span<const std::int64_t> ids, const Take& take) {
   if (ids.empty()) return;

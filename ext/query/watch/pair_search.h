@@ -52,7 +52,7 @@ class PairSearch {
   const JoinedTables& tables_;
   JoinQuestion question_;
   const JoinResources& resources_;
-  Contact::Reach reach_;
+  PairRule::Reach reach_;
 };
 
 }  // namespace foresee
