@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "query/input_checks.h"
+#include "sqlite/functions/columns.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/stored_table.h"
 #include "storage/rows/value_text.h"
