@@ -2,6 +2,7 @@
 #include "index/paper_grid/paper_stages.h"
 
 #include "contact/contact.h"
+#include "contact/pair_rule.h"
 #include "index/candidate_pairs.h"
 #include "index/paper_grid/trajectory.h"
 
@@ -115,7 +116,7 @@ struct Losses {
   template <int D>
   void expect_none(const RandomScene& a, const RandomScene& b, double h, const std::string& what) {
     const auto contact = make_contact(a.bodies(), b.bodies(), {{a.now, h}, a.within, {}}, "a", "b");
-    const double reach = contact->reach().within;
+    const double reach = PairRule(a.layout, b.layout, a.within).within();
     std::vector<Pair> pairs, touching;
     for (std::uint32_t i = 0; i < a.size(); ++i)
       for (std::uint32_t j = 0; j < b.size(); ++j)
