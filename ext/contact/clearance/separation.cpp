@@ -226,10 +226,10 @@ CountedVerdict certify_only_clearance(const Encounter<D>& encounter, const Traje
     return separation.probe(own, separation.begin(), ignored);
   };
   const ProbeResult middle = probe(family.middle);
-  return {clear_or_open(middle == ProbeResult::separated || (middle == ProbeResult::inconclusive &&
-                                                             (probe(family.first) == ProbeResult::separated ||
-                                                              probe(family.last) == ProbeResult::separated))),
-          1};
+  if (middle != ProbeResult::inconclusive) return {clear_or_open(middle == ProbeResult::separated), 1};
+  const bool by_an_end =
+      probe(family.first) == ProbeResult::separated || probe(family.last) == ProbeResult::separated;
+  return {clear_or_open(by_an_end), 1};
 }
 
 template CountedVerdict certify_only_clearance<1>(const Encounter<1>&, const TrajectoryFamily<1>&);

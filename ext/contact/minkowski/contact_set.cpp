@@ -9,7 +9,7 @@ namespace foresee {
 namespace {
 
 /// One face of a box: its position, its bound, and its bound moved outward by the radius.
-struct Side {
+struct BoxSide {
   bool there = false;
   Size at;
   int bound = -1, grown = -1;
@@ -37,13 +37,13 @@ class RoundedBox {
   }
 
  private:
-  Side side(int axis, int sign, bool there, const Size& at) {
+  BoxSide side(int axis, int sign, bool there, const Size& at) {
     if (!there) return {};
     return {true, at, set_.bound(axis, sign, at), set_.bound(axis, sign, set_.sum(at, radius_))};
   }
 
   static bool has(unsigned axes, std::size_t i) { return (axes >> i & 1) != 0; }
-  const Side& side(std::size_t i, bool upper) const { return sides_[2 * i + (upper ? 1 : 0)]; }
+  const BoxSide& side(std::size_t i, bool upper) const { return sides_[2 * i + (upper ? 1 : 0)]; }
 
   /// The bounds of the faces across the axes that are not in `other`.
   std::vector<int> straight(unsigned other) const {
@@ -74,7 +74,7 @@ class RoundedBox {
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       if (!has(round, i)) continue;
       const bool upper = has(signs, i);
-      const Side& face = side(i, upper);
+      const BoxSide& face = side(i, upper);
       if (!face.there) return;
       centre.push_back({.axis = faces_[i].axis, .sign = upper ? 1 : -1, .at = face.at});
       piece.around.push_back(face.grown);
@@ -89,7 +89,7 @@ class RoundedBox {
   std::span<const Faces> faces_;
   Size radius_;
   std::vector<int> also_;
-  std::vector<Side> sides_;  ///< below and above of each axis
+  std::vector<BoxSide> sides_;  ///< below and above of each axis
 };
 
 /// The faces on an axis, bounds on the other centre, before sizes move them outward: those of the setup's window, or

@@ -59,25 +59,27 @@ struct Join::Progress {
     return true;
   }
 
-  /// Processes one batch: gives its rows, or adds its hits if the slab has to be sorted. At the end closes the slab:
-  /// sorts its hits and frees its grid.
+  /// Processes one batch, or closes the slab: sorts its hits and frees its grid.
   void advance() {
+    if (helpers ? advance_helpers() : advance_alone()) return;
+    helpers.reset();
+    candidates.reset();
+    sorted.sort(interrupt);
+  }
+
+  /// Gives the rows of a batch, or adds its hits if the slab has to be sorted. False at the end of the slab.
+  bool advance_alone() {
     pairs.clear();
-    if (helpers ? advance_helpers() : candidates->next(pairs)) {
-      if (helpers) return;
-      if (!sorts) {
-        stage.answer(*candidates, pairs, *slab, rows);
-        given = rows;
-      } else {
-        hits.clear();
-        stage.query(*candidates, pairs, *slab, hits);
-        sorted.add(hits, interrupt);
-      }
-    } else {
-      helpers.reset();
-      candidates.reset();
-      sorted.sort(interrupt);
+    if (!candidates->next(pairs)) return false;
+    if (!sorts) {
+      stage.answer(*candidates, pairs, *slab, rows);
+      given = rows;
+      return true;
     }
+    hits.clear();
+    stage.query(*candidates, pairs, *slab, hits);
+    sorted.add(hits, interrupt);
+    return true;
   }
 
   /// Gives some rows of a batch, or reads the next batch. False at the end of the slab.

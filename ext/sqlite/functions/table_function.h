@@ -9,10 +9,9 @@
 //       .estimate = estimate_positions,
 //       .start = [](const FunctionCall& call) -> std::unique_ptr<FunctionRows> { … }};
 //
-// All functions are read-only, need no CREATE, and may be used in views and untrusted triggers.
-// An input can be given by position, or by name in WHERE. Rows are given one at a time;
-// a function may compute them in batches. An exception of
-// start() or next() becomes the statement's error, prefixed by the function's name.
+// All functions are read-only, need no CREATE, and may be used in views and untrusted triggers. An input can be given
+// by position, or by name in WHERE. Rows are given one at a time; a function may compute them in batches. An exception
+// of start() or next() becomes the statement's error, prefixed by the function's name.
 //
 // The key is declared as the primary key of a WITHOUT ROWID table: by it SQLite drops the rows that `a = ? OR
 // b = ?` finds twice. The inputs are part of it, because rows of different calls are different rows.
