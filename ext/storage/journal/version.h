@@ -1,21 +1,21 @@
 // Version of a table's contents: the stored stamp, what readers are shown of it, and whether this transaction has
-// written one of its own.
+// written it.
 //
 //   Journal journal;
 //   Version version(journal);
 //   version.read(17);                              // stored by an earlier transaction: memory is valid under it
 //   journal.begin();
 //   version.wrote(4711);                           // this transaction has stored a new stamp
-//   version.is_own() && version.shown(4711) != version.shown(17);
+//   version.written_here() && version.shown(4711) != version.shown(17);
 //   journal.end(Journal::Ended::rolled_back);      // 17 again
 //
 // A stamp is a random number in `_meta`, which every transaction that writes replaces. Memory holds the contents
 // under one stamp. A transaction that finds stamp S0:
 //
 //   start          seen = shown = S0
-//   first change   stores S1                           seen = shown = S1, own, before = S0
+//   first change   stores S1                           seen = shown = S1, written_here, before = S0
 //   flush          stores S2 for the same contents     seen = S2, shown = S1 still: scenes of readers stay valid
-//   COMMIT         a watch compares its stamp with `before` (S0), and stores S2
+//   COMMIT         a watch compares its stamp with before_first_change() (S0), and stores S2
 //
 // What a transaction knows dies with it: after any rewind the stamps are those of the mark.
 #pragma once
@@ -49,9 +49,9 @@ class Version {
   /// The stamp under which memory is valid; nothing: what memory holds must be read again.
   std::optional<std::int64_t> seen() const { return stamps_->seen; }
   /// True if this transaction has stored the seen stamp: until it ends no other connection can write.
-  bool is_own() const { return stamps_->own; }
-  /// The seen stamp before the first change of this transaction. Requires: is_own().
-  std::optional<std::int64_t> before() const { return stamps_->before; }
+  bool written_here() const { return stamps_->written_here; }
+  /// The seen stamp before the first change of this transaction. Requires: written_here().
+  std::optional<std::int64_t> before_first_change() const { return stamps_->before; }
 
   /// Memory is valid under the stored stamp from now on.
   void read(std::int64_t stamp) {
@@ -61,9 +61,10 @@ class Version {
   /// This transaction has stored the stamp, before a change, or after it for the same contents.
   void wrote(std::int64_t stamp, bool same_contents = false) {
     Stamps& stamps = stamps_.change();
-    if (!stamps.own) stamps.before = stamps.seen;
+    if (!stamps.written_here) stamps.before = stamps.seen;
     if (!same_contents || !stamps.seen) stamps.shown = stamp;
-    stamps.seen = stamp, stamps.own = true;
+    stamps.seen = stamp;
+    stamps.written_here = true;
   }
   /// The contents differ from those of the last shown() from now on.
   void note_change() noexcept { differs_ = true; }
@@ -88,7 +89,7 @@ class Version {
   void begin() noexcept { differed_ = differs_; }
   void end(Journal::Ended how) {
     ++transaction_;
-    stamps_.change().own = false;
+    stamps_.change().written_here = false;
     if (how == Journal::Ended::rolled_back) differs_ = differed_;
   }
 
@@ -96,9 +97,9 @@ class Version {
   struct Stamps {
     std::optional<std::int64_t> seen = {};
     std::int64_t shown = 0;  ///< what readers see for `seen`
-    bool own = false;
-    std::optional<std::int64_t> before = {};
-    std::uint64_t changes = 0;  ///< what shown() returned last
+    bool written_here = false;
+    std::optional<std::int64_t> before = {};  ///< `seen` before the first change
+    std::uint64_t changes = 0;                ///< what shown() returned last
   };
 
   Journaled<Stamps> stamps_;

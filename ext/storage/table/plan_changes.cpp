@@ -69,7 +69,7 @@ std::span<const double> StoredPlans::Change::add(std::int64_t id, std::span<cons
   write_leg(plans.at_, plans.layout_.axes, added_->all_legs().front(), record_.data());
   record_[static_cast<std::size_t>(plans.at_.plan)] = static_cast<double>(first_);
   record_[static_cast<std::size_t>(plans.at_.chunks)] = static_cast<double>(chunks);
-  plans.tree_.with_sound_tree([&] { add_items(before, steps); });
+  plans.tree_.reporting_damage([&] { add_items(before, steps); });
   if (before) note_removed(*before);
   return record_;
 }
@@ -140,7 +140,7 @@ std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t 
 void StoredPlans::Change::remove(std::int64_t id, std::span<const double> record) {
   if (record.empty() || !has_plan(plans_->at_, record.data())) return;
   const Head head = plans_->head_of(id, record.data());
-  plans_->tree_.with_sound_tree([&] {
+  plans_->tree_.reporting_damage([&] {
     for (std::int64_t number = head.first; number <= head.last(); ++number) erase_item(number);
   });
   note_removed(head);

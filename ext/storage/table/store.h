@@ -141,7 +141,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   std::optional<std::int64_t> stamp_if_written();
   /// The stamp under which memory holds committed contents; nothing once this transaction has written.
   std::optional<std::int64_t> committed_stamp() const {
-    return version_.is_own() ? std::nullopt : version_.seen();
+    return version_.written_here() ? std::nullopt : version_.seen();
   }
   /// The stored stamp, even if changes are unwritten.
   std::optional<std::int64_t> stored_stamp() { return shadow_rows().read_stamp(); }

@@ -37,7 +37,7 @@ std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
   flush();
   nodes().forget_clean();
   if (plans_) plans_->tree().nodes().forget_clean();
-  std::vector<std::string> faults = tree_.with_sound_tree([&] {
+  std::vector<std::string> faults = tree_.reporting_damage([&] {
     return check_integrity(shadow_rows(), tree_.nodes(), format_, name_, has_auxiliaries(),
                            forms_ ? &forms_->rows() : nullptr, plans_.get(), interrupt);
   });

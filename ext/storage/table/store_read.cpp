@@ -8,7 +8,7 @@ namespace foresee {
 // While this connection writes no other one can. At any other time another one may have written.
 void Store::revalidate_cache() {
   resolve_doubt();
-  if (version_.is_own()) return;
+  if (version_.written_here()) return;
   const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
   if (version_.seen() == stamp) return;
@@ -47,13 +47,13 @@ const Frame& Store::frame_of_objects(StatementReadState* statement_state) {
 
 ContentVersion Store::read_version() {
   revalidate_cache();
-  const auto stamp = version_.is_own() ? shadow_rows().read_stamp() : version_.seen();
+  const auto stamp = version_.written_here() ? shadow_rows().read_stamp() : version_.seen();
   if (!stamp) damaged("the stamp is missing");
   return version_.shown(*stamp);
 }
 
 std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
-  return version_.is_own() ? nodes().find_leaf(id) : shadow_rows().tree().map().find_leaf(id);
+  return version_.written_here() ? nodes().find_leaf(id) : shadow_rows().tree().map().find_leaf(id);
 }
 
 bool Store::contains(std::int64_t id) {
@@ -69,10 +69,10 @@ std::optional<std::vector<double>> Store::read(std::int64_t id) {
   resolve_doubt();
   const auto size = static_cast<std::size_t>(format_.at.size);
   const double* found = tree_.pending().find(id);
-  if (!found && version_.is_own()) found = nodes().find_record(id);
+  if (!found && version_.written_here()) found = nodes().find_record(id);
   if (found) return std::vector<double>(found, found + size);
   std::vector<double> record;
-  if (version_.is_own() || !tree().read_stored(id, record)) return std::nullopt;
+  if (version_.written_here() || !tree().read_stored(id, record)) return std::nullopt;
   return record;
 }
 
@@ -81,7 +81,7 @@ std::span<const double> Store::find(std::int64_t id, StatementReadState& stateme
   const auto found = [size](const double* record) { return std::span(record, record ? size : 0); };
   resolve_doubt();
   if (const double* record = tree_.pending().find(id)) return found(record);
-  if (version_.is_own()) return found(nodes().find_record(id));
+  if (version_.written_here()) return found(nodes().find_record(id));
   if (version_.is_checked(&statement_state)) {
     if (const double* record = nodes().find_record_in_memory(id)) return found(record);
     if (!nodes().find_leaf(id)) return found(nullptr);
@@ -101,7 +101,7 @@ bool Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
   ids.clear();
   rows.clear();
   WantedLeaves leaves;
-  if (wanted) leaves = tree_.with_sound_tree([&] { return find_leaves(nodes(), *wanted, interrupt); });
+  if (wanted) leaves = tree_.reporting_damage([&] { return find_leaves(nodes(), *wanted, interrupt); });
   // A leaf by number costs more than the next one of a scan.
   const bool by_number = leaves.others > leaves.numbers.size() / 2;
   const std::size_t expected = by_number ? leaves.numbers.size() * format_.leaf_capacity
@@ -159,7 +159,7 @@ void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int colu
 double Store::read_newest_t() {
   revalidate_cache();
   merge_pending();
-  return tree_.with_sound_tree([&] { return foresee::read_newest_t(nodes()); });
+  return tree_.reporting_damage([&] { return foresee::read_newest_t(nodes()); });
 }
 
 std::shared_ptr<const Form> Store::form(std::int64_t number) {

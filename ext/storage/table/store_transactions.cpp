@@ -130,7 +130,7 @@ void Store::end_transaction(Journal::Ended how) {
 // A table that was created after a savepoint gets no callback when SQLite rolls back to it. Then the stamp
 // that this transaction wrote is gone, or all its tables are. A torn store answers too.
 bool Store::was_rolled_back() {
-  if (!version_.is_own()) return false;
+  if (!version_.written_here()) return false;
   if (gone_) return true;
   try {
     return shadow_rows_->read_stamp() != version_.seen();
@@ -148,8 +148,8 @@ void Store::close() {
 
 void Store::commit() {
   if (gone_) return;
-  if (plans_ && version_.is_own() && version_.seen())
-    plans_->note_commit(version_.before(), *version_.seen());
+  if (plans_ && version_.written_here() && version_.seen())
+    plans_->note_commit(version_.before_first_change(), *version_.seen());
   end_transaction(Journal::Ended::committed);
   is_new_ = false;
 }
@@ -213,7 +213,7 @@ void Store::rollback_to(int level) noexcept {
   try {
     if (is_marked || first > 0) {
       if (first < savepoints_.size()) restore(savepoints_[first]);
-    } else if (level < 0 || !version_.is_own()) {  // -1: the savepoint that has opened the transaction
+    } else if (level < 0 || !version_.written_here()) {  // -1: the savepoint that has opened the transaction
       undo_transaction();
     } else {
       // No mark is that old. Either the mark could not be set, and its statement failed before it changed
@@ -234,7 +234,7 @@ void Store::resolve_doubt() {
 }
 
 void Store::undo_transaction() {
-  if (is_new_ && version_.is_own()) return close();
+  if (is_new_ && version_.written_here()) return close();
   restart_transaction();
 }
 

@@ -19,7 +19,7 @@ const std::vector<std::string>& Store::watch_names() {
 // memory is left unchanged, and the cache is revalidated when the new stamp is read.
 void Store::write_stamp_of_watches() {
   watch_names_.change().reset();
-  if (version_.is_own()) return write_new_stamp();
+  if (version_.written_here()) return write_new_stamp();
   std::int64_t stamp;
   sqlite3_randomness(sizeof stamp, &stamp);
   shadow_rows().write_stamp(stamp);
@@ -44,7 +44,7 @@ std::optional<std::int64_t> Store::stamp_if_written() {
 
 std::optional<std::int64_t> Store::stamp_before_changes() {
   if (!changes_.are_complete()) return std::nullopt;
-  return version_.is_own() ? version_.before() : shadow_rows().read_stamp();
+  return version_.written_here() ? version_.before_first_change() : shadow_rows().read_stamp();
 }
 
 }  // namespace foresee

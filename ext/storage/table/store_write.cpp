@@ -26,14 +26,14 @@ void Store::start_change(std::span<const double> record) {
   if (!journal_.is_open())
     throw StoreError(SQLITE_ABORT_ROLLBACK, name_.table + ": a rollback ended this statement; run it again");
   require_usable();
-  if (!version_.is_own()) {
+  if (!version_.written_here()) {
     revalidate_cache();
     load_watch_names();
     if (!watch_names_->value().empty()) changes_.start_keeping();
   }
   note_memory();
   if (memory_->too_much_waits()) memory_->write_out();
-  if (version_.is_own()) return;
+  if (version_.written_here()) return;
   const OwnStatements own(*this);
   write_new_stamp();
   version_.note_change();  // the contents count as another version from here on, also if this change fails
@@ -148,7 +148,7 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
   AtomicChange atomic_change(*this);
   std::optional<StoredPlans::Change> plans;
   if (plans_) record = change_plans(plans.emplace(*plans_, rolled_back_), id, new_id, record, plan);
-  tree_.with_sound_tree([&] {
+  tree_.reporting_damage([&] {
     log_before_change(id);
     if (new_id != id) {
       log_before_change(new_id);
@@ -170,7 +170,7 @@ void Store::erase(std::int64_t id) {
   AtomicChange atomic_change(*this);
   std::optional<StoredPlans::Change> plans;
   if (plans_) plans.emplace(*plans_, rolled_back_).remove(id, read(id).value_or(std::vector<double>()));
-  tree_.with_sound_tree([&] {
+  tree_.reporting_damage([&] {
     log_before_change(id);
     remove(id);
   });

@@ -172,7 +172,7 @@ std::vector<std::int64_t> StoredPlans::chunks_during(double from, double until, 
         self(Axes<D>{}, self, nodes, unread_child(unread.number, *node, slot));
     }
   };
-  tree_.with_sound_tree([&] {
+  tree_.reporting_damage([&] {
     if (tree_.nodes().find_root() == 0) return;
     with_axes(layout_.axes,
               [&](auto axes) { visit(axes, visit, tree_.nodes(), unread_root(tree_.nodes())); });

@@ -99,7 +99,7 @@ TreeStore::Replacement::Replacement(TreeStore& tree, const EachObject& for_each,
   const auto use_all = [&](auto use) {
     for_each([&](std::int64_t id, const double* record) { return use(id, record), true; });
   };
-  tree_.with_sound_tree([&] {
+  tree_.reporting_damage([&] {
     load_ = std::make_unique<PartitionedLoad>(tree_, interrupt_);
     use_all([&](std::int64_t id, const double* record) { load_->see(id, record), ++objects_; });
     load_->divide({});
@@ -128,7 +128,7 @@ bool TreeStore::Replacement::read_into_memory(const EachObject& for_each) {
 }
 
 void TreeStore::Replacement::write() {
-  tree_.with_sound_tree([&] {
+  tree_.reporting_damage([&] {
     if (load_) return load_->write();
     tree_.cache_.erase_everything();
     tree_.tree_->bulk_load(ids_, records_, interrupt_);

@@ -76,7 +76,7 @@ auto TreeStore::with_pending(Use use) const {
 
 void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
   if (!must_merge(reason)) return;
-  with_sound_tree([&] {
+  reporting_damage([&] {
     const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
     const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
     const bool many = pending > stored * (packs_new ? min_reload_of_new : min_reload_ratio);
@@ -149,7 +149,7 @@ void TreeStore::append_pending(std::vector<std::int64_t>& ids, std::vector<doubl
 }
 
 void TreeStore::write(Interrupt& interrupt) {
-  with_sound_tree([&] { cache_.write(interrupt); });
+  reporting_damage([&] { cache_.write(interrupt); });
 }
 
 // --- reading

@@ -34,7 +34,10 @@ class TreeStore final : private MemoryHolder {
   TreeStore(sqlite3* db, const NodeFormat& format, const QualifiedName& name, double horizon,
             Journal& journal, MemoryBudget& memory, std::function<void()> write_out);
   /// Reads and writes these rows from now on.
-  void connect(TreeRows& rows) { rows_ = &rows, cache_.connect(rows); }
+  void connect(TreeRows& rows) {
+    rows_ = &rows;
+    cache_.connect(rows);
+  }
 
   const NodeFormat& format() const { return format_; }
   NodeCache& nodes() { return cache_; }
@@ -81,10 +84,10 @@ class TreeStore final : private MemoryHolder {
   std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
   /// Throws if the map, when written, has another count of objects.
   void require_as_many(std::size_t found);
-  /// Runs an operation of the tree, which rounds its bounds outward. Contradictions between nodes are reported
-  /// as damage of the table.
+  /// Returns body(), an operation of the tree. Where it finds that nodes contradict each other, this throws
+  /// SQLITE_CORRUPT_VTAB. The operation runs under FloatEnvironment, because it rounds bounds outward.
   template <class Body>
-  auto with_sound_tree(Body body) const {
+  auto reporting_damage(Body body) const {
     const FloatEnvironment environment;
     try {
       return body();

@@ -27,10 +27,10 @@ TEST_F(Versions, AFlushStoresAnotherStampForTheSameContents) {
   EXPECT_NE(changed, version.shown(17));
   version.wrote(4712, true);
   EXPECT_EQ(shown(), changed);
-  EXPECT_EQ(version.before(), 17);
+  EXPECT_EQ(version.before_first_change(), 17);
   end(Journal::Ended::committed);
   EXPECT_EQ(shown(), changed);
-  EXPECT_FALSE(version.is_own());
+  EXPECT_FALSE(version.written_here());
   EXPECT_EQ(version.seen(), 4712);
 }
 
@@ -42,7 +42,7 @@ TEST_F(Versions, ARollbackRestoresWhatTheTransactionHasFound) {
   version.wrote(4712, true);
   end(Journal::Ended::rolled_back);
   EXPECT_EQ(version.seen(), 17);
-  EXPECT_FALSE(version.is_own());
+  EXPECT_FALSE(version.written_here());
   EXPECT_EQ(shown(), before);
 }
 
@@ -50,15 +50,15 @@ TEST_F(Versions, ARollbackToASavepointTakesTheOwnStampBack) {
   const Journal::Mark mark = journal.set_mark();
   version.wrote(4711);
   journal.rewind(mark);
-  EXPECT_FALSE(version.is_own());
+  EXPECT_FALSE(version.written_here());
   EXPECT_EQ(version.seen(), 17);
   version.wrote(4712);
   const Journal::Mark later = journal.set_mark();
   version.wrote(4713, true);
   journal.rewind(later);
-  EXPECT_TRUE(version.is_own());
+  EXPECT_TRUE(version.written_here());
   EXPECT_EQ(version.seen(), 4712);
-  EXPECT_EQ(version.before(), 17);
+  EXPECT_EQ(version.before_first_change(), 17);
 }
 
 TEST_F(Versions, RemembersAnUnreadChangeOfACommittedTransaction) {
