@@ -62,7 +62,9 @@ void append_mover_contacts(const JoinQuestion& question, std::span<const Pair> p
     both.contacts_within(pair, question.now, end, contacts);
     if (contacts.empty()) continue;
     JoinRow& row = rows.emplace_back();
-    row.a = a.id(pair.a), row.b = b.id(pair.b), row.contact = contacts.front();
+    row.a = a.id(pair.a);
+    row.b = b.id(pair.b);
+    row.contact = contacts.front();
     if (!question.b && row.b < row.a) std::swap(row.a, row.b);
     if (question.wants.approach)
       row.approach = both.closest_approach(legs_together(a, b, pair, question.now));
@@ -94,8 +96,10 @@ JoinQuestion question_of(const JoinedTables& tables, const WatchDeclaration& dec
   JoinQuestion question;
   question.a = empty_scene(*tables.a);
   if (tables.b) question.b = tables.are_one() ? question.a : empty_scene(*tables.b);
-  question.now = horizon.now, question.h = horizon.h;
-  question.within = declaration.within, question.within_z = declaration.within_z;
+  question.now = horizon.now;
+  question.h = horizon.h;
+  question.within = declaration.within;
+  question.within_z = declaration.within_z;
   question.wants.approach = false;
   return question;
 }
@@ -105,7 +109,8 @@ JoinQuestion question_of_all(const JoinedTables& tables, const WatchDeclaration&
   JoinQuestion question = question_of(tables, declaration, horizon);
   question.a = all_that_may_meet(*tables.a, tables.last());
   if (tables.b) question.b = tables.are_one() ? question.a : all_that_may_meet(*tables.b, *tables.a);
-  question.space = resources.space, question.helpers = resources.helpers;
+  question.space = resources.space;
+  question.helpers = resources.helpers;
   return question;
 }
 

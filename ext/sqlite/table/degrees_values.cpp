@@ -197,7 +197,9 @@ void Values::store_degrees(const Metres& point) {
     if (offset != Offsets::absent) std::copy_n(from.begin(), axes, record_.begin() + offset);
   };
   const OnGlobe::Motion motion = point.motion.value_or(OnGlobe::Motion{});
-  store(at_.x, point.x), store(at_.v, motion.v), store(at_.a, motion.a);
+  store(at_.x, point.x);
+  store(at_.v, motion.v);
+  store(at_.a, motion.a);
 }
 
 /// Keeps the stored bits.

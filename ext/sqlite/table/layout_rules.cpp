@@ -174,7 +174,8 @@ class WordTable {
       layout.shape = growth_z != nullptr ? Shape::cylinder : Shape::ball;
       layout.starts_as_point = true;
     }
-    layout.has_growth = growth != nullptr, layout.has_growth_z = growth_z != nullptr;
+    layout.has_growth = growth != nullptr;
+    layout.has_growth_z = growth_z != nullptr;
   }
 
   const DeclaredWord* slots_[quantity_count][3] = {};

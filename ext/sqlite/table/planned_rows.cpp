@@ -36,8 +36,10 @@ bool is_near(GeoColumn column, double number, double shown) {
 
 void Values::start_planned_row(std::int64_t id, sqlite3_value** motion, Store& store,
                                std::optional<std::int64_t> updated, std::span<const double> at_start) {
-  new_plan_.reset(), new_origin_.reset();
-  leg_.clear(), before_.clear();
+  new_plan_.reset();
+  new_origin_.reset();
+  leg_.clear();
+  before_.clear();
   at_start_ = at_start;
   std::fill(record_.begin(), record_.end(), 0.0);  // what is not declared
   record_[static_cast<std::size_t>(at_.until)] = std::numeric_limits<double>::infinity();

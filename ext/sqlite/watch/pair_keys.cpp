@@ -105,13 +105,15 @@ void PairKeys::erase(const WatchedPair& pair) {
 
 void PairKeys::change(const WatchedPair& before, const WatchedPair& after) {
   if (!in_tables_ || (before.held == after.held && before.due == after.due)) return;
-  note_due(before, false), note_due(after, true);
+  note_due(before, false);
+  note_due(after, true);
 }
 
 void PairKeys::erase_all() {
   forget();
   if (!in_tables_) return;
-  run_all(erase_all_back_), run_all(erase_all_due_);
+  run_all(erase_all_back_);
+  run_all(erase_all_due_);
 }
 
 void PairKeys::write() {
@@ -119,10 +121,12 @@ void PairKeys::write() {
   // is marked as damaged.
   std::vector<BackKey> back = std::exchange(back_waits_, {});
   std::vector<DueKey> due = std::exchange(due_waits_, {});
-  std::sort(back.begin(), back.end()), std::sort(due.begin(), due.end());
+  std::sort(back.begin(), back.end());
+  std::sort(due.begin(), due.end());
   for (const BackKey& key : back) {
     Statement::Run run(key.adds ? add_back_ : erase_back_);
-    run.bind(1, key.b), run.bind(2, key.a);
+    run.bind(1, key.b);
+    run.bind(2, key.a);
     run.step();
   }
   for (const DueKey& key : due) {

@@ -39,8 +39,11 @@ bool is_settled(Connection& connection, const WatchState& state, const OpenTable
 
 void WatchCursor::filter(int plan, sqlite3_value** arguments) {
   plan_ = plan;
-  join_.reset(), rows_ = {}, stored_.clear();
-  only_a_.reset(), only_b_.reset();
+  join_.reset();
+  rows_ = {};
+  stored_.clear();
+  only_a_.reset();
+  only_b_.reset();
   int next_argument = 0;
   for (const int bit : {WatchPlan::by_a, WatchPlan::by_b}) {
     if ((plan & bit) == 0) continue;
@@ -118,7 +121,9 @@ void WatchCursor::give(std::span<const ShownPair> pairs, const WatchState& state
   } else {
     for (const ShownPair& pair : pairs) {
       JoinRow& row = stored_.emplace_back();
-      row.a = pair.a, row.b = pair.b, row.contact.t = pair.t;
+      row.a = pair.a;
+      row.b = pair.b;
+      row.contact.t = pair.t;
     }
   }
   rows_ = stored_;
@@ -129,7 +134,8 @@ void WatchCursor::join_now(const WatchState& state, const OpenTables& tables) {
   Connection& connection = *table_.connection;
   JoinQuestion question = question_of_all(sources_of(connection, tables), state, {state.now(), state.horizon},
                                           resources_of(connection));
-  question.only_a = only_a_, question.only_b = only_b_;
+  question.only_a = only_a_;
+  question.only_b = only_b_;
   question.wants.ends = (plan_ & WatchPlan::times) != 0;
   question.wants.approach = (plan_ & WatchPlan::approach) != 0;
   join_ = std::make_unique<Join>(std::move(question), connection.interrupt());

@@ -125,7 +125,8 @@ void Watches::remove_from_tables(const QualifiedName& watch, const WatchDeclarat
   const auto remove = [&](const std::string& name) {
     try {
       WatchDeclaration one = declaration;
-      one.tbl = name, one.other.reset();
+      one.tbl = name;
+      one.other.reset();
       change_stamp(watched_tables(connection_, watch.schema, one).a,
                    [&](Store& store) { store.remove_watch(watch.table); });
     } catch (const StoreError& error) {

@@ -52,7 +52,8 @@ StoredChunk ChunkWriter::header(std::size_t chunk) const {
   const auto [first, count] = ranges_[chunk];
   StoredChunk header{
       .kind = plan_.kind, .is_first = chunk == 0, .axes = static_cast<std::size_t>(plan_.axes)};
-  header.legs = count, header.object = object_;
+  header.legs = count;
+  header.object = object_;
   if (plan_.kind == PlanKind::knots) {
     std::size_t part = part_of(first);
     for (std::size_t i = 0; i < count; ++i)
@@ -78,7 +79,10 @@ std::vector<std::byte> ChunkWriter::blob(std::size_t chunk, std::int64_t number)
   store_number(blob.data() + ends_at, header.ends);
   store_number(blob.data() + object_at, object_);
   std::byte* at = blob.data() + header_size;
-  const auto put = [&](auto value) { store_number(at, value), at += sizeof value; };
+  const auto put = [&](auto value) {
+    store_number(at, value);
+    at += sizeof value;
+  };
   if (chunk == 0) {
     put(static_cast<std::uint32_t>(chunks()));
     put(static_cast<std::uint32_t>(legs_.size()));
@@ -90,11 +94,17 @@ std::vector<std::byte> ChunkWriter::blob(std::size_t chunk, std::int64_t number)
 }
 
 void ChunkWriter::put_legs(const StoredChunk& header, std::size_t first, std::byte* at) const {
-  const auto put = [&](double number) { store_number(at, number), at += sizeof number; };
+  const auto put = [&](double number) {
+    store_number(at, number);
+    at += sizeof number;
+  };
   const auto put_vector = [&](const std::array<double, 3>& vector) {
     std::for_each_n(vector.begin(), header.axes, put);
   };
-  const auto put_knot = [&](const Knot& knot) { put(knot.t), put_vector(knot.x); };
+  const auto put_knot = [&](const Knot& knot) {
+    put(knot.t);
+    put_vector(knot.x);
+  };
   if (plan_.kind == PlanKind::knots) {
     std::size_t knot = first + part_of(first);
     for (std::size_t i = 0; i < header.legs; ++i, ++knot) {
@@ -108,7 +118,8 @@ void ChunkWriter::put_legs(const StoredChunk& header, std::size_t first, std::by
   for (const Leg& leg : std::span(legs_).subspan(first, header.legs)) {
     put(leg.t);
     if (header.has_untils) put(leg.until);
-    put_vector(leg.x), put_vector(leg.v);
+    put_vector(leg.x);
+    put_vector(leg.v);
     if (plan_.kind == PlanKind::accelerated) put_vector(leg.a);
   }
   if (!header.has_untils) put(legs_[first + header.legs - 1].until);

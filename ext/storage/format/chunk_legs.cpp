@@ -78,7 +78,8 @@ const char* read_legs(const StoredChunk& chunk, Each each) {
     const bool is_last = i + 1 == chunk.legs;
     leg.t = next;
     if (chunk.has_untils) leg.until = reader.number();
-    leg.x = reader.vector(), leg.v = reader.vector();
+    leg.x = reader.vector();
+    leg.v = reader.vector();
     if (chunk.kind == PlanKind::accelerated) leg.a = reader.vector();
     if (!is_last || !chunk.has_untils) next = reader.number();
     if (!chunk.has_untils) leg.until = next;
@@ -109,8 +110,10 @@ StoredChunk legs_during(const StoredChunk& chunk, const LegTimes& times) {
     if (first + step < chunk.legs && t(first + step) < times.from) first += step;
   while (end > first + 1 && t(end - 1) > times.until) --end;
   StoredChunk part = chunk;
-  part.is_first = false, part.ends = 0;
-  part.numbers += first * leg_bytes, part.legs = end - first;
+  part.is_first = false;
+  part.ends = 0;
+  part.numbers += first * leg_bytes;
+  part.legs = end - first;
   return part;
 }
 
@@ -133,7 +136,10 @@ const char* append_legs(const StoredChunk& chunk, std::vector<Leg>& legs, const 
 const char* append_to_plan(const StoredChunk& chunk, Plan& plan) {
   const bool is_empty = plan.knots.empty() && plan.legs.empty();
   if (chunk.is_first != is_empty) return "it is not where the plan has it";
-  if (is_empty) plan.kind = chunk.kind, plan.axes = static_cast<int>(chunk.axes);
+  if (is_empty) {
+    plan.kind = chunk.kind;
+    plan.axes = static_cast<int>(chunk.axes);
+  }
   if (plan.kind != chunk.kind) return "it has another kind than the plan";
   if (chunk.kind != PlanKind::knots) {
     if (!is_empty && !(plan.legs.back().until <= chunk.t())) return out_of_order;

@@ -22,7 +22,8 @@ std::vector<std::byte> IdBlock::encode() const {
 }
 
 const char* IdBlock::decode(std::span<const std::byte> bytes) {
-  leaves_ = {}, count_ = 0;
+  leaves_ = {};
+  count_ = 0;
   const std::size_t width = bytes.empty() ? 0 : static_cast<std::size_t>(bytes[0]);
   if (width < 1 || width > sizeof(std::int64_t)) return "a leaf's number takes 1 to 8 bytes";
   const std::size_t count = (bytes.size() - 1) / (1 + width);

@@ -25,7 +25,8 @@ std::size_t kinds_offset(const NodeFormat& format) {
 }
 
 void store_kinds(std::byte* at, Kinds kinds) {
-  store_number(at, kinds.category), store_number(at + sizeof kinds.category, kinds.mask);
+  store_number(at, kinds.category);
+  store_number(at + sizeof kinds.category, kinds.mask);
 }
 
 Kinds load_kinds(const std::byte* at) {

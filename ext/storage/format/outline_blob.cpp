@@ -125,7 +125,8 @@ std::vector<std::byte> encode_zone(const Outline& degrees, const Outline& plane)
 }
 
 const char* decode_zone(std::span<const std::byte> blob, Outline& degrees, Outline& plane) {
-  degrees = {}, plane = {};
+  degrees = {};
+  plane = {};
   if (const char* fault = form_frame_fault(blob)) return fault;
   if (form_kind_of(blob) != FormKind::zone) return "its format or kind is not known";
   const ZoneBlobs blobs = zone_blobs_of(blob);

@@ -33,8 +33,15 @@ class ChangedChunks {
     if (count_ > max_numbers) return add_all();
     ranges_.emplace_back(first, last);
   }
-  void add_all() noexcept { are_all_ = true, ranges_.clear(); }
-  void clear() noexcept { are_all_ = false, ranges_.clear(), count_ = 0; }
+  void add_all() noexcept {
+    are_all_ = true;
+    ranges_.clear();
+  }
+  void clear() noexcept {
+    are_all_ = false;
+    ranges_.clear();
+    count_ = 0;
+  }
 
   bool are_all() const { return are_all_; }
   template <class Each>
@@ -83,7 +90,8 @@ class ChunkCache final : private MemoryHolder {
     share_.budget().evict();
     Entry made{{blob.begin(), blob.end()}, chunk};
     const auto moved = [&](const std::byte* at) { return at ? made.blob.data() + (at - blob.data()) : at; };
-    made.chunk.starts = moved(chunk.starts), made.chunk.numbers = moved(chunk.numbers);
+    made.chunk.starts = moved(chunk.starts);
+    made.chunk.numbers = moved(chunk.numbers);
     const Entry& entry = chunks_.insert_or_assign(number, std::move(made)).first->second;
     bytes_ += size_of(entry);
     note_memory();

@@ -71,8 +71,10 @@ void IdMap::write(Interrupt& interrupt) {
   if (stored_is_void_) rows_->map().erase_all();
   std::vector<IdHashMap::Entry> changes = leaves_.known();
   Steps step(interrupt);
-  std::sort(changes.begin(), changes.end(),
-            [&](const IdHashMap::Entry& a, const IdHashMap::Entry& b) { return step(), a.id < b.id; });
+  std::sort(changes.begin(), changes.end(), [&](const IdHashMap::Entry& a, const IdHashMap::Entry& b) {
+    step();
+    return a.id < b.id;
+  });
   if (filter_) add_to_filter(changes);
   rows_->write_map(changes);
   note_written();

@@ -65,7 +65,10 @@ class IdMap final : public Journal::Participant {
   /// Bytes in use beyond those left by the last write: what another write would release.
   std::size_t memory() const { return held() - held_after_writing_; }
   /// Rows may have changed: forgets what was read.
-  void forget_stored() noexcept { last_block_.reset(), filter_.reset(); }
+  void forget_stored() noexcept {
+    last_block_.reset();
+    filter_.reset();
+  }
   /// Drops all changes too.
   void clear() noexcept;
 

@@ -36,7 +36,10 @@ class NodeCache final : public Pages, public Journal::Participant {
         head_(journal),
         ids_(journal, name) {}
   /// Reads and writes these rows from now on.
-  void connect(TreeRows& rows) { rows_ = &rows, ids_.connect(rows); }
+  void connect(TreeRows& rows) {
+    rows_ = &rows;
+    ids_.connect(rows);
+  }
 
   // --- Pages
   const Layout& layout() const override { return format_.layout; }
@@ -124,7 +127,10 @@ class NodeCache final : public Pages, public Journal::Participant {
   enum class Deletions : std::uint8_t { write, defer };
 
   // --- Participant
-  std::size_t keep() override { return ++keeper_, history_.end(); }
+  std::size_t keep() override {
+    ++keeper_;
+    return history_.end();
+  }
   void rewind(std::size_t position) override;
   void merge(std::size_t newer) noexcept override { compact(newer); }
   void forget() noexcept override;

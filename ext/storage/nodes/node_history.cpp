@@ -53,7 +53,10 @@ void NodeHistory::compact(std::size_t position, std::span<const std::size_t> mar
     bool needed = false;
     std::size_t since = 0;
     for_each_need([&](std::size_t mark) {
-      if (mark <= i) needed = true, since = std::max(since, mark);
+      if (mark <= i) {
+        needed = true;
+        since = std::max(since, mark);
+      }
     });
     if (needed && entry.previous <= since) continue;
     entry.dropped = true;

@@ -54,7 +54,8 @@ class NodeSlots {
     if (!slot || known != number) {
       Slot* const found = find(number);
       if (!found) return nullptr;
-      known = number, slot = found;
+      known = number;
+      slot = found;
     }
     return slot->state.node ? slot : nullptr;
   }

@@ -88,7 +88,8 @@ inline void ObjectChanges::end(Journal::Ended) noexcept {
   firsts_ = std::vector<First>();
   records_ = std::vector<double>();
   known_.clear();
-  kept_ = false, complete_ = true;
+  kept_ = false;
+  complete_ = true;
 }
 
 }  // namespace foresee

@@ -82,25 +82,30 @@ void ObjectSpill::write(Partition& partition) {
     run.step();
   });
   partition.rows.push_back(rows_);
-  partition.ids.clear(), partition.records.clear();
+  partition.ids.clear();
+  partition.records.clear();
 }
 
 void ObjectSpill::finish() {
   for (Partition& partition : partitions_) {
     write(partition);
-    partition.ids = {}, partition.records = {};
+    partition.ids = {};
+    partition.records = {};
   }
 }
 
 void ObjectSpill::read(std::size_t partition, std::vector<std::int64_t>& ids, std::vector<double>& records) {
-  ids.clear(), records.clear();
-  ids.reserve(counts_[partition]), records.reserve(counts_[partition] * record_size_);
+  ids.clear();
+  records.clear();
+  ids.reserve(counts_[partition]);
+  records.reserve(counts_[partition] * record_size_);
   in_file([&] {
     for (const std::int64_t row : partitions_[partition].rows) {
       Statement::Run run(read_);
       run.bind(1, row);
       if (!run.step()) continue;
-      append(run.blob(0), ids), append(run.blob(1), records);
+      append(run.blob(0), ids);
+      append(run.blob(1), records);
     }
   });
   if (ids.size() != counts_[partition] || records.size() != ids.size() * record_size_)

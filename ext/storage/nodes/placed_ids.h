@@ -23,7 +23,10 @@ namespace foresee {
 /// Fingerprint of a set of ids, whatever their order. Different sets have equal ones by accident only.
 class IdSum {
  public:
-  void add(std::int64_t id) { ++count_, sum_ += hash_of(static_cast<std::uint64_t>(id)); }
+  void add(std::int64_t id) {
+    ++count_;
+    sum_ += hash_of(static_cast<std::uint64_t>(id));
+  }
   std::size_t count() const { return count_; }
   bool operator==(const IdSum&) const = default;
 

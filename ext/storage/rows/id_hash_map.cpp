@@ -54,7 +54,10 @@ void IdHashMap::set(std::int64_t id, std::int64_t value) noexcept {
 std::int64_t IdHashMap::exchange(std::int64_t id, std::int64_t value) {
   if (2 * (size_ + 1) > slots_.size()) grow();
   Entry& entry = slots_[slot_of(id)];
-  if (entry.value == free_slot) ++size_, entry = {id, unknown};
+  if (entry.value == free_slot) {
+    ++size_;
+    entry = {id, unknown};
+  }
   known_ += static_cast<std::size_t>(value != unknown) - static_cast<std::size_t>(entry.value != unknown);
   return std::exchange(entry.value, value);
 }

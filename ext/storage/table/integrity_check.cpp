@@ -122,7 +122,10 @@ class IntegrityCheck {
       if (objects_[i - 1].id == objects_[i].id)
         say(object(objects_[i].id) + " is in nodes " + std::to_string(objects_[i - 1].leaf) + " and " +
             std::to_string(objects_[i].leaf));
-    const auto same_id = [this](const ObjectPlace& a, const ObjectPlace& b) { return step_(), a.id == b.id; };
+    const auto same_id = [this](const ObjectPlace& a, const ObjectPlace& b) {
+      step_();
+      return a.id == b.id;
+    };
     objects_.erase(std::unique(objects_.begin(), objects_.end(), same_id), objects_.end());
     count_ = objects_.size();
   }

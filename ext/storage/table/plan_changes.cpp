@@ -119,7 +119,10 @@ std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t 
   std::copy_n(before.begin(), motion_end, record_.begin());
   const Head head = plans.head_of(id, record_.data());
   plans.changed_.add(head.first, head.last());
-  if (new_id != id) moved_ = head, moved_->object = new_id;
+  if (new_id != id) {
+    moved_ = head;
+    moved_->object = new_id;
+  }
   if (equal_bits(item_inputs(at, axes, before), item_inputs(at, axes, record_))) return record_;
   std::vector<double> item(static_cast<std::size_t>(plans.item_at_.size));
   std::vector<Leg> legs;

@@ -62,7 +62,8 @@ class PlansCheck {
     const double* const record = records_.data() + head.record * static_cast<std::size_t>(at_.size);
     if (number == head.first) {
       if (!starts_with(record, legs.front())) say_(object(head) + " has another first leg than its plan");
-      plan_legs_ = chunk.plan_legs, legs_ = 0;
+      plan_legs_ = chunk.plan_legs;
+      legs_ = 0;
     } else if (!(until_ <= legs.front().t)) {
       say_(name(number) + " starts before the chunk before it ends");
     }

@@ -72,7 +72,8 @@ std::vector<StoredPlans::Head> Store::read_heads(const EachObject& plain, std::v
   std::vector<std::int64_t> ids;
   std::vector<double> of_leaf;
   const auto take = [&](const auto& leaf) {
-    ids.clear(), of_leaf.clear();
+    ids.clear();
+    of_leaf.clear();
     append(leaf, ids, of_leaf);
     objects += ids.size();
     for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -225,7 +225,8 @@ void Store::flush(TreeStore::Reason reason) {
 void Store::write_count(std::int64_t objects) {
   shadow_rows().write_objects(objects);
   ObjectCount& count = totals_.change().count;
-  count.stored = objects, count.added = 0;
+  count.stored = objects;
+  count.added = 0;
 }
 
 void Store::write_out() {

@@ -15,7 +15,10 @@ constexpr std::size_t max_text_bytes = 1 << 22, max_text_length = max_text_bytes
 
 void StoredForms::remember(std::int64_t number, const std::shared_ptr<const Form>& form) {
   const std::size_t corners = form->corners();
-  if (!known_ || corners_ + corners > max_corners_known) known_ = std::make_shared<ByNumber>(), corners_ = 0;
+  if (!known_ || corners_ + corners > max_corners_known) {
+    known_ = std::make_shared<ByNumber>();
+    corners_ = 0;
+  }
   (*known_)[number] = form;
   corners_ += corners;
 }

@@ -54,14 +54,21 @@ class StoredForms final : public Journal::Participant {
   void keep_only(const std::unordered_set<std::int64_t>& numbers);
 
   /// After a commit of another connection.
-  void forget_all() noexcept { forget_texts(), known_.reset(), corners_ = 0; }
+  void forget_all() noexcept {
+    forget_texts();
+    known_.reset();
+    corners_ = 0;
+  }
 
  private:
   // A rollback may remove the forms that were stored since: their texts have no number then.
   std::size_t keep() override { return 0; }
   void rewind(std::size_t) noexcept override { forget_texts(); }
   void end(Journal::Ended) noexcept override {}
-  void forget_texts() noexcept { texts_.clear(), text_bytes_ = 0; }
+  void forget_texts() noexcept {
+    texts_.clear();
+    text_bytes_ = 0;
+  }
 
   std::shared_ptr<const Form> find_known(std::int64_t number) const;
   void remember(std::int64_t number, const std::shared_ptr<const Form>& form);

@@ -82,7 +82,10 @@ void StoredPlans::require_of(const Head& head, std::int64_t number, const Stored
 template <class Use>
 bool StoredPlans::with_chunk(std::int64_t number, std::optional<std::int64_t> stamp, Use use) {
   const ChunkCache::Entry* const known = stamp ? cache_.find(*stamp, number) : nullptr;
-  if (known) return use(known->chunk, std::span(known->record)), true;
+  if (known) {
+    use(known->chunk, std::span(known->record));
+    return true;
+  }
   return rows_->read_one(number, [&](std::span<const std::byte> blob) {
     const StoredChunk stored = opened(number, blob, nullptr);
     require(check_legs(stored), number);
@@ -149,7 +152,8 @@ bool StoredPlans::read_chunk(std::int64_t number, const LegTimes& times, std::op
                              Chunk& chunk) {
   const FloatEnvironment environment;
   return with_chunk(number, stamp, [&](const StoredChunk& stored, std::span<const double> record) {
-    chunk.object = stored.object, chunk.record = record;
+    chunk.object = stored.object;
+    chunk.record = record;
     chunk.legs.clear();
     require(append_legs(legs_during(stored, times), chunk.legs, times), number);
   });
@@ -211,7 +215,10 @@ void StoredPlans::read_all(std::vector<Head>& heads, double from, double until, 
     legs.clear();
   };
   const auto take = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
-    if (current != &head) hand_over(), current = &head;
+    if (current != &head) {
+      hand_over();
+      current = &head;
+    }
     const StoredChunk chunk = opened(number, blob, &head);
     if (!legs.empty() && !(legs.back().until <= chunk.t())) require("its times do not rise", number);
     require(append_legs(chunk, legs), number);
@@ -229,7 +236,10 @@ void StoredPlans::read_all(std::vector<Head>& heads, double from, double until, 
     total = static_cast<std::int64_t>(wanted.size());
     auto next = wanted.begin();
     const auto take_wanted = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
-      if (next != wanted.end() && *next == number) ++next, take(head, number, blob);
+      if (next != wanted.end() && *next == number) {
+        ++next;
+        take(head, number, blob);
+      }
     };
     if (are_few)
       scan(heads, take, stray, interrupt, &wanted);

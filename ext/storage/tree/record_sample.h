@@ -53,10 +53,14 @@ class RecordSample {
     };
     for (std::size_t i = 0; i < draws_.size(); ++i) {
       if (!is_drawn(draws_[i])) continue;
-      if (kept != i) std::copy_n(at(i), record_size_, at(kept)), draws_[kept] = draws_[i];
+      if (kept != i) {
+        std::copy_n(at(i), record_size_, at(kept));
+        draws_[kept] = draws_[i];
+      }
       ++kept;
     }
-    draws_.resize(kept), records_.resize(kept * record_size_);
+    draws_.resize(kept);
+    records_.resize(kept * record_size_);
   }
 
   std::size_t record_size_;

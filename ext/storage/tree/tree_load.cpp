@@ -85,9 +85,14 @@ class TreeStore::PartitionedLoad {
 
 void TreeStore::require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt) const {
   Steps step(interrupt);
-  std::sort(ids.begin(), ids.end(), [&](std::int64_t a, std::int64_t b) { return step(), a < b; });
-  const auto twice = std::adjacent_find(ids.begin(), ids.end(),
-                                        [&](std::int64_t a, std::int64_t b) { return step(), a == b; });
+  std::sort(ids.begin(), ids.end(), [&](std::int64_t a, std::int64_t b) {
+    step();
+    return a < b;
+  });
+  const auto twice = std::adjacent_find(ids.begin(), ids.end(), [&](std::int64_t a, std::int64_t b) {
+    step();
+    return a == b;
+  });
   if (twice != ids.end()) damaged("object " + std::to_string(*twice) + " is in two leaves");
 }
 
@@ -97,11 +102,17 @@ TreeStore::Replacement::Replacement(TreeStore& tree, const EachObject& for_each,
     : tree_(tree), interrupt_(interrupt) {
   if (read_into_memory(for_each)) return;
   const auto use_all = [&](auto use) {
-    for_each([&](std::int64_t id, const double* record) { return use(id, record), true; });
+    for_each([&](std::int64_t id, const double* record) {
+      use(id, record);
+      return true;
+    });
   };
   tree_.reporting_damage([&] {
     load_ = std::make_unique<PartitionedLoad>(tree_, interrupt_);
-    use_all([&](std::int64_t id, const double* record) { load_->see(id, record), ++objects_; });
+    use_all([&](std::int64_t id, const double* record) {
+      load_->see(id, record);
+      ++objects_;
+    });
     load_->divide({});
     use_all([&](std::int64_t id, const double* record) { load_->add(id, record); });
   });
@@ -113,11 +124,13 @@ bool TreeStore::Replacement::read_into_memory(const EachObject& for_each) {
   const auto size = static_cast<std::size_t>(tree_.format_.at.size);
   bool fits = true;
   for_each([&](std::int64_t id, const double* record) {
-    ids_.push_back(id), records_.insert(records_.end(), record, record + size);
+    ids_.push_back(id);
+    records_.insert(records_.end(), record, record + size);
     return fits = records_.size() * sizeof(double) <= tree_.memory_.max_ordered();
   });
   if (!fits) {
-    ids_ = {}, records_ = {};
+    ids_ = {};
+    records_ = {};
     return false;
   }
   std::vector<std::int64_t> sorted = ids_;
@@ -180,8 +193,10 @@ void TreeStore::load_partitioned(Interrupt& interrupt) {
     const auto use_leaf = [&](const auto& leaf) { for_each_object(leaf, size, use_stored); };
     read_leaves(interrupt, use_leaf, use_leaf);
     Steps step(interrupt);
-    pending_.for_each(
-        [&](std::int64_t id, std::span<const double> record) { step(), use(id, record.data()); });
+    pending_.for_each([&](std::int64_t id, std::span<const double> record) {
+      step();
+      use(id, record.data());
+    });
   };
   for_each([&](std::int64_t id, const double* record) { load.see(id, record); });
   all_are_new = replaced == 0;

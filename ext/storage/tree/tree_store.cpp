@@ -134,7 +134,8 @@ void TreeStore::reload(Interrupt& interrupt) {
     }
     ++kept;
   }
-  ids.resize(kept), records.resize(kept * size);
+  ids.resize(kept);
+  records.resize(kept * size);
   append_pending(ids, records);
   tree_->reload(ids, records, interrupt);
 }
