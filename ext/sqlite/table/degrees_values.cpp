@@ -1,4 +1,4 @@
-// Values: latitude, longitude, speed and course of a row as stored metres, on the plane or on the globe
+// RowReader: latitude, longitude, speed and course of a row as stored metres, on the plane or on the globe
 // (docs/reference/degrees.md).
 #include <algorithm>
 #include <cmath>
@@ -35,8 +35,8 @@ std::size_t index_of(GeoColumn column) {
 }  // namespace
 
 /// The value of a column; nothing for an unknown speed or course.
-std::optional<double> Values::degrees_number(const Column& column, std::int64_t id,
-                                             sqlite3_value* value) const {
+std::optional<double> RowReader::degrees_number(const Column& column, std::int64_t id,
+                                                sqlite3_value* value) const {
   switch (column.geo) {
     case GeoColumn::speed:
     case GeoColumn::course:
@@ -49,7 +49,7 @@ std::optional<double> Values::degrees_number(const Column& column, std::int64_t 
   }
 }
 
-double Values::height_or_climb(const Column& column, std::int64_t id, sqlite3_value* value) const {
+double RowReader::height_or_climb(const Column& column, std::int64_t id, sqlite3_value* value) const {
   const double number = stored(column, id, value);
   if (std::abs(number) > max_number)
     refuse(column.name, id, shown(value), "more than 1e300; write metres, or metres per second");
@@ -59,7 +59,7 @@ double Values::height_or_climb(const Column& column, std::int64_t id, sqlite3_va
   return number;
 }
 
-double Values::latitude_or_longitude(const Column& column, std::int64_t id, sqlite3_value* value) const {
+double RowReader::latitude_or_longitude(const Column& column, std::int64_t id, sqlite3_value* value) const {
   const double number = stored(column, id, value);
   const bool lat = column.geo == GeoColumn::lat;
   if (number == (lat ? 91 : 181))
@@ -71,8 +71,8 @@ double Values::latitude_or_longitude(const Column& column, std::int64_t id, sqli
 }
 
 /// Nothing for an unknown speed or course. 102.3 knots and 360 degrees are "not available" in AIS.
-std::optional<double> Values::speed_or_course(const Column& column, std::int64_t id,
-                                              sqlite3_value* value) const {
+std::optional<double> RowReader::speed_or_course(const Column& column, std::int64_t id,
+                                                 sqlite3_value* value) const {
   if (is_null_or_empty(value)) return std::nullopt;
   const double number = stored(column, id, value);
   if (column.geo == GeoColumn::speed) {
@@ -92,8 +92,9 @@ std::optional<double> Values::speed_or_course(const Column& column, std::int64_t
       "a course is at least 0 and below 360; write degrees clockwise from north, or NULL if it is unknown");
 }
 
-std::optional<Course> Values::course_of_row(std::int64_t id, const std::optional<double>& speed,
-                                            const std::optional<double>& course, sqlite3_value* given) const {
+std::optional<Course> RowReader::course_of_row(std::int64_t id, const std::optional<double>& speed,
+                                               const std::optional<double>& course,
+                                               sqlite3_value* given) const {
   if (!speed) return std::nullopt;
   if (course) return Course{*speed, *course};
   if (to_mps(*speed, frame_.unit) <= half_a_knot) return std::nullopt;  // it is at rest
@@ -105,8 +106,8 @@ std::optional<Course> Values::course_of_row(std::int64_t id, const std::optional
 
 /// An UPDATE that leaves place or motion as they are, or writes what the columns show, keeps the stored bits. Where it
 /// changes only some of the columns, the others are what they show.
-void Values::fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
-                          std::optional<std::int64_t> updated) {
+void RowReader::fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
+                             std::optional<std::int64_t> updated) {
   const FloatEnvironment environment;
   new_origin_.reset();
   std::vector<double> before;
@@ -152,7 +153,7 @@ void Values::fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
   if (frame.chooses_origin()) new_origin_ = origin;
 }
 
-Flight Values::report_of(std::int64_t id, const Numbers& numbers, sqlite3_value* course) const {
+Flight RowReader::report_of(std::int64_t id, const Numbers& numbers, sqlite3_value* course) const {
   const auto number = [&](GeoColumn column) { return numbers[index_of(column)]; };
   Flight report{{{*number(GeoColumn::lat), *number(GeoColumn::lon)}, {}},
                 number(GeoColumn::height).value_or(0),
@@ -163,8 +164,8 @@ Flight Values::report_of(std::int64_t id, const Numbers& numbers, sqlite3_value*
 }
 
 /// A place that an UPDATE leaves alone was near enough when it was stored.
-Metres Values::metres_of_row(std::int64_t id, const Flight& report, const LatLon& origin,
-                             bool same_place) const {
+Metres RowReader::metres_of_row(std::int64_t id, const Flight& report, const LatLon& origin,
+                                bool same_place) const {
   Frame frame{.kind = frame_.kind, .unit = frame_.unit};
   if (!frame.on_globe()) frame.origin = origin;
   Metres point{};
@@ -180,8 +181,8 @@ Metres Values::metres_of_row(std::int64_t id, const Flight& report, const LatLon
   return point;
 }
 
-void Values::require_near(std::int64_t id, const LatLon& place, const Metres& point,
-                          const LatLon& origin) const {
+void RowReader::require_near(std::int64_t id, const LatLon& place, const Metres& point,
+                             const LatLon& origin) const {
   const double distance = std::hypot(point.x[0], point.x[1]);
   if (distance <= max_distance_from_origin) return;
   throw Refusal(SQLITE_CONSTRAINT,
@@ -191,7 +192,7 @@ void Values::require_near(std::int64_t id, const LatLon& place, const Metres& po
                     "', the limit is 1500; create a table with a nearer origin, or with origin = globe");
 }
 
-void Values::store_degrees(const Metres& point) {
+void RowReader::store_degrees(const Metres& point) {
   const std::size_t axes = frame_.axes_of_place();
   const auto store = [&](int offset, const std::array<double, 3>& from) {
     if (offset != Offsets::absent) std::copy_n(from.begin(), axes, record_.begin() + offset);
@@ -203,10 +204,10 @@ void Values::store_degrees(const Metres& point) {
 }
 
 /// Keeps the stored bits.
-void Values::copy_place(const std::vector<double>& before) {
+void RowReader::copy_place(const std::vector<double>& before) {
   std::copy_n(before.begin() + at_.x, frame_.axes_of_place(), record_.begin() + at_.x);
 }
-void Values::copy_motion(const std::vector<double>& before) {
+void RowReader::copy_motion(const std::vector<double>& before) {
   const bool is_declared = std::any_of(degrees_.begin(), degrees_.end(),
                                        [this](std::size_t i) { return columns_[i].geo == GeoColumn::speed; });
   if (!is_declared) return;  // a row without its plan is at rest

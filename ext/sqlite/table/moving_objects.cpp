@@ -122,7 +122,7 @@ int cursor_rowid(sqlite3_vtab_cursor* base, sqlite3_int64* rowid) noexcept {
 }
 
 int table_update(sqlite3_vtab* base, int count, sqlite3_value** arguments, sqlite3_int64* rowid) noexcept {
-  return guarded(&base->zErrMsg, [&] { write_table(table_of(base), count, arguments, rowid); });
+  return guarded(&base->zErrMsg, [&] { write_row(table_of(base), count, arguments, rowid); });
 }
 
 /// A callback that calls one method of the store; does nothing if the store cannot be read.

@@ -12,7 +12,7 @@ MovingObjectsTable::MovingObjectsTable(std::shared_ptr<Connection> connection_, 
       connection(std::move(connection_)),
       schema(schema_),
       name(name_),
-      values(declaration, name, connection->interrupt()),
+      reader(declaration, name, connection->interrupt()),
       number(0),
       declared_(std::move(declaration)),
       store_(std::move(store)) {
@@ -28,7 +28,7 @@ void MovingObjectsTable::rename(const std::string& new_name) {
   require_table_name(declaration(), new_name);
   store().rename(new_name);
   name = new_name;
-  values.rename(new_name);
+  reader.rename(new_name);
   connection->rename(number, new_name);
 }
 

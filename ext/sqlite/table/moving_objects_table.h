@@ -80,7 +80,7 @@ struct MovingObjectsTable : sqlite3_vtab {
   std::shared_ptr<Connection> connection;
   std::string schema;
   std::string name;
-  Values values;
+  RowReader reader;
   std::int64_t number;  ///< the key of Connection::find
 
   /// Records before this statement changed them, of a table in degrees or with plans. UPDATE FROM passes every column

@@ -1,4 +1,4 @@
-// Values: rows of tables with a column `plan` (docs/reference/plan.md#column). The first leg of a plan gives t, x…, v…
+// RowReader: rows of tables with a column `plan` (docs/reference/plan.md#column). The first leg of a plan gives t, x…, v…
 // and a… of its row, so a value of these columns is checked and not stored.
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,8 @@ bool is_near(GeoColumn column, double number, double shown) {
 
 }  // namespace
 
-void Values::start_planned_row(std::int64_t id, sqlite3_value** motion, Store& store,
-                               std::optional<std::int64_t> updated, std::span<const double> at_start) {
+void RowReader::start_planned_row(std::int64_t id, sqlite3_value** motion, Store& store,
+                                  std::optional<std::int64_t> updated, std::span<const double> at_start) {
   new_plan_.reset();
   new_origin_.reset();
   leg_.clear();
@@ -48,19 +48,19 @@ void Values::start_planned_row(std::int64_t id, sqlite3_value** motion, Store& s
                                    [](const Column& one) { return one.quantity == Quantity::plan; });
   sqlite3_value* const plan = motion[column - columns_.begin()];
   if (before_.empty() || !sqlite3_value_nochange(plan))
-    take_plan(id, plan, store, updated);
+    read_plan(id, plan, store, updated);
   else if (foresee::has_plan(at_, before_.data()))
     keep_plan();
 }
 
-void Values::keep_plan() {
+void RowReader::keep_plan() {
   leg_.assign(before_.begin(), before_.begin() + static_cast<std::ptrdiff_t>(leg_doubles(layout_)));
   for (const int place : {at_.plan, at_.chunks})
     record_[static_cast<std::size_t>(place)] = before_[static_cast<std::size_t>(place)];
 }
 
-void Values::take_plan(std::int64_t id, sqlite3_value* value, Store& store,
-                       std::optional<std::int64_t> updated) try {
+void RowReader::read_plan(std::int64_t id, sqlite3_value* value, Store& store,
+                          std::optional<std::int64_t> updated) try {
   const FloatEnvironment environment;
   std::optional<Plan> written = plans_.written(value);
   if (!written) return;
@@ -86,12 +86,12 @@ void Values::take_plan(std::int64_t id, sqlite3_value* value, Store& store,
   throw Refusal(SQLITE_CONSTRAINT, table_ + ".plan of row " + std::to_string(id) + ": " + error.what());
 }
 
-bool Values::is_of_before(int place, double number) const {
+bool RowReader::is_of_before(int place, double number) const {
   const auto at = static_cast<std::size_t>(place);
   return (!before_.empty() && before_[at] == number) || (!at_start_.empty() && at_start_[at] == number);
 }
 
-double Values::number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const {
+double RowReader::number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const {
   const auto place = static_cast<std::size_t>(column.place);
   const bool is_unchanged = !before_.empty() && sqlite3_value_nochange(value);
   if (leg_.empty()) return is_unchanged ? before_[place] : stored(column, id, value);
@@ -102,7 +102,7 @@ double Values::number_of_leg(const Column& column, std::int64_t id, sqlite3_valu
   return leg_[place];
 }
 
-void Values::check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store& store) const {
+void RowReader::check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store& store) const {
   const FloatEnvironment environment;
   std::optional<Flight> shows, showed;
   for (const std::size_t i : degrees_) {
@@ -123,8 +123,8 @@ void Values::check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store
   }
 }
 
-void Values::refuse_beside_plan(const Column& column, std::int64_t id, sqlite3_value* value,
-                                const std::optional<double>& own) const {
+void RowReader::refuse_beside_plan(const Column& column, std::int64_t id, sqlite3_value* value,
+                                   const std::optional<double>& own) const {
   refuse(
       column.name, id, shown(value),
       "its plan starts " +
@@ -133,7 +133,7 @@ void Values::refuse_beside_plan(const Column& column, std::int64_t id, sqlite3_v
 }
 
 /// A heading that follows the course is not built yet: NULL stays free for it.
-void Values::require_heading_beside_plan(std::int64_t id, sqlite3_value** motion) const {
+void RowReader::require_heading_beside_plan(std::int64_t id, sqlite3_value** motion) const {
   if (!layout_.has_heading || record_[static_cast<std::size_t>(at_.outline)] == 0) return;
   for (std::size_t i = 0; i < columns_.size(); ++i)
     if (columns_[i].quantity == Quantity::heading && is_null_or_empty(motion[i]))

@@ -69,7 +69,8 @@ void FormValues::fill(std::span<double> record, sqlite3_value* shape, std::span<
                 ", or leave the row out");
   } else if (!is_null_or_empty(shape)) {
     const StoredForms::Known known = form_of(shape, store);
-    number = static_cast<double>(known.number), form = known.form;
+    number = static_cast<double>(known.number);
+    form = known.form;
   }
   if (!form) return;
   const Extents<3> around = form->extents(heading_of(record));
@@ -122,7 +123,7 @@ const char* rule_for_infinity(Quantity quantity) {
 
 }  // namespace
 
-Values::Values(const Declaration& declaration, const std::string& table, Interrupt& interrupt)
+RowReader::RowReader(const Declaration& declaration, const std::string& table, Interrupt& interrupt)
     : table_(table),
       layout_(declaration.layout),
       at_(record_offsets(layout_)),
@@ -141,9 +142,8 @@ Values::Values(const Declaration& declaration, const std::string& table, Interru
   record_.assign(static_cast<std::size_t>(at_.size), 0.0);
 }
 
-std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion, Store& store,
-                                       std::optional<std::int64_t> updated,
-                                       std::span<const double> at_start) {
+NewRecord RowReader::read(std::int64_t id, sqlite3_value** motion, Store& store,
+                          std::optional<std::int64_t> updated, std::span<const double> at_start) {
   if (layout_.has_plan) start_planned_row(id, motion, store, updated, at_start);
   sqlite3_value* shape = nullptr;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -167,11 +167,11 @@ std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion, 
   if (layout_.law == Law::forced) require_finite_acceleration(id);
   if (shape) fill_form(id, shape, store, updated);
   if (!leg_.empty()) require_heading_beside_plan(id, motion);
-  return record_;
+  return {record_, new_plan_ ? &*new_plan_ : nullptr, new_origin_};
 }
 
-void Values::fill_form(std::int64_t id, sqlite3_value* shape, Store& store,
-                       std::optional<std::int64_t> updated) try {
+void RowReader::fill_form(std::int64_t id, sqlite3_value* shape, Store& store,
+                          std::optional<std::int64_t> updated) try {
   std::vector<double> before;
   if (updated && (sqlite3_value_nochange(shape) || forms_.has_zones()))
     before = store.read(*updated).value_or(before);
@@ -183,7 +183,7 @@ void Values::fill_form(std::int64_t id, sqlite3_value* shape, Store& store,
                 table_ + "." + forms_.column() + " of row " + std::to_string(id) + ": " + error.what());
 }
 
-double Values::stored(const Column& column, std::int64_t id, sqlite3_value* value) const {
+double RowReader::stored(const Column& column, std::int64_t id, sqlite3_value* value) const {
   const Quantity quantity = column.quantity;
   const int type = type_as_number(value);
   if (type == SQLITE_FLOAT && column.takes_any_number) {
@@ -228,7 +228,7 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
 }
 
 /// The bits of a category or a mask; NULL and '' are the default.
-double Values::stored_kind(const Column& column, std::int64_t id, sqlite3_value* value) const {
+double RowReader::stored_kind(const Column& column, std::int64_t id, sqlite3_value* value) const {
   const int type = type_as_number(value);
   if (type == SQLITE_NULL) return column.quantity == Quantity::category ? Kinds{}.category : Kinds{}.mask;
   const double number = sqlite3_value_double(value);
@@ -238,7 +238,7 @@ double Values::stored_kind(const Column& column, std::int64_t id, sqlite3_value*
   return static_cast<std::uint32_t>(number);  // and so never -0
 }
 
-void Values::require_motion_to_last(std::int64_t id) const {
+void RowReader::require_motion_to_last(std::int64_t id) const {
   const double t = value_or(record_.data(), at_.t, 0);
   const double until = record_[static_cast<std::size_t>(at_.until)];
   if (until < t)
@@ -246,7 +246,7 @@ void Values::require_motion_to_last(std::int64_t id) const {
            "before the reference time " + shown(t) + "; write " + shown(t) + " or more, or NULL for no end");
 }
 
-void Values::require_finite_acceleration(std::int64_t id) const {
+void RowReader::require_finite_acceleration(std::int64_t id) const {
   const FloatEnvironment environment;
   const double mass = record_[static_cast<std::size_t>(at_.mass)];
   for (int axis = 0; axis < layout_.axes; ++axis) {
@@ -257,13 +257,13 @@ void Values::require_finite_acceleration(std::int64_t id) const {
   }
 }
 
-void Values::refuse(const std::string& column, std::int64_t id, const std::string& value,
-                    const std::string& rule) const {
+void RowReader::refuse(const std::string& column, std::int64_t id, const std::string& value,
+                       const std::string& rule) const {
   throw Refusal(SQLITE_CONSTRAINT,
                 table_ + "." + column + " of row " + std::to_string(id) + " is " + value + ": " + rule);
 }
 
-std::optional<std::int64_t> Values::id(sqlite3_value* value, std::optional<std::int64_t> updated) const {
+std::optional<std::int64_t> RowReader::id(sqlite3_value* value, std::optional<std::int64_t> updated) const {
   switch (type_as_number(value)) {
     case SQLITE_NULL:
       return std::nullopt;

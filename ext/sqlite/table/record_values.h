@@ -1,7 +1,8 @@
 // Conversion of SQL values into an object's record, with validation of every column.
 //
-//   Values values(declaration, "ships", interrupt);
-//   store.insert(id, values.record(id, argv + 3, store), auxiliaries);
+//   RowReader reader(declaration, "ships", interrupt);
+//   const NewRecord row = reader.read(id, argv + 3, store);
+//   store.insert(id, row.record, auxiliaries, row.origin, row.plan);
 //
 // The rules (docs/reference/moving_objects.md#values): integers and wholly numeric text convert, and '' is NULL. A NULL
 // velocity, acceleration, extent or heading is 0, a NULL shape means no shape, a NULL until means no end. A
@@ -59,26 +60,26 @@ class FormValues {
   Interrupt& interrupt_;
 };
 
-/// The columns of one table: their values become the record of a row, as the start of this file shows.
-class Values {
+/// What the values of a row become.
+struct NewRecord {
+  std::span<const double> record;
+  const Plan* plan;  ///< for the store to keep; null: the row has none, or an UPDATE leaves it alone
+  std::optional<LatLon> origin;  ///< chosen by the first position of a table that has none yet
+};
+
+/// The columns of one table: reads their values as the record of a row, as the start of this file shows.
+class RowReader {
  public:
-  /// `interrupt` must outlive the values.
-  Values(const Declaration& declaration, const std::string& table, Interrupt& interrupt);
+  /// `interrupt` must outlive the reader.
+  RowReader(const Declaration& declaration, const std::string& table, Interrupt& interrupt);
 
   void rename(const std::string& table) { table_ = table; }
 
   /// `motion`: one value per declared motion column, in declared order. `updated`: the row that an UPDATE
   /// changes. `at_start`: its record when the statement started, if it is known. Adds new outlines and meshes to the
   /// store; objects stay unchanged. The result is valid until the next call.
-  std::span<const double> record(std::int64_t id, sqlite3_value** motion, Store& store,
-                                 std::optional<std::int64_t> updated = {},
-                                 std::span<const double> at_start = {});
-
-  /// The plan that the store keeps for the last record(); null: the row has none, or an UPDATE leaves it alone.
-  const Plan* new_plan() const { return new_plan_ ? &*new_plan_ : nullptr; }
-
-  /// The origin that the last record() needs: of the first position of a table that has none yet.
-  const std::optional<LatLon>& new_origin() const { return new_origin_; }
+  NewRecord read(std::int64_t id, sqlite3_value** motion, Store& store,
+                 std::optional<std::int64_t> updated = {}, std::span<const double> at_start = {});
 
   /// The id in this value; nothing for NULL and ''. `updated`: the row that an UPDATE changes. Throws Refusal
   /// (SQLITE_MISMATCH) for a value that is not an integer.
@@ -117,7 +118,7 @@ class Values {
   void start_planned_row(std::int64_t id, sqlite3_value** motion, Store& store,
                          std::optional<std::int64_t> updated, std::span<const double> at_start);
   void keep_plan();
-  void take_plan(std::int64_t id, sqlite3_value* value, Store& store, std::optional<std::int64_t> updated);
+  void read_plan(std::int64_t id, sqlite3_value* value, Store& store, std::optional<std::int64_t> updated);
   bool is_of_before(int place, double number) const;
   double number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const;
   void check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store& store) const;

@@ -15,7 +15,8 @@ namespace foresee {
 
 namespace {
 
-/// The arguments of an xUpdate call that inserts or updates a row, by name.
+/// The arguments of an xUpdate call that inserts or updates a row, by name. SQLite passes the old id, the new rowid,
+/// then the columns as declared: id, motion, auxiliary, command, hidden. This only points at them.
 struct NewRow {
   NewRow(const MovingObjectsTable& table, sqlite3_value** arguments)
       : rowid(arguments[1]),
@@ -89,10 +90,10 @@ std::span<const double> record_at_start(const MovingObjectsTable& table, std::in
 }
 
 /// The first position of a table may choose an origin that is not that of a table it is watched with.
-void require_frame_of_watches(MovingObjectsTable& table) {
-  if (!table.values.new_origin()) return;
+void require_frame_of_watches(MovingObjectsTable& table, const std::optional<LatLon>& origin) {
+  if (!origin) return;
   Frame frame = table.declaration().frame;
-  frame.origin = table.values.new_origin();
+  frame.origin = origin;
   if (WatchUpkeep* watches = table.connection->watches()) watches->require_frame(table.opened(), frame);
 }
 
@@ -102,18 +103,18 @@ std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
     return 0;
   }
   // `INSERT INTO ships(rowid, ...)` sets the id by its alias.
-  std::optional<std::int64_t> id = table.values.id(row.id);
-  if (!id) id = table.values.id(row.rowid);
+  std::optional<std::int64_t> id = table.reader.id(row.id);
+  if (!id) id = table.reader.id(row.rowid);
   const bool assigned = !id;
   require_unwritten(table, row, {});
   if (assigned) id = table.store().find_next_id();
-  const std::span<const double> record = table.values.record(*id, row.motion, table.store());
+  const NewRecord made = table.reader.read(*id, row.motion, table.store());
   if (!assigned && table.store().contains(*id)) {
     require_replace(table);
-    table.store().update(*id, *id, record, row.auxiliaries, table.values.new_plan());
+    table.store().update(*id, *id, made.record, row.auxiliaries, made.plan);
   } else {
-    require_frame_of_watches(table);
-    table.store().insert(*id, record, row.auxiliaries, table.values.new_origin(), table.values.new_plan());
+    require_frame_of_watches(table, made.origin);
+    table.store().insert(*id, made.record, row.auxiliaries, made.origin, made.plan);
   }
   return *id;
 }
@@ -132,24 +133,24 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
     throw Error(table.name + "." + table.name + " takes commands by INSERT only; write INSERT INTO " +
                 table.name + "(" + table.name + ") VALUES('rebuild')");
   // Either of `SET id = ...` and `SET rowid = ...` changes the id.
-  std::optional<std::int64_t> id = table.values.id(row.id, old_id);
-  if (id == old_id) id = table.values.id(row.rowid, old_id);
+  std::optional<std::int64_t> id = table.reader.id(row.id, old_id);
+  if (id == old_id) id = table.reader.id(row.rowid, old_id);
   if (!id)
     throw Refusal(SQLITE_MISMATCH, table.name + ".id of row " + std::to_string(old_id) +
                                        " would become NULL: every object has an id; write an INTEGER");
   require_own_row(table, old_id);
   require_unwritten(table, row, old_id);
-  const std::span<const double> record =
-      table.values.record(*id, row.motion, table.store(), old_id, record_at_start(table, old_id));
+  const NewRecord made =
+      table.reader.read(*id, row.motion, table.store(), old_id, record_at_start(table, old_id));
   if (*id != old_id && table.store().contains(*id)) require_replace(table);
   keep_record(table, row, old_id);
-  table.store().update(old_id, *id, record, row.auxiliaries, table.values.new_plan());
+  table.store().update(old_id, *id, made.record, row.auxiliaries, made.plan);
   if (*id != old_id) table.moved_to.insert(*id);
 }
 
 }  // namespace
 
-void write_table(MovingObjectsTable& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid) {
+void write_row(MovingObjectsTable& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid) {
   for (TableCursor* cursor : table.cursors()) cursor->keep_ids();
   if (count == 1) {
     table.store().erase(sqlite3_value_int64(arguments[0]));

@@ -10,8 +10,8 @@
 
 namespace foresee {
 
-/// `count`, `arguments`: those of xUpdate. Writes the new row's id to `*rowid`.
-void write_table(MovingObjectsTable& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid);
+/// Inserts, updates or deletes one row. `count`, `arguments`: those of xUpdate. Writes the new row's id to `*rowid`.
+void write_row(MovingObjectsTable& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid);
 
 // Commands of a moving_objects table, in the style of FTS5: INSERT INTO ships(ships) VALUES('rebuild').
 //

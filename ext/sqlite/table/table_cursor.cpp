@@ -161,8 +161,10 @@ void TableCursor::result_motion(sqlite3_context* context, const MotionColumn& mo
 /// An UPDATE that does not change the column gets no value.
 void TableCursor::result_degrees(sqlite3_context* context, GeoColumn column) const {
   if (sqlite3_vtab_nochange(context)) return;
-  if (report_of_ != record())
-    report_ = shown_report(table_.store(), rowid(), record(), &statement_state_), report_of_ = record();
+  if (report_of_ != record()) {
+    report_ = shown_report(table_.store(), rowid(), record(), &statement_state_);
+    report_of_ = record();
+  }
   if (const auto number = shown_number(column, report_)) sqlite3_result_double(context, *number);
 }
 

@@ -33,7 +33,10 @@ const char* read_rings(const std::byte* blob, const Counts& counts, Outline& out
         part < counts.parts && load_number<std::uint32_t>(blob + counts.part_starts_at() + 4 * part) == ring;
     if (ring == 0 && !starts_part) return "its first ring does not start a part";
     part += starts_part;
-    starts_part ? outline.begin_part() : outline.begin_hole();
+    if (starts_part)
+      outline.begin_part();
+    else
+      outline.begin_hole();
     const auto end = load_number<std::uint32_t>(blob + form_header_size + std::size_t{4} * ring);
     if (end <= corner || end > counts.corners) return "its rings do not follow one another";
     for (; corner < end; ++corner) {

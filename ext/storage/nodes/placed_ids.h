@@ -65,8 +65,10 @@ class PlacedIds {
       Rest& first = rests.back();
       const std::int64_t id = first.front().id();
       const bool starts_block = !chunk.empty() && IdBlock::base_of(id) != IdBlock::base_of(chunk.back().id);
-      if (starts_block && chunk.size() >= chunk_size)
-        each(std::span<const IdHashMap::Entry>(chunk)), chunk.clear();
+      if (starts_block && chunk.size() >= chunk_size) {
+        each(std::span<const IdHashMap::Entry>(chunk));
+        chunk.clear();
+      }
       chunk.push_back({id, first.front().leaf});
       first = first.subspan(1);
       if (first.empty())

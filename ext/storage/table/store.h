@@ -159,6 +159,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
 
   // --- callbacks of the virtual table, named as SQLite names them
   void begin();
+  /// Writes all that waits in memory. Does nothing if nothing waits, so a COMMIT may repeat it.
   void sync();
   void commit();
   void rollback();
@@ -190,11 +191,11 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
 
   /// Called by another table of the connection, or by a trigger on a shadow table during a change.
   void write_out();
-  /// Throws SQLITE_ABORT if the store is torn, until SQLite rolls back; SQLITE_SCHEMA if the table is gone, so that
-  /// SQLite prepares the statement again.
-  void require_usable();
-  ShadowRows& shadow_rows() { return require_usable(), *shadow_rows_; }
-  TreeStore& tree() { return require_usable(), tree_; }
+  /// Returns this store. Throws SQLITE_ABORT if it is torn, until SQLite rolls back; SQLITE_SCHEMA if the table is
+  /// gone, so that SQLite prepares the statement again.
+  Store& require_usable();
+  ShadowRows& shadow_rows() { return *require_usable().shadow_rows_; }
+  TreeStore& tree() { return require_usable().tree_; }
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
   /// Empties the cache if another connection has committed meanwhile. Cost: at most one look-up.
   void revalidate_cache();
@@ -219,6 +220,8 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   void require_sound(std::span<const double> record) const;
   /// Stores a random stamp, under which the cache is valid. Costs one row.
   void write_new_stamp(bool same_contents = false);
+  /// For watches, at the first change of `id` in a transaction: logs its record, or that it does not exist. Does nothing
+  /// for later changes, nor in a table without watches.
   void log_before_change(std::int64_t id);
   [[noreturn]] void throw_missing(std::int64_t id) const;
   /// The plans of an update(); returns the record to store.

@@ -76,11 +76,12 @@ void Store::forget_nodes() {
   if (forms_) forms_->forget_all();
 }
 
-void Store::require_usable() {
+Store& Store::require_usable() {
   if (gone_)
     throw StoreError(SQLITE_SCHEMA, name_.table + ": the table is dropped; prepare the statement again");
   resolve_doubt();
   if (torn_) throw StoreError(SQLITE_ABORT, name_.table + ": a write failed half-way; roll back");
+  return *this;
 }
 
 void Store::damaged(const std::string& what) const {
@@ -111,7 +112,6 @@ void Store::begin() {
   version_.begin();
 }
 
-// Several watches may call this in one COMMIT.
 void Store::sync() {
   if (gone_) return;
   require_usable();

@@ -86,8 +86,10 @@ void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
       add_run(interrupt);  // of a large load: the commit packs everything once
     } else if (stored > 0 && !many && !packs_runs) {
       with_pending([&](auto ids, auto records) {  // a few objects: the common case
-        pending_updates_.get() ? tree_->merge(ids, records, interrupt)
-                               : tree_->merge_new(ids, records, interrupt);
+        if (pending_updates_.get())
+          tree_->merge(ids, records, interrupt);
+        else
+          tree_->merge_new(ids, records, interrupt);
       });
     } else {  // the whole tree is built
       const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
