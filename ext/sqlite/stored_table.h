@@ -2,7 +2,7 @@
 //
 //   const OpenTables tables{open_table(connection, ships), open_table(connection, ferries)};
 //   const JoinedTables sources = sources_of(connection, tables);
-//   Settlement(sources, state, rows, resources_of(connection)).settle();
+//   PairUpdate(sources, state, rows, resources_of(connection)).run();
 //
 // Cost: as TableSource says; the scene of all objects is cached for one version of the contents.
 #pragma once

@@ -15,7 +15,7 @@ class WatchUpkeep {
 
   /// Applies the table's changes to each of its watches. Called before COMMIT, when its rows hold the
   /// changes.
-  virtual void settle_table(const OpenTable& table) = 0;
+  virtual void update_watches_of(const OpenTable& table) = 0;
   /// Makes the watches of a renamed table use its new name.
   virtual void rename_table(const OpenTable& table, const std::string& old_name) = 0;
   /// Throws StoreError (SQLITE_LOCKED) if a watch needs the table, which is about to be dropped.

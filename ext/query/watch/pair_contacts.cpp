@@ -47,7 +47,7 @@ Pair legs_together(const Movers& a, const Movers& b, const Pair& movers, double 
   return first;
 }
 
-/// The same as ContactStage for movers: the first contact of each pair.
+/// Appends the first contact of each pair of movers, as ContactStage does for objects without plans.
 void append_mover_contacts(const JoinQuestion& question, std::span<const Pair> pairs, Interrupt& interrupt,
                            std::vector<JoinRow>& rows) {
   const Movers a(question.a), b(question.b ? question.b : question.a);
@@ -75,7 +75,10 @@ void append_contacts(const JoinedTables& tables, JoinQuestion question, std::spa
                      Interrupt& interrupt, std::vector<JoinRow>& rows) {
   std::vector<std::int64_t> a, b;
   const bool one_scene = tables.is_within_one();
-  for (const PairIds& pair : pairs) a.push_back(pair.a), (one_scene ? a : b).push_back(pair.b);
+  for (const PairIds& pair : pairs) {
+    a.push_back(pair.a);
+    (one_scene ? a : b).push_back(pair.b);
+  }
   const LegTimes times = leg_times_of({question.now, question.h});
   question.a = tables.a->objects(sorted_ids(std::move(a)), times);
   if (tables.b) question.b = one_scene ? question.a : tables.b->objects(sorted_ids(std::move(b)), times);

@@ -22,7 +22,7 @@ namespace foresee {
 /// approach.
 JoinQuestion question_of(const JoinedTables& tables, const WatchDeclaration& declaration,
                          const Horizon& horizon);
-/// The same query with the scenes of all objects but inert ones (pair_kinds.h).
+/// question_of() with the scenes of all objects but inert ones (pair_kinds.h).
 JoinQuestion question_of_all(const JoinedTables& tables, const WatchDeclaration& declaration,
                              const Horizon& horizon, const JoinResources& resources);
 

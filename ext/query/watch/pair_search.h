@@ -2,7 +2,7 @@
 //
 //   const ChangedSides changed = changes_since(tables, state);
 //   PairSearch search(tables, question_of(tables, state, {clock, h}), resources);
-//   search.pairs_of(Side::a, changed.a.ids, [&](const JoinRow& row) { … });
+//   search.find_pairs_of(Side::a, changed.a.ids, [&](const JoinRow& row) { … });
 //
 // Guarantee: reports every pair of these objects that is in contact within the horizon, once for each of its
 // changed objects. No object is paired with itself; for pairs within a table the smaller id is first. Cost: a probe
@@ -34,18 +34,19 @@ bool is_majority(const ChangedObjects& changed, const TableSource& table);
 
 class PairSearch {
  public:
-  using Take = std::function<void(const JoinRow&)>;
+  using UseRow = std::function<void(const JoinRow&)>;
 
   /// `question`: from question_of(), with `wants` as needed. All arguments must outlive the search.
   PairSearch(const JoinedTables& tables, JoinQuestion question, const JoinResources& resources);
 
-  /// The pairs with one of these objects on this side; within one table, on either side.
-  void pairs_of(Side side, std::span<const std::int64_t> ids, const Take& take);
+  /// Calls use() for the pairs with one of these objects on this side; within one table, on either side.
+  void find_pairs_of(Side side, std::span<const std::int64_t> ids, const UseRow& use);
 
  private:
-  void probe(Side side, std::int64_t id, const SearchTarget& others, const Take& take);
-  void join(Side side, std::span<const std::int64_t> ids, const Take& take);
-  void pass_on(std::span<const JoinRow> found, const Take& take) const;
+  void probe(Side side, std::int64_t id, const SearchTarget& others, const UseRow& use);
+  void join(Side side, std::span<const std::int64_t> ids, const UseRow& use);
+  /// Calls use() for these rows, as the guarantee has them: no object with itself, the smaller id first.
+  void pass_on(std::span<const JoinRow> found, const UseRow& use) const;
   LegTimes times() const { return leg_times_of({question_.now, question_.h}); }
   TableSource& table(Side side) const { return side == Side::b ? tables_.last() : *tables_.a; }
 

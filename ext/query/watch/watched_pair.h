@@ -6,7 +6,7 @@
 //
 // A pair's time is the start of its first contact that ends at or after the clock. A time at or before the
 // clock means that the pair touches, whichever time it is: shown is the later of the two. So the passage of
-// time changes no row. A pair whose contact starts beyond the horizon is stored but not reported: it waits.
+// time changes no row. A pair whose contact starts beyond the horizon is not reported yet: it waits.
 //
 // `due` says when the pair has to be computed again. For a pair that waits it is a time not after the start of the
 // contact: the pair is computed once the horizon reaches it. Else it is a time not after the end of the contact, for
@@ -23,14 +23,17 @@ namespace foresee {
 /// The end of the contact lies beyond all that was computed: only a longer horizon finds it.
 inline constexpr double never_due = std::numeric_limits<double>::infinity();
 
-enum class PairState : std::uint8_t { waiting, held };
+/// A watch shows its reported pairs. A waiting one starts beyond the horizon: it is stored, but not shown.
+enum class PairState : std::uint8_t { waiting, reported };
 
 struct WatchedPair {
   std::int64_t a = 0, b = 0;
   double t = 0;
   double due = 0;
-  double told = 0;    ///< the reported time, within the tolerance
-  bool held = false;  ///< else it waits
+  double reported_t = 0;  ///< of a reported pair: the time that was logged, within the tolerance of `t`
+  PairState state = PairState::waiting;
+
+  bool is_reported() const { return state == PairState::reported; }
 };
 
 struct WatchClock {

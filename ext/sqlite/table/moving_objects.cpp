@@ -146,7 +146,7 @@ int table_sync(sqlite3_vtab* base) noexcept {
   if (!table.has_store() || table.store().is_gone()) return SQLITE_OK;
   return guarded(&base->zErrMsg, [&] {
     table.store().sync();
-    if (WatchUpkeep* watches = table.connection->watches()) watches->settle_table(table.opened());
+    if (WatchUpkeep* watches = table.connection->watches()) watches->update_watches_of(table.opened());
   });
 }
 

@@ -67,7 +67,7 @@ bool PairKeys::holds(Statement& keys, const std::vector<WatchedPair>& pairs, boo
     if (!with_due) continue;
     const bool is_due = sqlite3_value_type(run.value(2)) != SQLITE_NULL;
     const double due = is_due ? sqlite3_value_double(run.value(2)) : never_due;
-    if (due != pair->due || run.integer(3) != pair->held) return false;
+    if (due != pair->due || run.integer(3) != static_cast<std::int64_t>(pair->state)) return false;
   }
   return pair == pairs.end();
 }
@@ -80,7 +80,7 @@ bool PairKeys::agree(std::vector<WatchedPair> pairs) {
   if (!holds(all_back_, pairs, false)) return false;
   if (in_tables_) std::erase_if(pairs, [](const WatchedPair& pair) { return pair.due == never_due; });
   sort_by([](const WatchedPair& pair) {  // NULL, never due, comes first
-    return std::tuple(pair.held, pair.due != never_due, pair.due, pair.a, pair.b);
+    return std::tuple(pair.state, pair.due != never_due, pair.due, pair.a, pair.b);
   });
   return holds(all_due_, pairs, true);
 }
@@ -88,7 +88,7 @@ bool PairKeys::agree(std::vector<WatchedPair> pairs) {
 // --- writing
 
 void PairKeys::note_due(const WatchedPair& pair, bool adds) {
-  if (pair.due != never_due) due_waits_.push_back({pair.held, pair.due, pair.a, pair.b, adds});
+  if (pair.due != never_due) due_waits_.push_back({pair.state, pair.due, pair.a, pair.b, adds});
 }
 
 void PairKeys::add(const WatchedPair& pair) {
@@ -104,7 +104,7 @@ void PairKeys::erase(const WatchedPair& pair) {
 }
 
 void PairKeys::change(const WatchedPair& before, const WatchedPair& after) {
-  if (!in_tables_ || (before.held == after.held && before.due == after.due)) return;
+  if (!in_tables_ || (before.state == after.state && before.due == after.due)) return;
   note_due(before, false);
   note_due(after, true);
 }
@@ -117,8 +117,8 @@ void PairKeys::erase_all() {
 }
 
 void PairKeys::write() {
-  // They are not tried again: a settlement that fails rolls back, or its watch
-  // is marked as damaged.
+  // Emptied first: after an error they must not be written again. The transaction is rolled back then, or the watch is
+  // marked as damaged.
   std::vector<BackKey> back = std::exchange(back_waits_, {});
   std::vector<DueKey> due = std::exchange(due_waits_, {});
   std::sort(back.begin(), back.end());
@@ -131,7 +131,10 @@ void PairKeys::write() {
   }
   for (const DueKey& key : due) {
     Statement::Run run(key.adds ? add_due_ : erase_due_);
-    run.bind(1, std::int64_t{key.held}), run.bind(2, key.due), run.bind(3, key.a), run.bind(4, key.b);
+    run.bind(1, static_cast<std::int64_t>(key.state));
+    run.bind(2, key.due);
+    run.bind(3, key.a);
+    run.bind(4, key.b);
     run.step();
   }
 }

@@ -4,7 +4,7 @@
 //   <name>_due(state, due, a, b, PRIMARY KEY(state, due, a, b)) WITHOUT ROWID    without pairs that are never due
 //
 //   keys.add(pair);  keys.erase(other);                // waits
-//   keys.write();                                      // in key order, once per settlement
+//   keys.write();                                      // in key order, once per update
 //
 // SQLite writes an index row by row, in the order of the table. A commit of many pairs then touches its pages at
 // random, and each may be read and written many times. A watch of format 1 or 2 has such indexes; this class only
@@ -45,8 +45,11 @@ class PairKeys {
   void erase_all();
   /// Writes what waits. Throws StoreError SQLITE_CONSTRAINT for a key that is there already.
   void write();
-  /// Forgets what waits, of a settlement that failed.
-  void forget() { back_waits_.clear(), due_waits_.clear(); }
+  /// Forgets what waits, of an update that failed.
+  void forget() {
+    back_waits_.clear();
+    due_waits_.clear();
+  }
 
  private:
   struct BackKey {
@@ -55,7 +58,7 @@ class PairKeys {
     auto operator<=>(const BackKey&) const = default;
   };
   struct DueKey {
-    bool held;
+    PairState state;
     double due;
     std::int64_t a, b;
     bool adds;

@@ -105,13 +105,13 @@ QualifiedName find_watch(sqlite3* db, const std::string& name, const std::option
               "; write a name of SELECT name FROM predictive_watches" + list);
 }
 
-/// The held pairs, all with the current position of the watch. Their times are those of the log and not
+/// The reported pairs, all with the current position of the watch. Their times are those of the log and not
 /// clipped to the clock, so that every reader sees the same times after the clock goes back.
 std::vector<LoggedChange> whole_watch(WatchRows& rows, const WatchState& state) {
   std::vector<LoggedChange> all;
   const double now = state.clock.value_or(0);
   for (const WatchedPair& pair : rows.pairs())
-    if (pair.held) all.push_back({state.seq, '+', pair.a, pair.b, pair.told, now});
+    if (pair.is_reported()) all.push_back({state.seq, '+', pair.a, pair.b, pair.reported_t, now});
   return all;
 }
 

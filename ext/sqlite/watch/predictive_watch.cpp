@@ -1,6 +1,6 @@
 // The virtual table predictive_watch: SQLite's callbacks. Each one delegates its work to another file:
 //
-//   CREATE  declare_watch.h     read  WatchCursor     commands  watch_commands.cpp     COMMIT  settlement.h
+//   CREATE  declare_watch.h     read  WatchCursor     commands  watch_commands.cpp     COMMIT  pair_update.h
 #include <utility>
 
 #include "query/watch/pair_contacts.h"
@@ -61,7 +61,7 @@ int watch_create(sqlite3* db, void* aux, int argc, const char* const* argv, sqli
     watch->watches().forget(watch->name);
     watch->rows()->write_declaration(declaration);
     watch->watches().add_to_tables(watch->name, declaration);
-    settle_watch(connection, *watch->rows(), Settlement::Log::nothing);
+    watch->watches().update(watch->name, PairUpdate::Log::nothing);
     *table = watch.release();
     return SQLITE_OK;
   });
@@ -189,8 +189,9 @@ int watch_begin(sqlite3_vtab*) noexcept {
 int watch_sync(sqlite3_vtab* base) noexcept {
   return guarded(&base->zErrMsg, [&] {
     WatchTable& table = table_of(base);
-    table.watches().settle(table.name);
-    for (const std::string& name : table.old_names) table.watches().settle({table.name.schema, name});
+    table.watches().update_if_sound(table.name);
+    for (const std::string& name : table.old_names)
+      table.watches().update_if_sound({table.name.schema, name});
   });
 }
 
@@ -200,14 +201,15 @@ int watch_rename(sqlite3_vtab* base, const char* new_name) noexcept {
     Connection& connection = *table.connection;
     const WatchState state = table.rows()->read_state();
     const bool has_key_tables = table.rows()->has_key_tables();
-    const bool settled = is_settled(connection, state, watched_tables(connection, table.name.schema, state));
+    const bool was_up_to_date =
+        is_up_to_date(connection, state, watched_tables(connection, table.name.schema, state));
     parse_watch(new_name, {"ships", "horizon = 0"});  // throws for a name that a watch cannot have
     table.watches().remove_from_tables(table.name, state);
     table.watches().forget(table.name);
     WatchRows::tables(connection.db(), table.name, has_key_tables).rename(new_name);
     table.old_names.push_back(std::exchange(table.name.table, new_name));
     table.watches().add_to_tables(table.name, state);
-    if (!settled) return;
+    if (!was_up_to_date) return;
     WatchState moved = state;
     const OpenTables tables = watched_tables(connection, table.name.schema, state);
     moved.stamp = tables.a.store->stamp_if_written();

@@ -35,15 +35,15 @@ struct ListedWatch {
 
 /// Whether the next commit must recompute the watch. Changes of an open transaction are not a reason.
 bool is_lost(Connection& connection, const WatchState& state, const OpenTables& tables) {
-  if (is_settled(connection, state, tables)) return false;
+  if (is_up_to_date(connection, state, tables)) return false;
   const JoinedTables sources = sources_of(connection, tables);
   const ChangedSides changed = changes_since(sources, state);
-  if (state.anew || !changed.a.are_known || !changed.b.are_known) return true;
+  if (state.must_rebuild || !changed.a.are_known || !changed.b.are_known) return true;
   // Objects without a clock: it is lost, unless this transaction has added them.
   return changed.a.ids.empty() && changed.b.ids.empty() && !state.clock && any_object(sources);
 }
 
-/// Throws Error if the table's _meta does not list the watch. A table settles only the watches of that list.
+/// Throws Error if the table's _meta does not list the watch. A table updates only the watches of that list.
 void require_listed(const OpenTable& table, const std::string& watch) {
   const std::vector<std::string>& listed = table.store->watch_names();
   if (std::any_of(listed.begin(), listed.end(), [&](const auto& name) { return same_name(name, watch); }))
@@ -58,8 +58,10 @@ ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool c
     const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(name);
     watch.state = rows->read_state();
     watch.oldest = rows->readable_after().value_or(watch.state.seq);
-    if (counts)
-      watch.pairs = rows->count_pairs(PairState::held), watch.waiting = rows->count_pairs(PairState::waiting);
+    if (counts) {
+      watch.pairs = rows->count_pairs(PairState::reported);
+      watch.waiting = rows->count_pairs(PairState::waiting);
+    }
     const OpenTables tables = watched_tables(connection, name.schema, watch.state);
     require_listed(tables.a, name.table);
     if (tables.b) require_listed(*tables.b, name.table);
@@ -125,7 +127,7 @@ class WatchList final : public FunctionRows {
       case out_waiting:
         return sqlite3_result_int64(context, watch.waiting);
       default:
-        return sqlite3_result_int64(context, state.early);
+        return sqlite3_result_int64(context, state.early_reports);
     }
   }
 

@@ -38,7 +38,7 @@ std::string name_of(const ShownPair& pair) {
 
 }  // namespace
 
-// A watch that is not settled is read by the join, so only its keys can be wrong.
+// A watch that is not up to date is read by the join, so only its keys can be wrong.
 std::string watch_fault(WatchTable& table) {
   Connection& connection = *table.connection;
   const std::shared_ptr<WatchRows> rows = table.rows();
@@ -49,15 +49,16 @@ std::string watch_fault(WatchTable& table) {
                ? name + "_back and " + name + "_due do not hold the keys of " + name + "_pair"
                : "the indexes of " + name + "_pair do not hold its rows";
   const OpenTables tables = watched_tables(connection, table.name.schema, state);
-  if (!is_settled(connection, state, tables)) return "";
-  std::vector<ShownPair> held;
+  if (!is_up_to_date(connection, state, tables)) return "";
+  std::vector<ShownPair> shown_pairs;
   for (const WatchedPair& pair : rows->pairs())
-    if (pair.held) held.push_back({pair.a, pair.b, std::max(pair.t, state.now())});
-  std::sort(held.begin(), held.end());
+    if (pair.is_reported()) shown_pairs.push_back({pair.a, pair.b, std::max(pair.t, state.now())});
+  std::sort(shown_pairs.begin(), shown_pairs.end());
   const std::vector<ShownPair> joined = joined_pairs(connection, tables, state);
-  const auto [stored, expected] = std::mismatch(held.begin(), held.end(), joined.begin(), joined.end());
-  if (stored == held.end() && expected == joined.end()) return "";
-  if (expected == joined.end() || (stored != held.end() && *stored < *expected))
+  const auto [stored, expected] =
+      std::mismatch(shown_pairs.begin(), shown_pairs.end(), joined.begin(), joined.end());
+  if (stored == shown_pairs.end() && expected == joined.end()) return "";
+  if (expected == joined.end() || (stored != shown_pairs.end() && *stored < *expected))
     return name_of(*stored) + " is stored, but predictive_join does not return it with this time";
   return name_of(*expected) + " is a row of predictive_join, but is not stored with this time";
 }
@@ -70,11 +71,11 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
     const double time = time_of(table, now);
     const std::shared_ptr<WatchRows> rows = table.rows();
     rows->read_state();  // throws for a damaged watch
-    rows->write_asked(time);
+    rows->write_requested_clock(time);
   } else if (word == "rebuild") {
     const std::shared_ptr<WatchRows> rows = table.rows();
     rows->read_state();  // throws for a damaged watch
-    rows->write_anew(true);
+    rows->write_must_rebuild(true);
   } else if (word == "integrity-check") {
     const std::string fault = watch_fault(table);
     if (!fault.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, name + ": " + fault);

@@ -28,11 +28,11 @@ void result_key(sqlite3_context* context, const JoinRow& row) {
 
 }  // namespace
 
-bool is_settled(Connection& connection, const WatchState& state, const OpenTables& tables) {
+bool is_up_to_date(Connection& connection, const WatchState& state, const OpenTables& tables) {
   const auto holds = [](const OpenTable& table, const std::optional<std::int64_t>& stamp) {
     return stamp && table.store->stamp_if_written() == stamp;
   };
-  return !state.anew && !state.asked && holds(tables.a, state.stamp) &&
+  return !state.must_rebuild && !state.requested_clock && holds(tables.a, state.stamp) &&
          (!tables.b || holds(*tables.b, state.other_stamp)) &&
          (state.clock || !any_object(sources_of(connection, tables)));
 }
@@ -56,7 +56,7 @@ void WatchCursor::filter(int plan, sqlite3_value** arguments) {
   const WatchState state = rows->read_state();
   const OpenTables tables = watched_tables(connection, table_.name.schema, state);
   now_ = state.now();
-  if (is_settled(connection, state, tables)) {
+  if (is_up_to_date(connection, state, tables)) {
     give(kept_pairs(*rows, {}), state, tables);
   } else if (!read_changed(*rows, state, tables)) {
     rows->pair(0, 0);  // throws if the table of pairs is missing
@@ -67,12 +67,13 @@ void WatchCursor::filter(int plan, sqlite3_value** arguments) {
 /// The stored pairs, without those of changed objects.
 std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSides& changed) const {
   const auto id_of = [](const auto& id) { return id ? std::span(&*id, 1) : std::span<const std::int64_t>(); };
-  const auto pairs = only_a_   ? rows.pairs_of(id_of(only_a_), {})
-                     : only_b_ ? rows.pairs_of({}, id_of(only_b_))
+  const auto pairs = only_a_   ? rows.stored_pairs_of(id_of(only_a_), {})
+                     : only_b_ ? rows.stored_pairs_of({}, id_of(only_b_))
                                : rows.pairs();
   std::vector<ShownPair> kept;
   for (const WatchedPair& pair : pairs)
-    if (pair.held && (!only_b_ || pair.b == *only_b_) && !changed.a.holds(pair.a) && !changed.b.holds(pair.b))
+    if (pair.is_reported() && (!only_b_ || pair.b == *only_b_) && !changed.a.holds(pair.a) &&
+        !changed.b.holds(pair.b))
       kept.push_back({pair.a, pair.b, std::max(pair.t, now_)});
   return kept;
 }
@@ -80,7 +81,7 @@ std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSid
 /// Reads within an open transaction: the stored pairs of unchanged objects, and the current pairs of changed
 /// ones. False if the join is cheaper, or if the changes are unknown.
 bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const OpenTables& tables) {
-  if (state.anew || state.asked || !state.clock) return false;
+  if (state.must_rebuild || state.requested_clock || !state.clock) return false;
   const JoinedTables sources = sources_of(*table_.connection, tables);
   const ChangedSides changed = changes_since(sources, state);
   if (!changed.a.are_known || !changed.b.are_known || is_majority(changed.a, *sources.a)) return false;
@@ -93,13 +94,13 @@ bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const O
   question.wants.ends = false;
   const JoinResources resources = resources_of(*table_.connection);
   PairSearch search(sources, std::move(question), resources);
-  const auto take = [&](const JoinRow& row) { pairs.push_back({row.a, row.b, row.contact.t}); };
+  const auto add = [&](const JoinRow& row) { pairs.push_back({row.a, row.b, row.contact.t}); };
   if (of_one) {
     const std::int64_t id = only_a_ ? *only_a_ : *only_b_;
-    search.pairs_of(only_a_ || !tables.b ? Side::a : Side::b, std::span(&id, 1), take);
+    search.find_pairs_of(only_a_ || !tables.b ? Side::a : Side::b, std::span(&id, 1), add);
   } else {
-    search.pairs_of(Side::a, changed.a.ids, take);
-    if (tables.b) search.pairs_of(Side::b, changed.b.ids, take);
+    search.find_pairs_of(Side::a, changed.a.ids, add);
+    if (tables.b) search.find_pairs_of(Side::b, changed.b.ids, add);
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

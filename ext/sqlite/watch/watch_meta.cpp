@@ -59,7 +59,10 @@ class MetaValues {
     if (value.type != SQLITE_INTEGER || value.integer < min || value.integer > max) refuse(key);
     return value.integer;
   }
-  std::optional<double> declared_number(const char* key) const { return declared(key), number(key, 0); }
+  std::optional<double> declared_number(const char* key) const {
+    declared(key);
+    return number(key, 0);
+  }
   double required_number(const char* key) const {
     if (const auto found = number(key, 0)) return *found;
     refuse(key);
@@ -82,6 +85,7 @@ class MetaValues {
     const auto at = values_.find(key);
     return at == values_.end() ? null : at->second;
   }
+  /// Throws if the key is missing.
   const MetaValue& declared(const char* key) const {
     if (!has(key)) refuse(key);
     return found(key);
@@ -112,30 +116,33 @@ void read_declaration(const MetaValues& values, WatchDeclaration& declared) {
   if (const auto tbl = values.text("tbl")) declared.tbl = *tbl;
   if (declared.tbl.empty()) values.refuse("tbl");
   declared.other = values.text("other");
-  declared.horizon = values.required_number("horizon"), declared.within = values.required_number("within");
+  declared.horizon = values.required_number("horizon");
+  declared.within = values.required_number("within");
   declared.within_z = values.declared_number("within_z");
   const auto clock = values.text("clock");
   if (clock != "manual" && clock != "newest") values.refuse("clock");
   declared.manual = clock == "manual";
-  declared.tolerance = values.required_number("tolerance"), declared.keep = values.required_whole("keep", 1);
+  declared.tolerance = values.required_number("tolerance");
+  declared.keep = values.required_whole("keep", 1);
   declared.ahead = values.declared_number("ahead");
   if (declared.ahead && declared.manual) values.refuse("ahead");
 }
 
-/// Checks `now` against `known_to`: a search sets it to the largest double below clock + (horizon + further).
+/// Checks `now` against `known_to`: a search sets it to the largest double below clock + (horizon + look_ahead_length).
 /// Since then the clock has advanced, at most until clock + horizon reaches it. Rounding is monotone, so the
 /// check is exact.
 template <class HasPairs>
 void require_clock_in_range(const MetaValues& values, const WatchState& state, HasPairs has_pairs) {
-  const bool was_settled = values.has("known_to");
+  const bool was_updated = values.has("known_to");
   if (state.clock) {
     const FloatEnvironment environment;
-    const double reach = state.horizon + state.further, end = std::nextafter(state.known_to, infinity);
+    const double reach = state.horizon + state.look_ahead_length,
+                 end = std::nextafter(state.known_to, infinity);
     const double known_end = *state.clock + (std::isfinite(reach) ? reach : state.horizon);
-    if (!was_settled) values.refuse("known_to");
-    if (!(state.further > 0)) values.refuse("further");
+    if (!was_updated) values.refuse("known_to");
+    if (!(state.look_ahead_length > 0)) values.refuse("further");
     if (!(*state.clock + state.horizon <= end && end <= known_end)) values.refuse("now");
-  } else if (was_settled && (state.manual || state.seq > 0 || state.step > 0 || has_pairs())) {
+  } else if (was_updated && (state.manual || state.seq > 0 || state.last_advance > 0 || has_pairs())) {
     values.refuse("now");
   }
 }
@@ -158,17 +165,17 @@ WatchState WatchRows::read_state() {
   read_declaration(values, state);
   constexpr double lowest = std::numeric_limits<double>::lowest();
   state.clock = values.number("now", lowest);
-  state.asked = values.number("asked", lowest);
-  state.anew = values.whole("anew", 0, 1).value_or(0) != 0;
+  state.requested_clock = values.number("asked", lowest);
+  state.must_rebuild = values.whole("anew", 0, 1).value_or(0) != 0;
   state.known_to = values.number("known_to", -infinity).value_or(-infinity);
-  state.step = values.number("step", 0, infinity).value_or(0);
-  state.further = values.number("further", 0, infinity).value_or(0);
-  state.waited = values.whole("waited", 0).value_or(0),
-  state.dropped = values.whole("dropped", 0).value_or(0);
-  state.seq = values.required_whole("seq", 0),
-  state.early = values.required_whole(early_key(state.format), 0);
+  state.last_advance = values.number("step", 0, infinity).value_or(0);
+  state.look_ahead_length = values.number("further", 0, infinity).value_or(0);
+  state.found_waiting = values.whole("waited", 0).value_or(0);
+  state.dropped_waiting = values.whole("dropped", 0).value_or(0);
+  state.seq = values.required_whole("seq", 0);
+  state.early_reports = values.required_whole(early_key(state.format), 0);
   constexpr auto min_integer = std::numeric_limits<std::int64_t>::min();
-  state.stamp = values.whole("stamp", min_integer),
+  state.stamp = values.whole("stamp", min_integer);
   state.other_stamp = values.whole("other_stamp", min_integer);
   use_pairs(values.whole("key_tables", 0, 1).value_or(0) != 0);
   keys_.forget();
@@ -215,31 +222,31 @@ void WatchRows::write_declaration(const WatchDeclaration& declaration) {
 
 void WatchRows::write_state(const WatchState& state, const WatchState& before) {
   write_changed("now", state.clock, before.clock);
-  write_changed("asked", state.asked, before.asked);
-  if (state.anew != before.anew) write_anew(state.anew);
+  write_changed("asked", state.requested_clock, before.requested_clock);
+  if (state.must_rebuild != before.must_rebuild) write_must_rebuild(state.must_rebuild);
   write_changed("known_to", state.known_to, before.known_to);
-  write_changed("step", state.step, before.step);
-  write_changed("further", state.further, before.further);
-  write_changed("waited", state.waited, before.waited);
-  write_changed("dropped", state.dropped, before.dropped);
+  write_changed("step", state.last_advance, before.last_advance);
+  write_changed("further", state.look_ahead_length, before.look_ahead_length);
+  write_changed("waited", state.found_waiting, before.found_waiting);
+  write_changed("dropped", state.dropped_waiting, before.dropped_waiting);
   write_changed("seq", state.seq, before.seq);
   if (before.format == newest_format) {
-    write_changed(early_key(newest_format), state.early, before.early);
+    write_changed(early_key(newest_format), state.early_reports, before.early_reports);
   } else {
     write_meta("format", std::optional(newest_format));
-    write_meta(early_key(newest_format), std::optional(state.early));
+    write_meta(early_key(newest_format), std::optional(state.early_reports));
     if (before.format == 1) write_meta(early_key(1), std::optional<std::int64_t>());
   }
   write_changed("stamp", state.stamp, before.stamp);
   write_changed("other_stamp", state.other_stamp, before.other_stamp);
 }
 
-void WatchRows::write_asked(std::optional<double> time) {
+void WatchRows::write_requested_clock(std::optional<double> time) {
   write_meta("asked", time);
 }
 
-void WatchRows::write_anew(bool anew) {
-  write_meta("anew", std::optional(std::int64_t{anew}));
+void WatchRows::write_must_rebuild(bool must_rebuild) {
+  write_meta("anew", std::optional(std::int64_t{must_rebuild}));
 }
 
 void WatchRows::write_damaged() {

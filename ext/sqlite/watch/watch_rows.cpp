@@ -91,7 +91,8 @@ void WatchRows::read_pairs(Statement::Run& run, std::vector<WatchedPair>& pairs)
     // In a damaged file pages may refer back to one another: no order has a pair twice in a row.
     if (!pairs.empty() && pairs.back().a == a && pairs.back().b == b) damaged("pair");
     const bool is_due = sqlite3_value_type(run.value(3)) != SQLITE_NULL;
-    pairs.push_back({a, b, number(2), is_due ? number(3) : never_due, number(5), state == 1});
+    pairs.push_back({a, b, number(2), is_due ? number(3) : never_due, number(5),
+                     state == 1 ? PairState::reported : PairState::waiting});
   }
 }
 
@@ -118,8 +119,8 @@ std::vector<WatchedPair> WatchRows::pairs() {
   return pairs;
 }
 
-std::vector<WatchedPair> WatchRows::pairs_of(std::span<const std::int64_t> a,
-                                             std::span<const std::int64_t> b) {
+std::vector<WatchedPair> WatchRows::stored_pairs_of(std::span<const std::int64_t> a,
+                                                    std::span<const std::int64_t> b) {
   std::vector<WatchedPair> pairs;
   for (const std::int64_t id : a) {
     Statement::Run run(pairs_of_a_);
@@ -148,19 +149,22 @@ std::optional<WatchedPair> WatchRows::pair(std::int64_t a, std::int64_t b) {
 }
 
 // An unexpected row is damage of the watch, not an error of the statement that commits.
-void WatchRows::write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_told) try {
-  const bool only_moves = before && before->held == pair.held && before->due == pair.due;
+void WatchRows::write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_reported_t) try {
+  const bool only_moves = before && before->state == pair.state && before->due == pair.due;
   Statement::Run run(!before ? add_pair_ : only_moves ? move_pair_ : change_pair_);
   run.bind(1, pair.a);
   run.bind(2, pair.b);
   run.bind(3, pair.t);
   if (!only_moves) {
     if (pair.due != never_due) run.bind(4, pair.due);
-    run.bind(5, std::int64_t{pair.held});
+    run.bind(5, static_cast<std::int64_t>(pair.state));
   }
-  if (with_told) run.bind(6, pair.told);
+  if (with_reported_t) run.bind(6, pair.reported_t);
   run.step();
-  before ? keys_.change(*before, pair) : keys_.add(pair);
+  if (before)
+    keys_.change(*before, pair);
+  else
+    keys_.add(pair);
 } catch (const StoreError&) {
   if (!is_conflict(db_)) throw;
   damaged("pair");

@@ -1,6 +1,6 @@
 // Every SQL statement that a predictive watch runs on its shadow tables, as plain functions.
 //
-//   <name>_pair(a, b, t, due, state, told, PRIMARY KEY(a, b)) WITHOUT ROWID    state 0 waits, 1 holds
+//   <name>_pair(a, b, t, due, state, told, PRIMARY KEY(a, b)) WITHOUT ROWID    state 0 waits, 1 reported
 //   <name>_back, <name>_due                                                    keys of pairs: pair_keys.h
 //   <name>_log(seq INTEGER PRIMARY KEY, op, a, b, t, now)                      what changed
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID                     watch_state.h
@@ -37,24 +37,24 @@ class WatchRows final : public WatchStorage {
   bool has_key_tables() const { return has_key_tables_.value_or(true); }
 
   // --- _meta
-  /// Also prepares the statements of pairs, and forgets keys that a failed settlement has left.
+  /// Also prepares the statements of pairs, and forgets keys that a failed update has left.
   WatchState read_state();
   void write_declaration(const WatchDeclaration& declaration);
   /// Writes what changes with time. Rows with an equal value are not written.
   void write_state(const WatchState& state, const WatchState& before);
-  void write_asked(std::optional<double> time);
-  void write_anew(bool anew);
+  void write_requested_clock(std::optional<double> time);
+  void write_must_rebuild(bool must_rebuild);
   /// From now on read_state() reports damage.
   void write_damaged();
   void write_tables(const WatchDeclaration& declaration);
 
   // --- _pair and its keys; requires: read_state() was called
   std::vector<WatchedPair> pairs() override;
-  std::vector<WatchedPair> pairs_of(std::span<const std::int64_t> a,
-                                    std::span<const std::int64_t> b) override;
+  std::vector<WatchedPair> stored_pairs_of(std::span<const std::int64_t> a,
+                                           std::span<const std::int64_t> b) override;
   std::vector<WatchedPair> due_pairs(PairState state, double until) override;
   std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) override;
-  void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_told) override;
+  void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_reported_t) override;
   void erase_pair(const WatchedPair& pair) override;
   /// Cost: the pages of the tables are released without reading rows.
   void erase_all_pairs() override;

@@ -42,8 +42,8 @@ struct WatchTable : sqlite3_vtab {
 
   std::shared_ptr<Connection> connection;
   QualifiedName name;
-  std::vector<std::string> old_names =
-      {};  ///< in this transaction: a rollback to a savepoint may restore one
+  /// Its names before in this transaction: a rollback to a savepoint may restore one.
+  std::vector<std::string> old_names = {};
 };
 
 /// Query plan of a watch, as xBestIndex chooses it: bits for the given ids and for the columns read.
@@ -92,6 +92,6 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
 std::string watch_fault(WatchTable& table);
 
 /// Whether the rows match the tables as this connection sees them, at the time of the watch's clock.
-bool is_settled(Connection& connection, const WatchState& state, const OpenTables& tables);
+bool is_up_to_date(Connection& connection, const WatchState& state, const OpenTables& tables);
 
 }  // namespace foresee

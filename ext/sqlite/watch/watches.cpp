@@ -14,8 +14,8 @@ bool is_of_watch(const StoreError& error) {
   return code == SQLITE_ERROR || code == SQLITE_CORRUPT;
 }
 
-/// Marks the watch as damaged after a settlement that failed half way. The rows that it wrote look as if
-/// their changes were logged, so a later settlement would not log them.
+/// Marks the watch as damaged after an update that failed half way. The rows that it wrote look as if their changes were
+/// logged, so a later update would not log them.
 void mark_damaged(WatchRows& rows) try { rows.write_damaged(); } catch (const StoreError& error) {
   if (!is_of_watch(error)) throw;  // _meta is damaged too, which a reader detects
 }
@@ -36,21 +36,6 @@ OpenTables watched_tables(Connection& connection, const std::string& schema,
   OpenTables tables{find_table(connection, schema, declaration.tbl)};
   if (declaration.other) tables.b = find_table(connection, schema, *declaration.other);
   return tables;
-}
-
-void settle_watch(Connection& connection, WatchRows& rows, Settlement::Log log) {
-  const WatchState before = rows.read_state();
-  const OpenTables tables = watched_tables(connection, rows.name().schema, before);
-  // The xSync of a table has written that table alone, the xSync of a watch none.
-  tables.a.store->sync();
-  if (tables.b) tables.b->store->sync();
-  Settlement settlement(sources_of(connection, tables), before, rows, resources_of(connection));
-  try {
-    if (const auto after = settlement.settle(log)) rows.write_state(*after, before);
-  } catch (const StoreError& error) {
-    if (is_of_watch(error) && settlement.has_written()) mark_damaged(rows);
-    throw;
-  }
 }
 
 Watches& watches_of(Connection& connection) {
@@ -75,10 +60,25 @@ std::optional<WatchState> Watches::known_state(const QualifiedName& watch) try {
   return std::nullopt;
 }
 
-void Watches::settle(const QualifiedName& watch) try {
-  const KeptInsertRowid kept(connection_.db());
+void Watches::update(const QualifiedName& watch, PairUpdate::Log log) {
   const std::shared_ptr<WatchRows> rows = this->rows(watch);
-  settle_watch(connection_, *rows, Settlement::Log::changes);
+  const WatchState before = rows->read_state();
+  const OpenTables tables = watched_tables(connection_, watch.schema, before);
+  // Again, at no cost, for a table that COMMIT has just synced. Its other table may still have unwritten changes.
+  tables.a.store->sync();
+  if (tables.b) tables.b->store->sync();
+  PairUpdate update(sources_of(connection_, tables), before, *rows, resources_of(connection_));
+  try {
+    if (const auto after = update.run(log)) rows->write_state(*after, before);
+  } catch (const StoreError& error) {
+    if (is_of_watch(error) && update.has_written()) mark_damaged(*rows);
+    throw;
+  }
+}
+
+void Watches::update_if_sound(const QualifiedName& watch) try {
+  const KeptInsertRowid kept(connection_.db());
+  update(watch, PairUpdate::Log::changes);
 } catch (const StoreError& error) {
   if (!is_of_watch(error)) throw;
   forget(watch);
@@ -86,14 +86,14 @@ void Watches::settle(const QualifiedName& watch) try {
   forget(watch);  // one of its tables is missing or damaged; a read of the watch reports that
 }
 
-void Watches::settle_table(const OpenTable& table) {
+void Watches::update_watches_of(const OpenTable& table) {
   std::vector<std::string> names;
   try {
     names = table.store->watch_names();
   } catch (const StoreError& error) {
     if (!is_of_watch(error)) throw;  // without a name after a rollback, or damaged: no watches
   }
-  for (const std::string& name : names) settle({table.schema, name});
+  for (const std::string& name : names) update_if_sound({table.schema, name});
 }
 
 template <class Change>

@@ -1,8 +1,8 @@
-// Maintenance of all watches of a connection: settles them at COMMIT and follows renames of their tables.
+// Maintenance of all watches of a connection: updates them at COMMIT and follows renames of their tables.
 //
 //   Watches& watches = watches_of(connection);
 //   watches.rows({"main", "alerts"})->read_state();
-//   watches.settle({"main", "alerts"});                  // in xSync of a watch or of its tables
+//   watches.update_if_sound({"main", "alerts"});         // in xSync of a watch or of its tables
 //
 // A table stores the names of its watches (Store::watch_names), a watch those of its tables. When a table
 // commits, a damaged or missing watch is skipped without an error. A statement that reads the watch gets the
@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-#include "query/watch/settlement.h"
+#include "query/watch/pair_update.h"
 #include "sqlite/stored_table.h"
 #include "sqlite/watch/watch_rows.h"
 #include "sqlite/watch_upkeep.h"
@@ -30,13 +30,16 @@ class Watches final : public WatchUpkeep {
   std::shared_ptr<WatchRows> rows(const QualifiedName& watch);
   void forget(const QualifiedName& watch) noexcept;
 
-  /// Updates the rows of the watch by the changes of its tables; does nothing for a damaged or missing watch.
-  void settle(const QualifiedName& watch);
+  /// Brings the rows of the watch up to date with its tables. `log`: `nothing` for a new watch, which no reader knows
+  /// yet. Throws StoreError or Error if the watch or a table cannot be read.
+  void update(const QualifiedName& watch, PairUpdate::Log log);
+  /// update() that logs changes. Does nothing for a damaged or missing watch.
+  void update_if_sound(const QualifiedName& watch);
   /// Adds the watch to the lists of its tables, or removes it. Their other watches stay up to date.
   void add_to_tables(const QualifiedName& watch, const WatchDeclaration& declaration);
   void remove_from_tables(const QualifiedName& watch, const WatchDeclaration& declaration);
 
-  void settle_table(const OpenTable& table) override;
+  void update_watches_of(const OpenTable& table) override;
   void rename_table(const OpenTable& table, const std::string& old_name) override;
   void require_unwatched(const OpenTable& table) override;
   void require_frame(const OpenTable& table, const Frame& frame) override;
@@ -56,10 +59,6 @@ class Watches final : public WatchUpkeep {
 /// The watched tables, by the declared names in the schema of the watch. Throws Error if one does not exist.
 OpenTables watched_tables(Connection& connection, const std::string& schema,
                           const WatchDeclaration& declaration);
-
-/// Brings the watch up to date with its tables. `log`: `nothing` for a new watch, which no reader knows yet.
-/// Throws StoreError or Error if the watch or a table cannot be read.
-void settle_watch(Connection& connection, WatchRows& rows, Settlement::Log log);
 
 /// The watches of a connection. Requires: register_predictive_watch has run.
 Watches& watches_of(Connection& connection);

@@ -9,7 +9,7 @@
 #include "query/join_cases.h"
 #include "query/memory_table.h"
 #include "query/watch/pair_contacts.h"
-#include "query/watch/settlement.h"
+#include "query/watch/pair_update.h"
 
 namespace foresee::testing {
 
@@ -22,25 +22,24 @@ class MemoryWatch final : public WatchStorage {
   std::vector<WatchedPair> pairs() override {
     return those([](const WatchedPair&) { return true; });
   }
-  std::vector<WatchedPair> pairs_of(std::span<const std::int64_t> a,
-                                    std::span<const std::int64_t> b) override {
+  std::vector<WatchedPair> stored_pairs_of(std::span<const std::int64_t> a,
+                                           std::span<const std::int64_t> b) override {
     return those([&](const WatchedPair& pair) {
       return std::binary_search(a.begin(), a.end(), pair.a) || std::binary_search(b.begin(), b.end(), pair.b);
     });
   }
   std::vector<WatchedPair> due_pairs(PairState state, double until) override {
-    const bool held = state == PairState::held;
-    return those([&](const WatchedPair& pair) { return pair.held == held && pair.due <= until; });
+    return those([&](const WatchedPair& pair) { return pair.state == state && pair.due <= until; });
   }
   std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) override {
     const auto found = rows.find({a, b});
     return found == rows.end() ? std::nullopt : std::optional(found->second);
   }
-  void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_told) override {
+  void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_reported_t) override {
     EXPECT_EQ(rows.contains({pair.a, pair.b}), before != nullptr);
     if (before) expect_stored(*before);
     WatchedPair& row = rows[{pair.a, pair.b}] = pair;
-    if (!with_told) row.told = row.t;
+    if (!with_reported_t) row.reported_t = row.t;
     keys_wait = true;
   }
   void erase_pair(const WatchedPair& pair) override {
@@ -48,7 +47,10 @@ class MemoryWatch final : public WatchStorage {
     rows.erase({pair.a, pair.b});
     keys_wait = true;
   }
-  void erase_all_pairs() override { rows.clear(), keys_wait = true; }
+  void erase_all_pairs() override {
+    rows.clear();
+    keys_wait = true;
+  }
   void write_keys() override { keys_wait = false; }
   void append(const LoggedChange& change) override { log.push_back(change); }
   void trim(std::int64_t up_to) override {
@@ -63,7 +65,7 @@ class MemoryWatch final : public WatchStorage {
   /// The keys of a row can only be erased if the caller knows them.
   void expect_stored(const WatchedPair& pair) {
     const WatchedPair& row = rows[{pair.a, pair.b}];
-    EXPECT_EQ(row.held, pair.held);
+    EXPECT_EQ(row.state, pair.state);
     EXPECT_EQ(row.due, pair.due);
   }
   template <class Keep>
@@ -85,12 +87,13 @@ struct Watched {
     static_cast<WatchDeclaration&>(state) = std::move(declaration);
   }
 
-  void settle() {
+  void update() {
     const std::size_t known = watch.log.size();
-    Settlement settlement(tables, state, watch, {never});
-    if (const auto after = settlement.settle()) state = *after;
+    PairUpdate update(tables, state, watch, {never});
+    if (const auto after = update.run()) state = *after;
     EXPECT_FALSE(watch.keys_wait);
-    ships->commit(), ferries->commit();
+    ships->commit();
+    ferries->commit();
     for (std::size_t i = known; i < watch.log.size(); ++i) {
       const LoggedChange& change = watch.log[i];
       if (change.op == '-')
@@ -100,7 +103,7 @@ struct Watched {
     }
   }
 
-  /// Its held pairs with the times that readers see: those of the join at the clock, and of the log.
+  /// Its reported pairs with the times that readers see: those of the join at the clock, and of the log.
   void expect_join() {
     JoinQuestion all = question_of_all(tables, state, {state.now(), state.horizon}, {never});
     std::map<MemoryWatch::Ids, double> joined;
@@ -110,10 +113,10 @@ struct Watched {
 
   /// The same for pairs with their times, by another way.
   void expect_pairs(const std::map<MemoryWatch::Ids, double>& joined) {
-    std::map<MemoryWatch::Ids, double> held;
+    std::map<MemoryWatch::Ids, double> reported;
     for (const auto& [ids, row] : watch.rows)
-      if (row.held) held[ids] = std::max(row.t, state.now());
-    EXPECT_TRUE(held == joined) << held.size() << " pairs, of the join " << joined.size();
+      if (row.is_reported()) reported[ids] = std::max(row.t, state.now());
+    EXPECT_TRUE(reported == joined) << reported.size() << " pairs, of the join " << joined.size();
     for (auto& [ids, t] : reader) t = std::max(t, state.now());
     EXPECT_TRUE(reader == joined) << reader.size() << " pairs in the log, of the join " << joined.size();
   }

@@ -9,23 +9,23 @@ namespace {
 
 constexpr WatchClock at_ten{.clock = 10, .tolerance = 0, .horizon_end = 70};
 
-WatchedPair held(double t, double due = 100) {
-  return {.a = 1, .b = 2, .t = t, .due = due, .told = t, .held = true};
+WatchedPair reported(double t, double due = 100) {
+  return {.a = 1, .b = 2, .t = t, .due = due, .reported_t = t, .state = PairState::reported};
 }
 
 WatchedPair waiting(double t) {
-  return {.a = 1, .b = 2, .t = t, .due = t, .told = t, .held = false};
+  return {.a = 1, .b = 2, .t = t, .due = t, .reported_t = t, .state = PairState::waiting};
 }
 
-TEST(WatchedPair, NewPairsAreReportedIfTheyAreHeld) {
-  const WatchedPair now = held(12), later = waiting(90);
+TEST(WatchedPair, NewPairsAreLoggedIfTheyAreReported) {
+  const WatchedPair now = reported(12), later = waiting(90);
   EXPECT_EQ(change_between(nullptr, &now, at_ten).op, '+');
   EXPECT_EQ(change_between(nullptr, &later, at_ten).op, 0);
   EXPECT_TRUE(change_between(nullptr, &later, at_ten).writes);
 }
 
-TEST(WatchedPair, PairsThatEndAreReportedIfTheyWereHeld) {
-  const WatchedPair now = held(12), later = waiting(90);
+TEST(WatchedPair, PairsThatEndAreLoggedIfTheyWereReported) {
+  const WatchedPair now = reported(12), later = waiting(90);
   EXPECT_EQ(change_between(&now, nullptr, at_ten).op, '-');
   EXPECT_EQ(change_between(&later, nullptr, at_ten).op, 0);
   EXPECT_TRUE(change_between(&later, nullptr, at_ten).erases);
@@ -34,25 +34,25 @@ TEST(WatchedPair, PairsThatEndAreReportedIfTheyWereHeld) {
 }
 
 TEST(WatchedPair, TimesBeforeTheClockAreAllTheSame) {
-  const WatchedPair before = held(3), after = held(10);
+  const WatchedPair before = reported(3), after = reported(10);
   const PairChange change = change_between(&before, &after, at_ten);
   EXPECT_EQ(change.op, 0);
   EXPECT_FALSE(change.writes);
 }
 
 TEST(WatchedPair, AMoveWithinTheToleranceIsWrittenAndNotReported) {
-  const WatchedPair before = held(20), after = held(22);
+  const WatchedPair before = reported(20), after = reported(22);
   const PairChange change = change_between(&before, &after, {.clock = 10, .tolerance = 2});
   EXPECT_EQ(change.op, 0);
   EXPECT_TRUE(change.writes);
   EXPECT_EQ(change.row.t, 22);
-  EXPECT_EQ(change.row.told, 20);
-  const WatchedPair further = held(22.5);
+  EXPECT_EQ(change.row.reported_t, 20);
+  const WatchedPair further = reported(22.5);
   EXPECT_EQ(change_between(&change.row, &further, {.clock = 10, .tolerance = 2}).op, '~');
 }
 
 TEST(WatchedPair, AnEarlierEndIsWrittenAndALaterOneOnlyOnceItIsDue) {
-  const WatchedPair before = held(12, 50), earlier = held(12, 40), later = held(12, 60);
+  const WatchedPair before = reported(12, 50), earlier = reported(12, 40), later = reported(12, 60);
   EXPECT_TRUE(change_between(&before, &earlier, at_ten).writes);
   EXPECT_FALSE(change_between(&before, &later, at_ten).writes);
   EXPECT_TRUE(change_between(&before, &later, {.clock = 50, .tolerance = 0}).writes);
@@ -80,11 +80,11 @@ TEST(WatchedPair, AWaitingPairIsDueNotAfterItsStartAndIsWrittenOnlyIfThatIsTooLa
 }
 
 TEST(WatchedPair, TheEndOfAContactIsDueEarlyUntilItWasTested) {
-  const WatchedPair first = held(12, 110);
+  const WatchedPair first = reported(12, 110);
   const WatchedPair before = change_between(nullptr, &first, at_ten).row;
   EXPECT_LT(before.due, 110);
   EXPECT_GT(before.due, 90);
-  const WatchedPair sooner = held(12, before.due + 1), much_sooner = held(12, before.due - 1);
+  const WatchedPair sooner = reported(12, before.due + 1), much_sooner = reported(12, before.due - 1);
   EXPECT_FALSE(change_between(&before, &sooner, at_ten).writes);
   EXPECT_TRUE(change_between(&before, &much_sooner, at_ten).writes);
   const WatchClock due{.clock = before.due, .tolerance = 0, .horizon_end = before.due + 60};
@@ -96,10 +96,10 @@ TEST(WatchedPair, ATimeIsNeverDueLateWhateverTheNumbers) {
     for (const double wait : {0.0, 5e-324, 1e-9, 3.0, 1e308, HUGE_VAL})
       for (const double time : {clock, clock + wait, clock - wait, 1e308, -1e308}) {
         const WatchClock at{.clock = clock, .tolerance = 0, .horizon_end = clock + 60};
-        for (const bool holds : {false, true}) {
-          const WatchedPair pair{.a = 1, .b = 2, .t = time, .due = time, .told = time, .held = holds};
+        for (const PairState state : {PairState::waiting, PairState::reported}) {
+          const WatchedPair pair{.a = 1, .b = 2, .t = time, .due = time, .reported_t = time, .state = state};
           const double due = change_between(nullptr, &pair, at).row.due,
-                       from = holds ? clock : at.horizon_end;
+                       from = state == PairState::reported ? clock : at.horizon_end;
           EXPECT_LE(due, time) << clock << ", " << wait;
           EXPECT_TRUE(due > from || due == time) << clock << ", " << wait;
         }

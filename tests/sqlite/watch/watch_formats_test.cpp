@@ -1,4 +1,4 @@
-// A watch of format 2, with indexes in place of key tables, is read, settled, renamed and dropped; its rows and its log
+// A watch of format 2, with indexes in place of key tables, is read, updated, renamed and dropped; its rows and its log
 // are those of a watch that is new.
 #include "scenes.h"
 #include "sqlite/watch/older_watch.h"

@@ -22,7 +22,7 @@ struct WatchStamps : ::testing::Test {
   Database db;
 };
 
-TEST_F(WatchStamps, TwoWatchesAreSettledWhereASavepointIsOpenAtCommit) {
+TEST_F(WatchStamps, TwoWatchesAreUpdatedWhereASavepointIsOpenAtCommit) {
   db.exec(
       "BEGIN; UPDATE ships SET x = 2 WHERE id = 1; SAVEPOINT inner; UPDATE ships SET x = 3 WHERE id = 1; "
       "COMMIT");

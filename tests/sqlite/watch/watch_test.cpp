@@ -241,7 +241,7 @@ TEST(WatchFile, ABusyCommitMayBeRepeatedAfterMoreChanges) {
   EXPECT_EQ(db.rows("SELECT fault FROM predictive_watches"), "NULL");
 }
 
-TEST(WatchFile, TwoTablesOfOneWatchAreSettledTogether) {
+TEST(WatchFile, TwoTablesOfOneWatchAreUpdatedTogether) {
   const TemporaryFile file;
   Database db(file.path());
   db.exec(

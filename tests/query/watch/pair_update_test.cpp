@@ -1,6 +1,6 @@
-// A watch over tables in memory, without SQL: after every settlement its rows are those of the join of all
+// A watch over tables in memory, without SQL: after every update its rows are those of the join of all
 // objects, and its log leads from the rows before to them.
-#include "query/watch/settlement.h"
+#include "query/watch/pair_update.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@ std::vector<double> report(Random& random, double t) {
   return {t, random.in(0, 100), random.in(0, 100), random.in(-2, 2), random.in(-2, 2), random.in(0, 2)};
 }
 
-class SettlementLives : public ::testing::TestWithParam<bool> {};
+class PairUpdateLives : public ::testing::TestWithParam<bool> {};
 
-TEST_P(SettlementLives, EverySettlementGivesTheRowsOfTheJoin) {
+TEST_P(PairUpdateLives, EveryUpdateGivesTheRowsOfTheJoin) {
   std::size_t reported = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -32,7 +32,7 @@ TEST_P(SettlementLives, EverySettlementGivesTheRowsOfTheJoin) {
         else
           table.put(id, report(random, t));
       }
-      watched.settle();
+      watched.update();
       watched.expect_join();
     }
     reported += watched.watch.log.size();
@@ -40,46 +40,46 @@ TEST_P(SettlementLives, EverySettlementGivesTheRowsOfTheJoin) {
   EXPECT_GT(reported, 500u);
 }
 
-INSTANTIATE_TEST_SUITE_P(WithinOneAndBetweenTwo, SettlementLives, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(WithinOneAndBetweenTwo, PairUpdateLives, ::testing::Bool());
 
-TEST(Settlement, NothingIsWrittenIfNothingChanged) {
+TEST(PairUpdate, NothingIsWrittenIfNothingChanged) {
   Watched watched(false, {.tbl = "ships", .horizon = 20});
   Random random(1);
   for (std::int64_t id = 1; id <= 30; ++id) watched.ships->put(id, report(random, 0));
-  watched.settle();
+  watched.update();
   const std::size_t changes = watched.watch.log.size();
   EXPECT_GT(changes, 0u);
-  Settlement settlement(watched.tables, watched.state, watched.watch, {watched.never});
-  EXPECT_FALSE(settlement.settle());
-  EXPECT_FALSE(settlement.has_written());
+  PairUpdate update(watched.tables, watched.state, watched.watch, {watched.never});
+  EXPECT_FALSE(update.run());
+  EXPECT_FALSE(update.has_written());
   EXPECT_EQ(watched.watch.log.size(), changes);
 }
 
-TEST(Settlement, AnAdvanceMovesTheClockWithoutChangesForwardAndBack) {
+TEST(PairUpdate, AnAdvanceMovesTheClockWithoutChangesForwardAndBack) {
   Watched watched(false, {.tbl = "ships", .horizon = 20, .manual = true});
   Random random(2);
   for (std::int64_t id = 1; id <= 40; ++id) watched.ships->put(id, report(random, 0));
   for (const double clock : {0.0, 5.0, 12.0, 300.0, 6.0}) {
-    watched.state.asked = clock;
-    watched.settle();
+    watched.state.requested_clock = clock;
+    watched.update();
     EXPECT_EQ(watched.state.clock, clock);
-    std::size_t held = 0;
-    for (const auto& [ids, row] : watched.watch.rows) held += row.held;
+    std::size_t reported = 0;
+    for (const auto& [ids, row] : watched.watch.rows) reported += row.is_reported();
     JoinQuestion all = question_of_all(watched.tables, watched.state, {clock, 20}, {watched.never});
-    EXPECT_EQ(held, rows_of(all).size()) << clock;
+    EXPECT_EQ(reported, rows_of(all).size()) << clock;
   }
 }
 
-TEST(Settlement, ChangesThatAreUnknownAreRecomputed) {
+TEST(PairUpdate, ChangesThatAreUnknownAreRecomputed) {
   Watched watched(false, {.tbl = "ships", .horizon = 20});
   Random random(3);
   for (std::int64_t id = 1; id <= 40; ++id) watched.ships->put(id, report(random, 0));
-  watched.settle();
+  watched.update();
   watched.ships->put(1, report(random, 1));
-  watched.ships->commit();  // without a settlement: its changes are forgotten
+  watched.ships->commit();  // without an update: its changes are forgotten
   watched.ships->put(2, report(random, 1));
   EXPECT_FALSE(watched.ships->changes_since(watched.state.stamp).are_known);
-  watched.settle();
+  watched.update();
   watched.expect_join();
 }
 

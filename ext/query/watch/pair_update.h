@@ -1,8 +1,8 @@
-// Incremental update of one watch: writes the difference between its stored pairs and the current pairs as
-// rows and in its log.
+// Incremental update of the pairs of one watch (incremental view maintenance): writes the difference between its stored
+// pairs and the current pairs as rows and in its log.
 //
-//   Settlement settlement(tables, before, storage, {interrupt});           // before COMMIT, or after CREATE
-//   if (const auto after = settlement.settle()) keep(*after);
+//   PairUpdate update(tables, before, storage, {interrupt});           // before COMMIT, or after CREATE
+//   if (const auto after = update.run()) keep(*after);
 //
 // The watch stores all pairs whose first contact starts in [clock, known_to]. Pairs beyond the horizon wait:
 // they are stored, but not shown.
@@ -15,7 +15,7 @@
 //   recomputation     if the changes are unknown, or the clock goes back or beyond the known ends: the join of all
 //                     objects is compared with all rows
 //
-// Only differences are written. Guarantee: afterwards the held rows are those of predictive_join at the
+// Only differences are written. Guarantee: afterwards the reported rows are those of predictive_join at the
 // clock, with bit-identical times. Cost: about twenty microseconds per changed object and per row that
 // differs, most of it in SQLite; one join per look-ahead. Memory: the changed objects and their pairs, or
 // all pairs if it recomputes.
@@ -36,29 +36,29 @@ inline double next_above(double x) {
   return std::nextafter(x, std::numeric_limits<double>::infinity());
 }
 
-/// Each pair of the rows whose contact ends up to this time is due then or before. A time not after known_to, and
-/// after the clock of the next look-ahead if the clock moves in small steps.
+/// Up to this time the ends of the stored contacts are known: each such pair is due at its end or before. Later ends are
+/// unknown until the next look-ahead, which comes first if the clock moves in small steps. At most known_to.
 double ends_known_to(const WatchState& state);
 
-class Settlement {
+class PairUpdate {
  public:
   enum class Log : std::uint8_t { changes, nothing };
 
   /// Requires: the contents of the tables are those of their stamps, nothing waits to be written.
-  Settlement(JoinedTables tables, const WatchState& before, WatchStorage& storage,
+  PairUpdate(JoinedTables tables, const WatchState& before, WatchStorage& storage,
              const JoinResources& resources);
 
   /// Writes the changes of the tables since `before` as rows. Returns the state after them, for the caller to
   /// keep; nothing if the watch is up to date. `log`: `nothing` for a new watch, which no reader knows yet.
   /// Throws what tables and rows throw.
-  std::optional<WatchState> settle(Log log = Log::changes);
+  std::optional<WatchState> run(Log log = Log::changes);
 
   /// Whether rows are written already: an error after that leaves changes that the log does not have.
   bool has_written() const { return has_written_; }
 
  private:
   void follow_reports();
-  std::vector<double> reported_times() const;
+  std::vector<double> report_times() const;
   void move_clock();
   bool must_recompute() const;
   void extend_look_ahead();
@@ -70,9 +70,9 @@ class Settlement {
   void search_changed();
   void look_ahead(double from);
 
-  /// Adds a contact that was found as a new pair: held, or waiting.
-  void take(const JoinRow& found);
-  /// Decides finally which new pairs are held, and sets `due` of those that wait.
+  /// Adds a contact that was found as a new pair: reported, or waiting.
+  void add_found(const JoinRow& found);
+  /// Decides finally which new pairs are reported, and sets `due` of those that wait.
   void decide_which_wait();
   /// `all_are_known`: old_ has every stored row.
   void write_differences(bool all_are_known);
@@ -80,7 +80,11 @@ class Settlement {
   void for_each_difference(const std::function<void(const WatchedPair*, const WatchedPair*)>& use);
   /// Whether writing all rows is cheaper than updating those that differ.
   bool differ_mostly();
+  /// Writes the row of a pair if it differs, and logs what is reported. Null: it is new, or gone.
   void write_difference(const WatchedPair* before, const WatchedPair* after);
+  void write_row_of(const PairChange& change, const WatchedPair* before);
+  /// For adapt_look_ahead().
+  void count_waiting(const WatchedPair* before, const WatchedPair* after);
 
   Horizon queried_horizon() const { return {clock_, queried_length_}; }
   WatchClock watch_clock() const { return {clock_, state_.tolerance, horizon_end_}; }
@@ -94,7 +98,8 @@ class Settlement {
   double horizon_end_ = 0;     ///< clock + horizon, rounded: a time
   double queried_length_ = 0;  ///< of the contact queries, from the clock
   std::vector<WatchedPair> old_, new_;
-  bool logs_ = true, has_written_ = false;
+  bool logs_ = true;
+  bool has_written_ = false;
   bool replaces_ = false;  ///< every row is written, into an empty table, and every key
 };
 

@@ -1,4 +1,4 @@
-// A watch over movers with plans. After every settlement its rows are the first contacts of the plain answer, all pairs
+// A watch over movers with plans. After every update its rows are the first contacts of the plain answer, all pairs
 // of legs merged. A new plan is a changed object.
 #include <gtest/gtest.h>
 
@@ -31,9 +31,9 @@ std::map<MemoryWatch::Ids, double> plain_pairs(const Current& ships, const Curre
   return pairs;
 }
 
-class SettlementOfPlans : public ::testing::TestWithParam<bool> {};
+class PairUpdateOfPlans : public ::testing::TestWithParam<bool> {};
 
-TEST_P(SettlementOfPlans, EverySettlementGivesThePlainContacts) {
+TEST_P(PairUpdateOfPlans, EveryUpdateGivesThePlainContacts) {
   std::size_t reported = 0;
   const bool between = GetParam();
   for (std::uint64_t seed = 1; seed <= (sanitized ? 2 : 8); ++seed) {
@@ -59,8 +59,8 @@ TEST_P(SettlementOfPlans, EverySettlementGivesThePlainContacts) {
         table.put(id, mover.record, mover.legs);
         current.insert_or_assign(id, mover);
       }
-      watched.state.asked = clock;
-      watched.settle();
+      watched.state.requested_clock = clock;
+      watched.update();
       watched.expect_pairs(plain_pairs(ships, between ? &ferries : nullptr, {clock, 6}, within));
       if (HasFailure()) return;
     }
@@ -69,10 +69,10 @@ TEST_P(SettlementOfPlans, EverySettlementGivesThePlainContacts) {
   EXPECT_GT(reported, 300u);
 }
 
-INSTANTIATE_TEST_SUITE_P(WithinOneAndBetweenTwo, SettlementOfPlans, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(WithinOneAndBetweenTwo, PairUpdateOfPlans, ::testing::Bool());
 
 /// The next contact lies many legs ahead: it waits, and is reported when the clock comes near.
-TEST(SettlementOfPlans, AContactManyLegsAheadIsReportedInTime) {
+TEST(PairUpdateOfPlans, AContactManyLegsAheadIsReportedInTime) {
   Watched watched(false, {.tbl = "ships", .horizon = 5, .manual = true}, planned);
   const Offsets at = record_offsets(planned);
   std::vector<double> record(static_cast<std::size_t>(at.size));
@@ -85,9 +85,9 @@ TEST(SettlementOfPlans, AContactManyLegsAheadIsReportedInTime) {
   watched.ships->put(2, record, legs_of(buoy));
   std::vector<double> reports;
   for (double clock = 0; clock <= 200; clock += 1) {
-    watched.state.asked = clock;
+    watched.state.requested_clock = clock;
     const std::size_t known = watched.watch.log.size();
-    watched.settle();
+    watched.update();
     for (std::size_t i = known; i < watched.watch.log.size(); ++i) reports.push_back(clock);
   }
   // Touches from 149 8/9 (or 149.9) to 150.1: known from 145 on, gone at 151.

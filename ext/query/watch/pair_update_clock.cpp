@@ -1,9 +1,9 @@
-// Clock of a settlement: its new value, the length of the look-ahead, and the conditions of recomputation.
+// Clock of an update: its new value, the length of the look-ahead, and the conditions of recomputation.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "query/watch/settlement.h"
+#include "query/watch/pair_update.h"
 
 namespace foresee {
 namespace {
@@ -17,9 +17,9 @@ void append_times(const Scene& scene, std::vector<double>& instants) {
 
 }  // namespace
 
-void Settlement::move_clock() {
-  if (state_.asked) state_.clock = state_.asked;
-  state_.asked.reset();
+void PairUpdate::move_clock() {
+  if (state_.requested_clock) state_.clock = state_.requested_clock;
+  state_.requested_clock.reset();
   if (!state_.manual && state_.ahead)
     follow_reports();
   else if ((!state_.manual || !state_.clock) && any_object(tables_)) {
@@ -29,12 +29,12 @@ void Settlement::move_clock() {
   if (!state_.clock && state_.manual) state_.clock = 0;
   clock_ = state_.now();
   horizon_end_ = clock_ + state_.horizon;
-  if (before_.clock && clock_ != *before_.clock) state_.step = std::abs(clock_ - *before_.clock);
+  if (before_.clock && clock_ != *before_.clock) state_.last_advance = std::abs(clock_ - *before_.clock);
 }
 
 /// Reference times of the objects that this transaction has changed, or of all objects if the changes are
 /// unknown; in rising order.
-std::vector<double> Settlement::reported_times() const {
+std::vector<double> PairUpdate::report_times() const {
   std::vector<double> instants;
   const auto add = [&](const ChangedObjects& changed, TableSource& table) {
     if (changed.are_known && table.layout().has_t)
@@ -52,27 +52,28 @@ std::vector<double> Settlement::reported_times() const {
 
 /// Advances the clock by the reports in order of time; counts those too far ahead of it. The first reports
 /// have no clock to compare with: it starts at their median, since most times are right.
-void Settlement::follow_reports() {
-  const std::vector<double> instants = reported_times();
+void PairUpdate::follow_reports() {
+  const std::vector<double> instants = report_times();
   const bool counts = !state_.clock || (changed_.a.are_known && changed_.b.are_known);
   if (!state_.clock && !instants.empty()) state_.clock = instants[(instants.size() - 1) / 2];
   for (const double t : instants) {
-    if (t > *state_.clock + *state_.ahead)
-      state_.early += counts;
-    else
+    if (t > *state_.clock + *state_.ahead) {
+      if (counts) ++state_.early_reports;
+    } else {
       state_.clock = std::max(*state_.clock, t);
+    }
   }
 }
 
 // The next look-ahead is due at known_to - horizon, and finds all ends again. A quarter of its length is for the step
 // of the clock that reaches it; a short look-ahead has no such quarter.
 double ends_known_to(const WatchState& state) {
-  if (!(state.further >= state.horizon / 8)) return state.known_to;
-  return std::min(state.known_to, state.known_to - state.horizon + state.further / 4);
+  if (!(state.look_ahead_length >= state.horizon / 8)) return state.known_to;
+  return std::min(state.known_to, state.known_to - state.horizon + state.look_ahead_length / 4);
 }
 
-bool Settlement::must_recompute() const {
-  if (!changed_.a.are_known || !changed_.b.are_known || before_.anew || !before_.clock) return true;
+bool PairUpdate::must_recompute() const {
+  if (!changed_.a.are_known || !changed_.b.are_known || before_.must_rebuild || !before_.clock) return true;
   if (clock_ < *before_.clock || clock_ > ends_known_to(before_)) return true;
   return is_majority(changed_.a, *tables_.a) || is_majority(changed_.b, tables_.last());
 }
@@ -80,28 +81,29 @@ bool Settlement::must_recompute() const {
 /// Doubles or halves the look-ahead. A search costs about a hundred nanoseconds per object at any length.
 /// Each pair found costs two row writes, which are wasted if the pair is erased before it is shown. The two
 /// costs are kept about equal.
-void Settlement::adapt_look_ahead() {
+void PairUpdate::adapt_look_ahead() {
   double objects = tables_.a->likely_objects();
   if (!tables_.is_within_one()) objects += tables_.b->likely_objects();
-  const double dropped = static_cast<double>(state_.dropped), fair = std::max(objects / 64, 16.0);
-  if (dropped < fair / 2 && 10 * state_.dropped <= state_.waited)
-    state_.further *= 2;
-  else if (dropped > 2 * fair || 2 * state_.dropped > state_.waited)
-    state_.further /= 2;
+  const double dropped = static_cast<double>(state_.dropped_waiting), fair = std::max(objects / 64, 16.0);
+  if (dropped < fair / 2 && 10 * state_.dropped_waiting <= state_.found_waiting)
+    state_.look_ahead_length *= 2;
+  else if (dropped > 2 * fair || 2 * state_.dropped_waiting > state_.found_waiting)
+    state_.look_ahead_length /= 2;
 }
 
 /// The next look-ahead is due after several steps of the clock, if these are small compared with the horizon.
 /// A single large step does not count.
-void Settlement::extend_look_ahead() {
+void PairUpdate::extend_look_ahead() {
   const double largest = std::max(std::abs(clock_), std::abs(horizon_end_));
   const double rounding = 8 * (next_above(largest) - largest);  // a smaller extension can vanish
-  const double step = std::min(state_.step, before_.step);
+  const double step = std::min(state_.last_advance, before_.last_advance);
   const double shortest = std::max(rounding, std::min(16 * step, state_.horizon / 64));
   const double longest = std::max({shortest, state_.horizon, 1024 * step});
-  if (state_.further <= 0) state_.further = state_.horizon / 4;
-  state_.further = std::clamp(state_.further, shortest, longest);
-  state_.waited = state_.dropped = 0;
-  queried_length_ = state_.horizon + state_.further;
+  if (state_.look_ahead_length <= 0) state_.look_ahead_length = state_.horizon / 4;
+  state_.look_ahead_length = std::clamp(state_.look_ahead_length, shortest, longest);
+  state_.found_waiting = 0;
+  state_.dropped_waiting = 0;
+  queried_length_ = state_.horizon + state_.look_ahead_length;
   if (!std::isfinite(queried_length_)) queried_length_ = state_.horizon;
   state_.known_to = std::nextafter(clock_ + queried_length_, -std::numeric_limits<double>::infinity());
 }
