@@ -36,8 +36,8 @@ inline double next_above(double x) {
   return std::nextafter(x, std::numeric_limits<double>::infinity());
 }
 
-/// Up to this time the ends of the stored contacts are known: each such pair is due at its end or before. Later ends are
-/// unknown until the next look-ahead, which comes first if the clock moves in small steps. At most known_to.
+/// Up to this time, at most known_to, the ends of the stored contacts are known: such a pair is due at its end or before.
+/// Later ends are unknown until the next look-ahead, which comes first if the clock moves in small steps.
 double ends_known_to(const WatchState& state);
 
 class PairUpdate {

@@ -1,5 +1,5 @@
-// RowReader: rows of tables with a column `plan` (docs/reference/plan.md#column). The first leg of a plan gives t, x…, v…
-// and a… of its row, so a value of these columns is checked and not stored.
+// RowReader: rows of tables with a column `plan` (docs/reference/plan.md#column). The first leg of a plan gives t, x…,
+// v… and a… of its row, so a value of these columns is checked and not stored.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -14,8 +14,8 @@ bool is_of_watch(const StoreError& error) {
   return code == SQLITE_ERROR || code == SQLITE_CORRUPT;
 }
 
-/// Marks the watch as damaged after an update that failed half way. The rows that it wrote look as if their changes were
-/// logged, so a later update would not log them.
+/// Marks the watch as damaged after an update that failed half way. The rows that it wrote look as if their changes
+/// were logged, so a later update would not log them.
 void mark_damaged(WatchRows& rows) try { rows.write_damaged(); } catch (const StoreError& error) {
   if (!is_of_watch(error)) throw;  // _meta is damaged too, which a reader detects
 }

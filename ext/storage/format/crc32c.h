@@ -14,7 +14,7 @@ namespace foresee {
 
 std::uint32_t crc32c(const void* bytes, std::size_t size, std::uint32_t before = 0);
 
-/// The same without the CPU's instruction, for other machines and as a reference in tests.
+/// crc32c() without the CPU's instruction, for other machines and as a reference in tests.
 std::uint32_t crc32c_portable(const void* bytes, std::size_t size, std::uint32_t before = 0);
 
 }  // namespace foresee

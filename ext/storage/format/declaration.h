@@ -21,9 +21,9 @@ constexpr std::size_t geo_columns = 7;
 
 /// A declared motion column (the id is not one of them) and its place in the stored record.
 struct MotionColumn {
-  std::string
-      name;   ///< as in docs/reference/moving_objects.md#columns: t, x, vy, m, r, shape, category, until
-  int place;  ///< index of its double in the record
+  /// As in docs/reference/moving_objects.md#columns: t, x, vy, m, r, shape, category, until.
+  std::string name;
+  int place;                        ///< index of its double in the record
   bool is_form = false;             ///< the double is the number of an outline or mesh
   bool is_kind = false;             ///< the double is a category or a mask, which reads back as an integer
   GeoColumn geo = GeoColumn::none;  ///< `place` is then that of an axis

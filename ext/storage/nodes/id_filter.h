@@ -28,7 +28,7 @@ class IdFilter {
   explicit IdFilter(std::size_t ids = 0) { add_layer(std::max(ids, min_ids)); }
 
   void add(std::int64_t id) { add(Hash(id)); }
-  /// The same for many, without waiting for memory at each. An empty filter becomes one layer for all of them.
+  /// Adds many ids, without waiting for memory at each. An empty filter becomes one layer for all of them.
   void add(std::span<const std::int64_t> ids) {
     if (is_empty() && left_ < ids.size()) *this = IdFilter(ids.size());
     constexpr std::size_t at_once = 64;  // what is prefetched stays in the processor's caches

@@ -66,7 +66,7 @@ class NodeCache final : public Pages, public Journal::Participant {
   // --- objects
   /// The record of an object; null: no such object. Valid until the next call of the cache.
   const double* find_record(std::int64_t id);
-  /// The same without reading rows; null: not known in memory.
+  /// find_record() without reading rows; null: not known in memory.
   const double* find_record_in_memory(std::int64_t id);
   /// Prefetches the memory that find_record_in_memory() reads for `many` ids from `first` on. Requires: none
   /// of these ids overflows.

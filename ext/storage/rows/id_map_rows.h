@@ -53,7 +53,7 @@ class MapRows {
  private:
   /// The current row of `run`.
   IdBlock row_of(Statement::Run& run) const;
-  /// The same. Throws unless its ids are larger than `last`, which becomes the last id of this row.
+  /// row_of() `run`. Throws unless its ids are larger than `last`, which becomes the last id of this row.
   IdBlock row_after(std::optional<std::int64_t>& last, Statement::Run& run) const;
   /// Reads the block with this base; appends the numbers of its rows to `rows`, unless it is null.
   IdBlock read_block(std::int64_t base, std::vector<std::int64_t>* rows);

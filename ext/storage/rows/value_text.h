@@ -15,7 +15,7 @@ namespace foresee {
 
 /// The value as text; "" for NULL. Throws std::bad_alloc without memory.
 std::string text_of(sqlite3_value* value);
-/// The same of a column; a longer text is cut off after at most `limit` bytes, between characters.
+/// A column of `row` as text; a longer text is cut off after at most `limit` bytes, between characters.
 std::string text_of(sqlite3_stmt* row, int column, std::size_t limit = std::string::npos);
 
 /// True for NULL and for an empty text, which both mean that a value was left out.

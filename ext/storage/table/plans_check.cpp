@@ -21,7 +21,7 @@ void StoredPlans::rebuild(std::vector<Head>& heads, std::span<const double> reco
   const auto for_each_item = [&](const TreeStore::UseObject& use) {
     bool goes_on = true;
     strays.clear();
-    const auto take = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
+    const auto read_chunk = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
       if (!goes_on) return;
       legs.clear();
       require(append_legs(opened(number, blob, &head), legs), number);
@@ -29,7 +29,7 @@ void StoredPlans::rebuild(std::vector<Head>& heads, std::span<const double> reco
       goes_on = use(number, item.data());
     };
     scan(
-        heads, take, [&](std::int64_t number) { strays.push_back(number); }, interrupt);
+        heads, read_chunk, [&](std::int64_t number) { strays.push_back(number); }, interrupt);
   };
   TreeStore::Replacement replacement(tree_, for_each_item, interrupt);
   std::int64_t total = 0;
@@ -120,7 +120,7 @@ void StoredPlans::check(std::vector<Head>& heads, std::span<const double> record
   PlansCheck check(*this, records, say);
   std::vector<Leg> legs;
   std::int64_t found = 0, total = 0, sound = 0;
-  const auto take = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
+  const auto read_chunk = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
     ++found;
     try {
       legs.clear();
@@ -134,7 +134,7 @@ void StoredPlans::check(std::vector<Head>& heads, std::span<const double> record
     }
   };
   scan(
-      heads, take, [&](std::int64_t number) { say(PlansCheck::name(number) + " is of no object"); },
+      heads, read_chunk, [&](std::int64_t number) { say(PlansCheck::name(number) + " is of no object"); },
       interrupt);
   for (const Head& head : heads) total += head.chunks;
   if (found != total)

@@ -47,7 +47,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   /// The declared frame. Without a declared origin, with the one that the first position has chosen, as this
   /// connection sees it now (empty: none yet); that costs as much as read_version().
   const Frame& frame();
-  /// The same for a table that holds objects: SQLITE_CORRUPT_VTAB for degrees without an origin.
+  /// frame() of a table that holds objects: SQLITE_CORRUPT_VTAB for degrees without an origin.
   const Frame& frame_of_objects(StatementReadState* statement_state = nullptr);
 
   // --- reading
@@ -56,7 +56,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   bool contains(std::int64_t id);
   /// The record of `id`, or nothing.
   std::optional<std::vector<double>> read(std::int64_t id);
-  /// The same for a statement that reads repeatedly; empty if there is no object. Valid until the next call.
+  /// read() for a statement that reads repeatedly; empty if there is no object. Valid until the next call.
   /// Cost: one look-up of the stamp per statement, then about 100 ns if the leaf is in memory.
   std::span<const double> find(std::int64_t id, StatementReadState& statement_state);
   /// Prefetches `many` ids from `first` on, as far as they are in memory. Changes nothing.
@@ -79,7 +79,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   /// The outlines or meshes, by the number in a record; null in a table without.
   FormSource* forms() { return forms_ ? this : nullptr; }
   std::shared_ptr<const Form> form(std::int64_t number) override;
-  /// The same for a statement that reads the table repeatedly.
+  /// form() for a statement that reads the table repeatedly.
   std::shared_ptr<const Form> form(std::int64_t number, StatementReadState& statement_state);
   /// The forms in memory, for snapshots; null in a table without.
   std::shared_ptr<const StoredForms::ByNumber> known_forms() { return forms_ ? forms_->known() : nullptr; }
@@ -152,7 +152,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   /// Rebuilds tree and map from the leaves alone, clustered by position and velocity; deletes auxiliary
   /// values of missing objects.
   void rebuild(Interrupt& interrupt);
-  /// The same for a table without damage; SQLITE_CORRUPT_VTAB if integrity_check() finds any.
+  /// rebuild() of a table without damage; SQLITE_CORRUPT_VTAB if integrity_check() finds any.
   void optimize(Interrupt& interrupt);
   /// What is wrong with the stored bytes, one sentence each; empty: nothing.
   std::vector<std::string> integrity_check(Interrupt& interrupt);
@@ -220,8 +220,8 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   void require_sound(std::span<const double> record) const;
   /// Stores a random stamp, under which the cache is valid. Costs one row.
   void write_new_stamp(bool same_contents = false);
-  /// For watches, at the first change of `id` in a transaction: logs its record, or that it does not exist. Does nothing
-  /// for later changes, nor in a table without watches.
+  /// For watches: logs the record of `id`, or that it does not exist, before its first change in a transaction. Does
+  /// nothing for later changes, nor in a table without watches.
   void log_before_change(std::int64_t id);
   [[noreturn]] void throw_missing(std::int64_t id) const;
   /// The plans of an update(); returns the record to store.
@@ -255,7 +255,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   void restore(const Savepoint& savepoint);
   /// Forgets what this transaction has changed. It goes on.
   void restart_transaction();
-  /// The same; closes a table that this transaction has created.
+  /// restart_transaction(), but closes a table that this transaction has created.
   void undo_transaction();
   /// Finds out by the stored stamp whether SQLite has rolled back all that this transaction wrote, if in doubt. What
   /// reads changes in memory calls it first; revalidate_cache() and require_usable() do.

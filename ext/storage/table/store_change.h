@@ -49,7 +49,7 @@ class Store::AtomicChange {
     store_.version_.note_change();
     done_ = true;
   }
-  /// The same for a change after which every query has the same answer.
+  /// done() for a change after which every query has the same answer.
   void done_with_same_contents() { done_ = true; }
 
  private:

@@ -71,7 +71,7 @@ std::vector<StoredPlans::Head> Store::read_heads(const EachObject& plain, std::v
   std::vector<StoredPlans::Head> heads;
   std::vector<std::int64_t> ids;
   std::vector<double> of_leaf;
-  const auto take = [&](const auto& leaf) {
+  const auto add_leaf = [&](const auto& leaf) {
     ids.clear();
     of_leaf.clear();
     append(leaf, ids, of_leaf);
@@ -86,7 +86,7 @@ std::vector<StoredPlans::Head> Store::read_heads(const EachObject& plain, std::v
       records.insert(records.end(), record.begin(), record.end());
     }
   };
-  tree_.read_leaves(interrupt, take, take);
+  tree_.read_leaves(interrupt, add_leaf, add_leaf);
   expect_objects(objects);
   return heads;
 }

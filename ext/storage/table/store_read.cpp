@@ -4,6 +4,65 @@
 #include "storage/table/store.h"
 
 namespace foresee {
+namespace {
+
+/// Appends the ids and rows of the objects in leaves; with `wanted`, only of those that it accepts.
+class LeafRows {
+ public:
+  LeafRows(const NodeFormat& format, const std::optional<KindTest>& wanted, std::vector<std::int64_t>& ids,
+           std::vector<double>& rows)
+      : format_(format),
+        wanted_(wanted),
+        record_size_(static_cast<std::size_t>(format.at.size)),
+        row_size_(static_cast<std::size_t>(row_offsets(format.layout).size)),
+        ids_(ids),
+        rows_(rows) {}
+
+  void reserve(std::size_t objects) {
+    ids_.reserve(objects);
+    rows_.reserve(objects * row_size_);
+  }
+
+  template <class Leaf>
+  void add(const Leaf& leaf) {
+    std::size_t end = ids_.size();
+    if (row_size_ == record_size_ && !wanted_) {  // rows are records
+      append(leaf, ids_, rows_);
+      objects_ += ids_.size() - end;
+      return;
+    }
+    leaf_ids_.clear();
+    records_.clear();
+    append(leaf, leaf_ids_, records_);
+    objects_ += leaf_ids_.size();
+    ids_.resize(end + leaf_ids_.size());
+    rows_.resize((end + leaf_ids_.size()) * row_size_);
+    for (std::size_t i = 0; i < leaf_ids_.size(); ++i) {
+      const double* const record = records_.data() + i * record_size_;
+      if (wanted_ && !wanted_->accepts(kinds_of(record, format_.at))) continue;
+      ids_[end] = leaf_ids_[i];
+      row_from_record(format_.layout, record, rows_.data() + end * row_size_);
+      ++end;
+    }
+    ids_.resize(end);
+    rows_.resize(end * row_size_);
+  }
+
+  /// Those of all leaves so far, wanted or not.
+  std::size_t objects() const { return objects_; }
+
+ private:
+  const NodeFormat& format_;
+  const std::optional<KindTest>& wanted_;
+  std::size_t record_size_, row_size_;
+  std::vector<std::int64_t>& ids_;
+  std::vector<double>& rows_;
+  std::size_t objects_ = 0;
+  std::vector<std::int64_t> leaf_ids_;
+  std::vector<double> records_;  ///< of one leaf
+};
+
+}  // namespace
 
 // While this connection writes no other one can. At any other time another one may have written.
 void Store::revalidate_cache() {
@@ -104,41 +163,18 @@ bool Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
   if (wanted) leaves = tree_.reporting_damage([&] { return find_leaves(nodes(), *wanted, interrupt); });
   // A leaf by number costs more than the next one of a scan.
   const bool by_number = leaves.others > leaves.numbers.size() / 2;
-  const std::size_t expected = by_number ? leaves.numbers.size() * format_.leaf_capacity
-                               : nodes().has_unwritten()
-                                   ? 0
-                                   : static_cast<std::size_t>(shadow_rows().tree().map().count_ids());
-  const auto row_size = static_cast<std::size_t>(row_offsets(format_.layout).size);
-  const auto record_size = static_cast<std::size_t>(format_.at.size);
-  const bool rows_are_records = row_size == record_size;
-  std::vector<double> records;
-  ids.reserve(expected);
-  rows.reserve(expected * row_size);
-  std::vector<std::int64_t> leaf_ids;
-  std::size_t found = 0;
-  const auto take = [&](const auto& leaf) {
-    if (rows_are_records && !wanted) return append(leaf, ids, rows);
-    leaf_ids.clear(), records.clear();
-    append(leaf, leaf_ids, records);
-    found += leaf_ids.size();
-    std::size_t end = ids.size();
-    ids.resize(end + leaf_ids.size()), rows.resize((end + leaf_ids.size()) * row_size);
-    for (std::size_t i = 0; i < leaf_ids.size(); ++i) {
-      const double* const record = records.data() + i * record_size;
-      if (wanted && !wanted->accepts(kinds_of(record, format_.at))) continue;
-      ids[end] = leaf_ids[i];
-      row_from_record(format_.layout, record, rows.data() + end * row_size);
-      ++end;
-    }
-    ids.resize(end), rows.resize(end * row_size);
-  };
+  LeafRows found(format_, wanted, ids, rows);
+  const auto add_leaf = [&](const auto& leaf) { found.add(leaf); };
   if (by_number) {
-    tree_.read_leaves(leaves.numbers, interrupt, take, take);
+    found.reserve(leaves.numbers.size() * format_.leaf_capacity);
+    tree_.read_leaves(leaves.numbers, interrupt, add_leaf, add_leaf);
     return false;
   }
-  tree_.read_leaves(interrupt, take, take);
-  expect_objects(wanted ? found : ids.size());
-  return !wanted || ids.size() == found;
+  if (!nodes().has_unwritten())
+    found.reserve(static_cast<std::size_t>(shadow_rows().tree().map().count_ids()));
+  tree_.read_leaves(interrupt, add_leaf, add_leaf);
+  expect_objects(found.objects());
+  return ids.size() == found.objects();
 }
 
 void Store::expect_objects(std::size_t found) {

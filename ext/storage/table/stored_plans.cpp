@@ -214,7 +214,7 @@ void StoredPlans::read_all(std::vector<Head>& heads, double from, double until, 
     if (!legs.empty()) each(*current, legs);
     legs.clear();
   };
-  const auto take = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
+  const auto read_chunk = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
     if (current != &head) {
       hand_over();
       current = &head;
@@ -229,22 +229,22 @@ void StoredPlans::read_all(std::vector<Head>& heads, double from, double until, 
   };
   for (const Head& head : heads) total += head.chunks;
   if (from == -no_end && until == no_end) {
-    scan(heads, take, stray, interrupt);
+    scan(heads, read_chunk, stray, interrupt);
   } else {
     const std::vector<std::int64_t> wanted = chunks_during(from, until, interrupt);
     const bool are_few = 4 * static_cast<std::int64_t>(wanted.size()) < total;
     total = static_cast<std::int64_t>(wanted.size());
     auto next = wanted.begin();
-    const auto take_wanted = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
+    const auto read_if_wanted = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
       if (next != wanted.end() && *next == number) {
         ++next;
-        take(head, number, blob);
+        read_chunk(head, number, blob);
       }
     };
     if (are_few)
-      scan(heads, take, stray, interrupt, &wanted);
+      scan(heads, read_chunk, stray, interrupt, &wanted);
     else
-      scan(heads, take_wanted, stray, interrupt);
+      scan(heads, read_if_wanted, stray, interrupt);
   }
   hand_over();
   if (found != total)

@@ -141,8 +141,8 @@ class StoredPlans::Change {
   /// Valid as long as this. `before`: a plan that is removed.
   std::span<const double> add(std::int64_t id, std::span<const double> record, const Plan& plan,
                               const Head* before = nullptr);
-  /// The same without a new plan. `before`: the object's record, if it exists. Its plan is kept if `record` has its
-  /// number; then the first leg is that of `before`.
+  /// For a change without a new plan: returns the record likewise. `before`: the object's record, if it exists. Its
+  /// plan is kept if `record` has its number; then the first leg is that of `before`.
   std::span<const double> keep(std::int64_t id, std::int64_t new_id, std::span<const double> before,
                                std::span<const double> record);
   /// Removes the plan of an object, if it has one.

@@ -76,7 +76,7 @@ class TreeStore final : private MemoryHolder {
   /// from its row, checked.
   void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
                    const std::function<void(const Node&)>& dirty);
-  /// The same for the leaves of these numbers, which ascend.
+  /// Reads only the leaves of these numbers, which ascend.
   void read_leaves(std::span<const NodeNumber> numbers, Interrupt& interrupt,
                    const std::function<void(const LeafView&)>& stored,
                    const std::function<void(const Node&)>& dirty);
