@@ -43,7 +43,9 @@ class PairSearch {
   void find_pairs_of(Side side, std::span<const std::int64_t> ids, const UseRow& use);
 
  private:
+  /// Searches the tree of the other side for one object.
   void probe(Side side, std::int64_t id, const SearchTarget& others, const UseRow& use);
+  /// Joins these objects with all of the other side.
   void join(Side side, std::span<const std::int64_t> ids, const UseRow& use);
   /// Calls use() for these rows, as the guarantee has them: no object with itself, the smaller id first.
   void pass_on(std::span<const JoinRow> found, const UseRow& use) const;

@@ -36,8 +36,8 @@ inline double next_above(double x) {
   return std::nextafter(x, std::numeric_limits<double>::infinity());
 }
 
-/// Up to this time, at most known_to, the ends of the stored contacts are known: such a pair is due at its end or before.
-/// Later ends are unknown until the next look-ahead, which comes first if the clock moves in small steps.
+/// Up to this time the ends of the stored contacts are known: such a pair is due at its end or before. Later ends are
+/// unknown until the next look-ahead, which comes before this time if the clock moves in small steps. At most known_to.
 double ends_known_to(const WatchState& state);
 
 class PairUpdate {
@@ -57,16 +57,25 @@ class PairUpdate {
   bool has_written() const { return has_written_; }
 
  private:
+  // the clock (pair_update_clock.cpp)
+  /// Sets the new clock, and the end of the horizon: by an 'advance', else by the newest reference times.
+  void move_clock();
   void follow_reports();
   std::vector<double> report_times() const;
-  void move_clock();
+  /// Whether all pairs are joined again: after 'rebuild', for unknown or too many changes, or if the clock has left the
+  /// time that the rows cover.
   bool must_recompute() const;
+  /// Sets known_to and the length of the queries, for a search beyond the horizon; starts to count its pairs.
   void extend_look_ahead();
+  /// Doubles or halves the look-ahead, by the share of its pairs that were erased while they waited.
   void adapt_look_ahead();
 
+  /// Compares the join of all objects with all rows.
   void recompute();
+  /// Compares only the pairs that can differ: of changed objects, due ones, and those of a look-ahead.
   void apply_changes();
   void query_due_pairs();
+  /// Searches the pairs of the changed objects.
   void search_changed();
   void look_ahead(double from);
 

@@ -119,7 +119,7 @@ void require_zone(const DeclaredWord& zone, const Words& words) {
 
 }  // namespace
 
-bool FrameOptions::take(const Argument& argument) {
+bool FrameOptions::read_if_known(const Argument& argument) {
   std::optional<Argument>* option = nullptr;
   if (same_name(argument.name, "origin")) option = &origin_;
   if (same_name(argument.name, "speed_unit")) option = &unit_;

@@ -2,7 +2,7 @@
 // origin, speed_unit and frame.
 //
 //   FrameOptions options;
-//   options.take(parse_argument("speed_unit = knots"));      // true: an option of the frame
+//   options.read_if_known(parse_argument("speed_unit = knots"));      // true: an option of the frame
 //   const Frame frame = options.frame(words);                // of all declared columns
 //
 // Throws Error for a declaration that no table can have (docs/reference/degrees.md). Examples are x beside lat,
@@ -21,7 +21,7 @@ namespace foresee {
 class FrameOptions {
  public:
   /// Whether the option is one of the frame; then its value is checked and kept.
-  bool take(const Argument& argument);
+  bool read_if_known(const Argument& argument);
 
   /// Requires: no word occurs twice.
   Frame frame(const std::vector<DeclaredWord>& words) const;

@@ -117,19 +117,20 @@ void RowReader::check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, St
       const double* const before = !at_start_.empty() ? at_start_.data() : before_.data();
       if (!before_.empty()) showed = shown_report(store, id, before);
     }
-    const std::optional<double> own = shown_number(column.geo, *shows);
+    const std::optional<double> of_plan = shown_number(column.geo, *shows);
     if (showed && shown_number(column.geo, *showed) == number) continue;
-    if (!own || !is_near(column.geo, *number, *own)) refuse_beside_plan(column, id, motion[i], own);
+    if (!of_plan || !is_near(column.geo, *number, *of_plan))
+      refuse_beside_plan(column, id, motion[i], of_plan);
   }
 }
 
 void RowReader::refuse_beside_plan(const Column& column, std::int64_t id, sqlite3_value* value,
-                                   const std::optional<double>& own) const {
-  refuse(
-      column.name, id, shown(value),
-      "its plan starts " +
-          (own ? "with " + std::string(column.name) + " = " + foresee::shown(*own) : std::string("at rest")) +
-          "; leave " + column.name + " out, or set plan to NULL");
+                                   const std::optional<double>& of_plan) const {
+  refuse(column.name, id, shown(value),
+         "its plan starts " +
+             (of_plan ? "with " + std::string(column.name) + " = " + foresee::shown(*of_plan)
+                      : std::string("at rest")) +
+             "; leave " + column.name + " out, or set plan to NULL");
 }
 
 /// A heading that follows the course is not built yet: NULL stays free for it.

@@ -123,7 +123,7 @@ class RowReader {
   double number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const;
   void check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store& store) const;
   [[noreturn]] void refuse_beside_plan(const Column& column, std::int64_t id, sqlite3_value* value,
-                                       const std::optional<double>& own) const;
+                                       const std::optional<double>& of_plan) const;
   void require_heading_beside_plan(std::int64_t id, sqlite3_value** motion) const;
 
   void fill_form(std::int64_t id, sqlite3_value* shape, Store& store, std::optional<std::int64_t> updated);

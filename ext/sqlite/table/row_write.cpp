@@ -121,7 +121,7 @@ std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
 
 /// SQLite computes the values of an UPDATE from the objects at its start, and passes none for columns that it leaves
 /// alone: these are read now. If another object has the id meanwhile (OR REPLACE), they would be that one's.
-void require_own_row(const MovingObjectsTable& table, std::int64_t id) {
+void require_not_replaced(const MovingObjectsTable& table, std::int64_t id) {
   if (table.moved_to.empty() || !table.moved_to.contains(id)) return;
   throw Refusal(SQLITE_CONSTRAINT, table.name + ": row " + std::to_string(id) +
                                        " was replaced by an earlier row of this UPDATE; write DELETE first, "
@@ -138,7 +138,7 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
   if (!id)
     throw Refusal(SQLITE_MISMATCH, table.name + ".id of row " + std::to_string(old_id) +
                                        " would become NULL: every object has an id; write an INTEGER");
-  require_own_row(table, old_id);
+  require_not_replaced(table, old_id);
   require_unwritten(table, row, old_id);
   const NewRecord made =
       table.reader.read(*id, row.motion, table.store(), old_id, record_at_start(table, old_id));

@@ -97,7 +97,7 @@ class Declarer {
   Declaration finish() {
     declaration_.frame = frame_.frame(words_);
     declaration_.layout = layout_of(words_);
-    if (declaration_.frame.on_globe()) take_axes_of_globe();
+    if (declaration_.frame.on_globe()) use_axes_of_globe();
     const Offsets at = record_offsets(declaration_.layout);
     for (const DeclaredWord& declared : words_) declaration_.columns.push_back(column_of(declared.word, at));
     if (declaration_.frame.in_degrees()) require_no_hidden_names();
@@ -141,7 +141,7 @@ class Declarer {
   }
 
   void add_option(const Argument& argument) {
-    if (frame_.take(argument)) return;
+    if (frame_.read_if_known(argument)) return;
     if (!same_name(argument.name, "horizon"))
       refuse(argument, "no such option; known: horizon, origin, speed_unit and frame, as in horizon = 60");
     if (has_horizon_) refuse(argument, "horizon is given twice; leave one out");
@@ -150,7 +150,7 @@ class Declarer {
   }
 
   /// Three axes, whether or not z is declared, with the Earth's curvature as acceleration.
-  void take_axes_of_globe() {
+  void use_axes_of_globe() {
     declaration_.layout.axes = 3;
     if (declaration_.layout.law == Law::uniform) declaration_.layout.law = Law::accelerated;
   }

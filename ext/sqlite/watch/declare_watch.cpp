@@ -58,7 +58,7 @@ bool is_manual(const Argument& argument) {
 
 struct Option {
   const char* name;
-  std::function<void(WatchDeclaration&, const Argument&)> take;
+  std::function<void(WatchDeclaration&, const Argument&)> apply;
 };
 
 const std::array<Option, 8>& options() {
@@ -117,12 +117,12 @@ Argument parse_argument_of_watch(std::string_view text, bool first) try {
   refuse(argument, "only the first argument is a table; a second one is written other = " + argument.name);
 }
 
-void take_option(WatchDeclaration& declaration, std::set<std::string>& given, const Argument& argument) {
+void apply_option(WatchDeclaration& declaration, std::set<std::string>& given, const Argument& argument) {
   const Option* option = find_option(argument.name);
   if (!option) refuse(argument, "no such option; known: " + known_options() + ", as in horizon = 600");
   if (!given.insert(option->name).second)
     refuse(argument, std::string(option->name) + " is given twice; leave one out");
-  option->take(declaration, argument);
+  option->apply(declaration, argument);
 }
 
 /// A watch has no input `schema`: its tables are in its own schema, whose tables are `here`. No other schema is
@@ -165,7 +165,7 @@ WatchDeclaration parse_watch(std::string_view watch, const std::vector<std::stri
     } else if (argument.kind != Argument::Kind::option) {
       refuse_second_table(argument);
     } else {
-      take_option(declaration, given, argument);
+      apply_option(declaration, given, argument);
     }
   }
   if (declaration.tbl.empty())

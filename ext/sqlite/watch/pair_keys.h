@@ -36,10 +36,10 @@ class PairKeys {
   /// Whether the keys are those of exactly these pairs.
   bool agree(std::vector<WatchedPair> pairs);
 
-  // --- writing
+  // --- writing: keys wait in memory until write()
   void add(const WatchedPair& pair);
   void erase(const WatchedPair& pair);
-  /// Requires: the same a and b.
+  /// The keys of a row that changes. Requires: the same a and b.
   void change(const WatchedPair& before, const WatchedPair& after);
   /// Erases the keys of all pairs at once, also those that no pair has.
   void erase_all();

@@ -5,7 +5,7 @@
 //   const ChunkCache::Entry* known = cache.find(stamp, 8);
 //   if (!known) cache.add(8, blob, opened);              // opened: the chunk of this blob
 //   cache.add_record(8, record);                         // of its object, whose plan has this chunk
-//   cache.take_commit(stamp, next, changed);             // all but these chunks are valid under the next stamp, too
+//   cache.note_commit(stamp, next, changed);             // all but these chunks are valid under the next stamp, too
 //
 // It holds committed rows only: a transaction that has written must read the rows themselves, so no rollback concerns
 // it. Its memory counts as that of clean nodes (memory_budget.h); when it is full, the chunks that no query has used
@@ -99,7 +99,7 @@ class ChunkCache final : private MemoryHolder {
 
   /// A transaction of this connection has replaced stamp `before` by `after`. Keeps the chunks of `before` that it has
   /// not changed.
-  void take_commit(std::optional<std::int64_t> before, std::int64_t after,
+  void note_commit(std::optional<std::int64_t> before, std::int64_t after,
                    const ChangedChunks& changed) noexcept {
     if (!before || stamp_ != before || changed.are_all()) return;  // the next find() drops them
     changed.for_each([this](std::int64_t number) {

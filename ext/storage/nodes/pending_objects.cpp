@@ -56,14 +56,14 @@ void PendingObjects::replace(std::int64_t id, std::span<const double> record) {
   add(id, record);
 }
 
-void PendingObjects::take_all() {
+void PendingObjects::remove_all() {
   join();
   Objects none;
   if (is_marked()) {
     reserve_more(log_, 1);
-    reserve_more(taken_, 1);
-    log_.push_back({Change::Kind::all_taken});
-    taken_.push_back(std::move(now_));
+    reserve_more(removed_, 1);
+    log_.push_back({Change::Kind::all_removed});
+    removed_.push_back(std::move(now_));
   }
   now_ = std::move(none);
 }
@@ -71,7 +71,7 @@ void PendingObjects::take_all() {
 // Drops the holes too, if they are the larger part.
 void PendingObjects::forget() noexcept {
   log_.clear();
-  taken_.clear();
+  removed_.clear();
   constexpr std::size_t few = 64;
   if (now_.ids.size() < few || now_.ids.size() < 2 * now_.count) return;
   try {
@@ -90,7 +90,7 @@ void PendingObjects::forget() noexcept {
 
 void PendingObjects::end(Journal::Ended) noexcept {
   log_.clear();
-  taken_.clear();
+  removed_.clear();
   now_.ids.clear();
   now_.records.clear();
   now_.slots.clear();
@@ -102,9 +102,9 @@ void PendingObjects::rewind(std::size_t position) noexcept {
 }
 
 void PendingObjects::undo(const Change& change) noexcept {
-  if (change.kind == Change::Kind::all_taken) {
-    now_ = std::move(taken_.back());
-    taken_.pop_back();
+  if (change.kind == Change::Kind::all_removed) {
+    now_ = std::move(removed_.back());
+    removed_.pop_back();
     return;
   }
   const bool added = change.kind == Change::Kind::added;

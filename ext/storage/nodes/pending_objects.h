@@ -2,7 +2,7 @@
 //
 //   pending.add(42, record);
 //   pending.find(42)                           // its record, or null
-//   pending.take_all();                        // the tree has them now
+//   pending.remove_all();                      // the tree has them now
 //
 // Written objects wait here, so that objects of many statements go into the tree together; until then the
 // tree has the old record of an updated object. Objects are only appended. An erased or replaced object
@@ -33,7 +33,7 @@ class PendingObjects final : public Journal::Participant {
   void erase(std::int64_t id);
   void replace(std::int64_t id, std::span<const double> record);
   /// Removes all objects; a rewind brings them back.
-  void take_all();
+  void remove_all();
 
   /// All ids and records, in the order of arrival. Requires: no holes.
   bool has_holes() const { return now_.count != now_.ids.size(); }
@@ -56,7 +56,7 @@ class PendingObjects final : public Journal::Participant {
     std::size_t count = 0;
   };
   struct Change {
-    enum class Kind : std::uint8_t { added, erased, all_taken } kind;
+    enum class Kind : std::uint8_t { added, erased, all_removed } kind;
     std::uint32_t slot = 0;
   };
 
@@ -75,7 +75,7 @@ class PendingObjects final : public Journal::Participant {
   std::size_t record_size_;
   Objects now_;
   std::vector<Change> log_;
-  std::vector<Objects> taken_;  ///< what take_all() has removed, oldest first
+  std::vector<Objects> removed_;  ///< what remove_all() has removed, oldest first
 };
 
 }  // namespace foresee

@@ -88,7 +88,7 @@ class StoredPlans final : public Journal::Participant {
   class Change;
   /// Call it when a transaction that has replaced stamp `before` by `after` is committed, before the journal ends.
   void note_commit(std::optional<std::int64_t> before, std::int64_t after) noexcept {
-    cache_.take_commit(before, after, changed_);
+    cache_.note_commit(before, after, changed_);
   }
 
  private:

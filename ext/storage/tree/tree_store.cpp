@@ -100,7 +100,7 @@ void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
       note_packed();
     }
   });
-  pending_.take_all();
+  pending_.remove_all();
   if (pending_updates_.get()) pending_updates_.change() = false;
 }
 

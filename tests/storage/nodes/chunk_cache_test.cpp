@@ -95,16 +95,16 @@ TEST_F(StoredBlobs, AreKeptOverAnOwnCommitThatHasNotChangedThem) {
   ChangedChunks changed;
   changed.add(8, 10);
   changed.add(5, 6);  // not in memory
-  cache.take_commit(1, 2, changed);
+  cache.note_commit(1, 2, changed);
   EXPECT_EQ(count_found(cache, 2), blobs.size() - 3);
   EXPECT_EQ(cache.find(2, 9), nullptr);
   EXPECT_NE(cache.find(2, 11), nullptr);
-  cache.take_commit(1, 3, {});
+  cache.note_commit(1, 3, {});
   EXPECT_NE(cache.find(2, 11), nullptr) << "a commit of another stamp is not this cache's";
-  cache.take_commit({}, 3, {});
+  cache.note_commit({}, 3, {});
   EXPECT_NE(cache.find(2, 11), nullptr) << "nothing is known before the first stamp";
   changed.add(0, 1000000);
-  cache.take_commit(2, 3, changed);
+  cache.note_commit(2, 3, changed);
   EXPECT_EQ(count_found(cache, 3), 0u) << "many changes drop everything";
 }
 

@@ -30,7 +30,7 @@ TEST(PendingObjects, ObjectsThatComeAndGoTakeNoMemory) {
   const Journal::Mark mark = journal.set_mark();
   pending.erase(7000);
   pending.add(8, record);
-  pending.take_all();
+  pending.remove_all();
   pending.add(9, record);
   EXPECT_EQ(ids_in(pending), std::vector<std::int64_t>{9});
   journal.rewind(mark);
