@@ -113,7 +113,10 @@ TEST_F(KindsDamage, ACategoryThatIsNotAWholeNumber) {
 }
 
 TEST_F(TreeDamage, TimesThatDoNotContainWhatIsBelow) {
-  change(root, [](Node& n) { n.values[0] = 100.5, n.values[1] = 101; });
+  change(root, [](Node& n) {
+    n.values[0] = 100.5;
+    n.values[1] = 101;
+  });
   expect_found_and_repaired("has another greatest t than its entry");
   root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
   change(root, [](Node& n) { n.values[2] = 1000; });

@@ -52,7 +52,8 @@ TEST_P(PairUpdateOfPlans, EveryUpdateGivesThePlainContacts) {
         Current& current = is_ship ? ships : ferries;
         const auto id = static_cast<std::int64_t>(1 + random.below(30));
         if (random.below(8) == 0) {
-          table.erase(id), current.erase(id);
+          table.erase(id);
+          current.erase(id);
           continue;
         }
         const Mover mover = maker.mover(id, random.below(4) == 0);
@@ -76,7 +77,8 @@ TEST(PairUpdateOfPlans, AContactManyLegsAheadIsReportedInTime) {
   Watched watched(false, {.tbl = "ships", .horizon = 5, .manual = true}, planned);
   const Offsets at = record_offsets(planned);
   std::vector<double> record(static_cast<std::size_t>(at.size));
-  record[static_cast<std::size_t>(at.until)] = no_end, record[static_cast<std::size_t>(at.r)] = 0.5;
+  record[static_cast<std::size_t>(at.until)] = no_end;
+  record[static_cast<std::size_t>(at.r)] = 0.5;
   Plan patrol{.kind = PlanKind::knots, .axes = 2};
   for (int i = 0; i <= 200; ++i) patrol.knots.push_back({1.0 * i, {i == 150 ? 10.0 : 1.0 * (i % 2), 0}});
   watched.ships->put(1, record, legs_of(patrol));

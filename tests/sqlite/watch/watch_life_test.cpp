@@ -55,7 +55,8 @@ TEST_P(WatchLives, EqualTheJoinAndTheFoldedChanges) {
   for (unsigned seed = 1; seed <= seeds && !HasFatalFailure(); ++seed) {
     const TemporaryFile file;
     LifeScript script(GetParam(), seed);
-    each_ = seldom_ = late_ = WatchReader(GetParam().tolerance), clock_ = -1e300;
+    each_ = seldom_ = late_ = WatchReader(GetParam().tolerance);
+    clock_ = -1e300;
     const auto open = [&] {
       auto opened = std::make_unique<Database>(file.path());
       opened->exec("PRAGMA synchronous = OFF");

@@ -26,14 +26,24 @@ Node full_node(const NodeFormat& format) {
   for (std::size_t i = 0; i < format.inner_capacity; ++i) {
     node.keys.push_back(static_cast<std::int64_t>(100 + i));
     node.values.resize(node.values.size() + stride);
-    node.values[i * stride] = -1, node.values[i * stride + 1] = 4, node.values[i * stride + 2] = inf;
+    node.values[i * stride] = -1;
+    node.values[i * stride + 1] = 4;
+    node.values[i * stride + 2] = inf;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(format.layout.axes); ++axis) {
       const auto at = [&](Bound bound) -> double& { return node.values[place(format, i, bound, axis)]; };
       const double base = static_cast<double>(i * 10 + axis);
-      at(lower) = base, at(upper) = axis == 0 ? inf : base + 0.5;
-      at(v_lower) = -rest_velocity_pad, at(v_upper) = rest_velocity_pad;
-      if (format.layout.law >= Law::uniform) at(v_lower) = -base, at(v_upper) = base + 1;
-      if (format.layout.law >= Law::accelerated) at(a_lower) = -0.0, at(a_upper) = 5e-324;
+      at(lower) = base;
+      at(upper) = axis == 0 ? inf : base + 0.5;
+      at(v_lower) = -rest_velocity_pad;
+      at(v_upper) = rest_velocity_pad;
+      if (format.layout.law >= Law::uniform) {
+        at(v_lower) = -base;
+        at(v_upper) = base + 1;
+      }
+      if (format.layout.law >= Law::accelerated) {
+        at(a_lower) = -0.0;
+        at(a_upper) = 5e-324;
+      }
     }
   }
   return node;

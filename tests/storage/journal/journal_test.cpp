@@ -27,7 +27,10 @@ class Numbers final : public Journal::Participant {
   int kept = 0;
 
  private:
-  std::size_t keep() override { return ++kept, all.size(); }
+  std::size_t keep() override {
+    ++kept;
+    return all.size();
+  }
   void rewind(std::size_t position) override { all.resize(position); }
   void forget() noexcept override { is_logged = false; }
   void end(Journal::Ended) noexcept override { all.clear(); }
@@ -71,7 +74,8 @@ TEST_F(Journals, AMarkCostsNothingForStateThatDoesNotChange) {
   EXPECT_EQ(numbers.kept, 0) << "the start of the transaction needs nothing of large state";
   EXPECT_FALSE(numbers.is_logged);
   for (int i = 0; i < 5; ++i) journal.set_mark();
-  numbers.add(2), numbers.add(3);
+  numbers.add(2);
+  numbers.add(3);
   EXPECT_EQ(numbers.kept, 1);
   EXPECT_TRUE(numbers.is_logged);
   journal.forget(1);
@@ -139,7 +143,8 @@ TEST_F(Journals, AnAbandonedMarkRestoresNothingOfOneParticipantAndAnOlderOneDoes
   journal.begin();
   numbers.add(1);
   const Journal::Mark savepoint = journal.set_mark(), change = journal.set_mark();
-  numbers.add(2), value.change() = 8;
+  numbers.add(2);
+  value.change() = 8;
   EXPECT_FALSE(journal.is_abandoned(change));
   numbers.abandon();
   numbers.add(3);

@@ -12,8 +12,14 @@ class Versions : public ::testing::Test {
     version.read(17);
     begin();
   }
-  void begin() { journal.begin(), version.begin(); }
-  void end(Journal::Ended how) { journal.end(how), version.end(how); }
+  void begin() {
+    journal.begin();
+    version.begin();
+  }
+  void end(Journal::Ended how) {
+    journal.end(how);
+    version.end(how);
+  }
   ContentVersion shown() { return version.shown(*version.seen()); }
 
   Journal journal;

@@ -30,9 +30,11 @@ class TwoTables : public ::testing::Test {
     for (int id = 1; id <= last; ++id) a->insert(id, ship(id), {}), b->insert(id, ship(-id), {});
   }
   void commit_both() {
-    a->sync(), b->sync();
+    a->sync();
+    b->sync();
     db.run("COMMIT");
-    a->commit(), b->commit();
+    a->commit();
+    b->commit();
   }
 
   Database db;
@@ -46,7 +48,8 @@ TEST_F(TwoTables, LoadedTogetherAreWrittenEarlyByTheCommonLimit) {
   EXPECT_GT(db.number("SELECT count(*) FROM a_map"), 0);
   EXPECT_GT(db.number("SELECT count(*) FROM b_map"), 0);
   db.run("ROLLBACK");
-  a->rollback(), b->rollback();
+  a->rollback();
+  b->rollback();
   EXPECT_EQ(count_of(*a) + count_of(*b), 0);
   insert_into_both(objects);
   commit_both();

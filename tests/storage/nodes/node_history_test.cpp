@@ -99,7 +99,9 @@ TEST_F(Histories, HaveTheStateOfEveryNodeWhicheverMarksAndSnapshotsAreGivenUp) {
 TEST_F(Histories, GoBackFromTheNewestStateToTheOldest) {
   const std::size_t position = history.end();
   const States before = nodes;
-  change(3), change(5), change(3);
+  change(3);
+  change(5);
+  change(3);
   history.for_each_back(position, history.end(),
                         [&](NodeNumber number, const NodeState& state) { nodes[number] = state; });
   for (const auto& [number, state] : before) EXPECT_EQ(nodes[number].node, state.node);

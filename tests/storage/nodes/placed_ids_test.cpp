@@ -50,8 +50,10 @@ TEST(PlacedIds, ReturnsIdsOfAnyDistribution) {
   expect_placed({-max_id - 1, max_id, 0, -1, std::int64_t{1} << 31, std::int64_t{1} << 32});
   std::vector<std::int64_t> even, squares, clusters, far;
   for (std::int64_t i = 0; i < 3000; ++i) {
-    even.push_back(3 * i - 1000), squares.push_back(i * i * i);
-    clusters.push_back((i % 3) * (max_id / 4) + i), far.push_back(i == 0 ? -max_id : i == 1 ? max_id : i);
+    even.push_back(3 * i - 1000);
+    squares.push_back(i * i * i);
+    clusters.push_back((i % 3) * (max_id / 4) + i);
+    far.push_back(i == 0 ? -max_id : i == 1 ? max_id : i);
   }
   for (const auto& ids : {even, squares, clusters, far}) expect_placed(ids);
 }
@@ -66,10 +68,13 @@ TEST(PlacedIds, ReturnsSeveralBlocksAsOne) {
 
 TEST(IdSum, DiffersIfAnIdDoes) {
   IdSum a, b, c;
-  a.add(1), a.add(5);
-  b.add(5), b.add(1);
+  a.add(1);
+  a.add(5);
+  b.add(5);
+  b.add(1);
   EXPECT_EQ(a, b);
-  c.add(1), c.add(1);
+  c.add(1);
+  c.add(1);
   EXPECT_FALSE(a == c);
   c = {};
   c.add(6);

@@ -18,7 +18,9 @@ TEST(ShadowSchema, DescribesTheColumnsOfEveryLayout) {
   EXPECT_EQ(describe_columns({.layout = forced}), "id, x, vx, fx, m, hx");
   Layout outlined{.axes = 3, .shape = Shape::outline, .has_until = true, .has_heading = true};
   EXPECT_EQ(describe_columns({.layout = outlined}), "id, x, y, z, hz, shape, heading, until");
-  outlined.axes = 2, outlined.has_radius = true, outlined.has_heading = false;
+  outlined.axes = 2;
+  outlined.has_radius = true;
+  outlined.has_heading = false;
   EXPECT_EQ(describe_columns({.layout = outlined}), "id, x, y, r, shape, until");
   const Layout meshes{.axes = 3, .shape = Shape::mesh, .has_radius = true, .has_heading = true};
   EXPECT_EQ(describe_columns({.layout = meshes}), "id, x, y, z, r, shape, heading");

@@ -83,7 +83,10 @@ void LoadBatches::live(unsigned seed, int rounds) {
     if (random() % 3 == 0) update_some(40);
     std::shared_ptr<NodeSource> snapshot;
     Model seen;
-    if (random() % 3 == 0) snapshot = store->take_snapshot(), seen = model;
+    if (random() % 3 == 0) {
+      snapshot = store->take_snapshot();
+      seen = model;
+    }
     if (snapshot) insert_many(300);
     if (random() % 5 == 0) {
       snapshot.reset();
@@ -101,7 +104,11 @@ void LoadBatches::live(unsigned seed, int rounds) {
     }
     snapshot.reset();
     expect_model();
-    if (random() % 6 == 0) store = another(), begin(db, *store), commit(db, *store);
+    if (random() % 6 == 0) {
+      store = another();
+      begin(db, *store);
+      commit(db, *store);
+    }
     if (HasFailure()) FAIL() << "seed " << seed << ", round " << round;
   }
 }

@@ -144,7 +144,10 @@ TEST_F(LookUp, DamageIsReportedAlikeWithAndWithoutTheCache) {
     for (const bool is_first : {true, false}) {
       db.run("SAVEPOINT s; " + damage);
       reopen();
-      if (!is_first) look(*store, -1), look(*store, -1);
+      if (!is_first) {
+        look(*store, -1);
+        look(*store, -1);
+      }
       expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { look(*store, 9); });
       expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->read(9); });
       db.run("ROLLBACK TO s; RELEASE s");
@@ -193,19 +196,26 @@ TEST_F(LookUp, RandomChangesAgreeWithAMapAtAnyTime) {
     switch (below(40)) {
       case 0:
         if (in_transaction) break;
-        begin(db, *store), at_start = model, in_transaction = true;
+        begin(db, *store);
+        at_start = model;
+        in_transaction = true;
         break;
       case 1:
         if (!in_transaction) break;
-        commit(db, *store), in_transaction = in_savepoint = false;
+        commit(db, *store);
+        in_transaction = in_savepoint = false;
         break;
       case 2:
         if (!in_transaction) break;
-        roll_back(db, *store), model = at_start, in_transaction = in_savepoint = false;
+        roll_back(db, *store);
+        model = at_start;
+        in_transaction = in_savepoint = false;
         break;
       case 3:
         if (!in_transaction || in_savepoint) break;
-        open_savepoint(db, *store, 0), at_savepoint = model, in_savepoint = true;
+        open_savepoint(db, *store, 0);
+        at_savepoint = model;
+        in_savepoint = true;
         break;
       case 4:
         if (in_savepoint) roll_back_to(db, *store, 0), model = at_savepoint;

@@ -50,7 +50,10 @@ class Partitioned : public ::testing::Test {
   void update(std::int64_t id) {
     store->update(id, id, scattered(model[id] = static_cast<double>(random() % 999)), {});
   }
-  void erase(std::int64_t id) { store->erase(id), model.erase(id); }
+  void erase(std::int64_t id) {
+    store->erase(id);
+    model.erase(id);
+  }
   /// Ids in no order; some blocks of the map are full, others are not.
   void load(int count = objects) {
     begin(db, *store);

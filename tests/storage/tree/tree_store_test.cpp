@@ -21,7 +21,8 @@ class TwoTrees : public ::testing::Test {
         other_rows((create_others(), others), rows.meta(), "chunk"),
         first(db, format, name, 60, journal, memory, [] {}),
         second(db, format, name, 60, journal, memory, [] {}) {
-    first.connect(rows.tree()), second.connect(other_rows);
+    first.connect(rows.tree());
+    second.connect(other_rows);
     db.run("COMMIT");
   }
   static std::vector<ShadowTable> others_and_meta() {
@@ -40,7 +41,8 @@ class TwoTrees : public ::testing::Test {
   void start() { db.run("BEGIN IMMEDIATE"), journal.begin(); }
   void write() {
     merge();
-    first.write(never), second.write(never);
+    first.write(never);
+    second.write(never);
   }
   void commit() {
     write();
@@ -100,7 +102,8 @@ TEST_F(TwoTrees, StoreTheirObjectsApart) {
   EXPECT_GT(db.number("SELECT value FROM ships_meta WHERE key = 'chunk_root'"), 0);
   EXPECT_EQ(rows.tree().map().count_ids(), 500);
   EXPECT_EQ(other_rows.map().count_ids(), 301);
-  first.nodes().forget_all(), second.nodes().forget_all();
+  first.nodes().forget_all();
+  second.nodes().forget_all();
   EXPECT_EQ(contents(first).at(450), 450);
   EXPECT_EQ(contents(second).at(450), -450);
   EXPECT_EQ(contents(second).size(), 301u);
@@ -146,7 +149,8 @@ TEST_F(TwoTrees, AreRestoredTogetherThroughRandomProgramsOfSavepoints) {
         case 4: {  // a change that fails half-way, in either tree
           const Both before = model;
           const Journal::Mark mark = journal.set_mark();
-          put(first, model.first, id), put(second, model.second, id);
+          put(first, model.first, id);
+          put(second, model.second, id);
           if (random() % 2) first.merge_pending(TreeStore::Reason::query, never);
           journal.rewind(mark);
           journal.forget(mark);
@@ -173,7 +177,10 @@ TEST_F(TwoTrees, AreRestoredTogetherThroughRandomProgramsOfSavepoints) {
           }
           break;
         default:
-          change([&] { put(first, model.first, id), put(second, model.second, 2 * id); });
+          change([&] {
+            put(first, model.first, id);
+            put(second, model.second, 2 * id);
+          });
       }
     }
     if (random() % 3 == 0) {
