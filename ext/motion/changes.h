@@ -1,6 +1,6 @@
 // Manoeuvres as objects: the motions of one object that a manoeuvre by any k of a range can give.
 //
-//   const auto turns = changes_by(Manoeuvre::turn, base);        // base: the motion at the change
+//   const auto turns = changes_by(Manoeuvre::turn, base);        // base: the motion at the start
 //   turns->changed(15)                                           // 15 degrees to starboard, as it is stored
 //   turns->between<2>(-10, 10).velocity.support({0, 1})          // no such motion is faster northward
 //
@@ -26,7 +26,7 @@ class Changes {
 
   /// The motion to which sets and estimates refer. None of the changed motions exists before its t.
   const OwnMotion& reference() const { return reference_; }
-  /// The motion without a change: what it touches at its first time touches before the change.
+  /// The motion without a change: what it touches at its first time, it touches already.
   virtual const OwnMotion& unchanged() const { return reference_; }
 
   /// The motion to store for k; numbers that overflow are infinite. Requires: k finite.
@@ -69,7 +69,7 @@ class Changes {
   OwnMotion reference_;
 };
 
-/// Turn, speed, climb or accelerate. `base`: the motion at the change. `scales_bend`: Manoeuvre::speed keeps the path,
+/// Turn, speed, climb or accelerate. `base`: the motion at the start. `scales_bend`: Manoeuvre::speed keeps the path,
 /// so its acceleration changes by the square. Requires: a course for Manoeuvre::speed and accelerate.
 std::unique_ptr<Changes> changes_by(Manoeuvre manoeuvre, const OwnMotion& base, bool scales_bend = false);
 

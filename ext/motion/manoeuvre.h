@@ -10,7 +10,7 @@
 //   climb        adds k to vz
 //   accelerate   adds k to the acceleration along the course: a + k v / m
 //   delay        shifts start and end by k: later, or earlier where k < 0
-//   wait         rests for k from the change on, then goes on: all that follows is later by k
+//   wait         rests for k from its start on, then goes on: all that follows is later by k
 //
 // Changes are instantaneous, as in all velocity obstacles: the result must be a motion that a row can hold. Each
 // number is the exact value rounded once. Cost: microseconds.

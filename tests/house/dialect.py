@@ -2,7 +2,7 @@
 nineteen were wrong. A word that is wrong in one sense only is listed in that sense, or not listed.
 
     WORDS: for prose (comments, messages, pages); case does not matter
-    NAMES: for identifiers and file names, whose words are joined by _ : ClearRanges is clear_ranges
+    NAMES: for identifiers and file names, whose words are joined by _ : RangeBisection is range_bisection
     HEADINGS: for headings of pages
 """
 import re
@@ -79,7 +79,7 @@ NAMES = [(re.compile(rf"(?:^|_)(?:{pattern})(?=_|$)"), write) for pattern, write
     (r"play", "inflation"),
     (r"parting", "separating"),
     (r"advice", "manoeuvre"),
-    (r"met_intruders?", "intruder_certificate"),
+    (r"met_intruders?", "intruder"),
     (r"touched", "exact_avoidance, touching"),
     (r"depth_in", "signed_distance"),
     (r"(?<!at_)most", "max, upper_bound; support"),

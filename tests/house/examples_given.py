@@ -171,9 +171,9 @@ GIVEN = {
     "sweep_walk.h": {"tile": "const Box<2>&"},
     "tree_join.h": {"source": "NodeSource&"},
     "callback.h": {"cursor": "sqlite3_vtab_cursor*"},
-    "clear_ranges.h": {"certificates": "const std::vector<IntruderCertificate<2>>&", "changed": "const ChangedLegs&"},
+    "range_bisection.h": {"intruders": "const std::vector<Intruder<2>>&", "changed": "const ChangedLegs&"},
     "proven_ranges.h": {"manoeuvre": "const ManoeuvreCase&", "exact": "ExactAvoidance&"},
-    "intruder_certificate.h": {"changes": "const std::unique_ptr<Changes>&"},
+    "intruder.h": {"changes": "const std::unique_ptr<Changes>&"},
     "separation.h": {"changes": "const std::unique_ptr<Changes>&"},
     "time_slabs.h": {"pair": "Pair", "times": "const ContactTimes&"},
 }

@@ -224,10 +224,11 @@ class BentSeparation {
       if (leaves < end && is_proven_at(0.5)) return ClearanceVerdict::clear;
       if (course_.approaches() == end && (leaves == end || course_.is_ball()) && separates_until(end))
         return ClearanceVerdict::clear;
-      return all_shrink_at(course_.first_approach()) ? ClearanceVerdict::blocked : ClearanceVerdict::open;
+      return all_shrink_at(course_.first_approach()) ? ClearanceVerdict::blocked
+                                                     : ClearanceVerdict::undecided;
     }
     return all_shrink_at(course_.fastest_approach()) || all_touch_again() ? ClearanceVerdict::blocked
-                                                                          : ClearanceVerdict::open;
+                                                                          : ClearanceVerdict::undecided;
   }
 
   /// Both proofs join at this share of the time between leaving and the next approach of the middle change,

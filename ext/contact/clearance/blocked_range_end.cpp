@@ -110,9 +110,9 @@ class TouchingAbout {
       const auto is_before = [&](const std::optional<SineCosine<double>>& one) {
         return one && (key_of(*one) - key_of(until)) * direction < 0;
       };
-      const Wave beside = side_of(own, other);
+      const Wave lateral = side_of(own, other);
       const auto passes =
-          passing((side > 0 ? beside : -beside).from(middle), paths_.square.from(middle), now, direction);
+          passing((side > 0 ? lateral : -lateral).from(middle), paths_.square.from(middle), now, direction);
       if (is_before(passes)) until = *passes;
       bool is_known = passes.has_value();
       for (const Wave& time : {after_begin(own, other), before_end(own, other)})
@@ -134,13 +134,13 @@ class TouchingAbout {
     if (found && ahead > -1e-6) return now;  // only rounding has put it behind
     return std::nullopt;
   }
-  /// The same for the sum of a wave and the radius times the speed: in steps, each by the lowest speed of it.
-  std::optional<SineCosine<double>> passing(const Wave& beside, const Wave& square, SineCosine<double> now,
+  /// next_fall() of the sum of a wave and the radius times the speed: in steps, each by the lowest speed of it.
+  std::optional<SineCosine<double>> passing(const Wave& lateral, const Wave& square, SineCosine<double> now,
                                             int direction) const {
-    if (!(radius_ > 0)) return next_fall(beside, now, direction);
+    if (!(radius_ > 0)) return next_fall(lateral, now, direction);
     for (int step = 0; step < 64; ++step) {
       const auto fall = [&](double of_speed) {
-        return next_fall(beside.plus(radius_ * std::sqrt(std::max(0.0, of_speed))), now, direction);
+        return next_fall(lateral.plus(radius_ * std::sqrt(std::max(0.0, of_speed))), now, direction);
       };
       const double here = square.at(now);
       const SineCosine<double> ahead = fall(here).value_or(farthest_angle(direction));

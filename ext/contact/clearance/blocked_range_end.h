@@ -21,7 +21,7 @@ using SignedDistance = std::optional<double>;
 template <int D>
 SignedDistance gap_of(const Encounter<D>& encounter, const Changes& changes, double k);
 
-/// Half the slope of the squared distance of the centres at the change, of two that touch then; below 0 if
+/// Half the slope of the squared distance of the centres at the start, of two that touch then; below 0 if
 /// they approach.
 template <int D>
 SignedDistance opening_rate_of(const Encounter<D>& encounter, const Changes& changes, double k);

@@ -179,7 +179,7 @@ Departure departure_of(const Encounter<D>& encounter, const TrajectoryFamily<D>&
 }
 
 template <int D>
-bool is_beside(const Encounter<D>& encounter) {
+bool starts_nearly_touching(const Encounter<D>& encounter) {
   const auto& extents = encounter.extents;
   if (extents.radius < 0 || (extents.half < 0).any()) return false;  // the extents may grow later
   Vec<D> ignored;
@@ -189,8 +189,8 @@ bool is_beside(const Encounter<D>& encounter) {
 template Departure departure_of<1>(const Encounter<1>&, const TrajectoryFamily<1>&);
 template Departure departure_of<2>(const Encounter<2>&, const TrajectoryFamily<2>&);
 template Departure departure_of<3>(const Encounter<3>&, const TrajectoryFamily<3>&);
-template bool is_beside<1>(const Encounter<1>&);
-template bool is_beside<2>(const Encounter<2>&);
-template bool is_beside<3>(const Encounter<3>&);
+template bool starts_nearly_touching<1>(const Encounter<1>&);
+template bool starts_nearly_touching<2>(const Encounter<2>&);
+template bool starts_nearly_touching<3>(const Encounter<3>&);
 
 }  // namespace foresee

@@ -1,9 +1,9 @@
 // Certificate that an object moves away at once from one so near that doubles do not separate the two.
 //
-//   const Departure departure = departure_of<2>(encounter, family);  // encounter.beside
+//   const Departure departure = departure_of<2>(encounter, family);  // encounter.nearly_touches
 //   departure.away_until >= encounter.end                            // clear: a proof for every change
 //
-// Exact contact has found the two apart, so a separating plane exists at the change. It still separates them
+// Exact contact has found the two apart, so a separating plane exists at the start. It still separates them
 // later if they move apart along its normal. The plane itself need not be known: every plane that it may be
 // is tested. Cost: some 50 ns.
 #pragma once
@@ -19,12 +19,12 @@ struct Departure {
   bool all_touch;     ///< every change very probably touches at once
 };
 
-/// Requires: encounter.beside, and no family.all.starts.
+/// Requires: encounter.nearly_touches, and no family.all.starts.
 template <int D>
 Departure departure_of(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
 /// Whether an object that starts apart is so near that departure_of() is worth its cost.
 template <int D>
-bool is_beside(const Encounter<D>& encounter);
+bool starts_nearly_touching(const Encounter<D>& encounter);
 
 }  // namespace foresee

@@ -14,7 +14,7 @@ double reach_of(const Box<2>& box) {
          std::numeric_limits<double>::denorm_min();
 }
 
-/// The same of the bounds of a row.
+/// reach_of() of the bounds of a row.
 double reach_of_row(const Bodies& bodies, std::size_t i) {
   ObjectPieces around;
   around.take_row(bodies, nullptr, i);

@@ -7,7 +7,7 @@
 //   pair.reach()                                        // farther apart than this, the two do not touch
 //   for (const OutlinePair::Part& part : pair.parts()) use(pair.sum_of(part), pair.more_round(part));
 //
-// If the outline rotates with the change, the bound of several pieces is a disc around the object's position.
+// If the outline rotates with k, the bound of several pieces is a disc around the object's position.
 // For a narrow range of changes it is the rotated box.
 #pragma once
 
@@ -40,7 +40,7 @@ class OutlinePair {
     bool pieces = false;
   };
 
-  /// `given`: the other outline before its rotation, if it is known; then a convex one is not rotated exactly beside an
+  /// `given`: the other outline before its rotation, if it is known; then a convex one is not rotated exactly with an
   /// own outline that turns. Both this and `others` must outlive the pair.
   OutlinePair(std::shared_ptr<const OwnOutline> own, const Bodies& others, std::size_t row,
               const SharedOutline* given = nullptr);

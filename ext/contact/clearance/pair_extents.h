@@ -35,7 +35,7 @@ struct PairExtents {
       if (sum) along = sum->support(n[0], n[1]);
     return support_with(n, along);
   }
-  /// The same for a sum whose support is `along`.
+  /// support(n), where that of the sum is `along`.
   double support_with(const Vec<D>& n, double along) const {
     const Vec<D> size = n.abs();
     double square = 0;

@@ -214,7 +214,7 @@ bool PieceSum::has_corner_inside(const Corner& other_place, const Corner& own_pl
   make_sides();
   const Placed own{own_, own_sides_, pose_, own_place},
       other{other_.corners, other_sides_, {0, -1}, other_place};
-  // Linear in the corners, as all of this class: of many corners beside many sides not all are tested.
+  // Linear in the corners, as all of this class: of many corners and many sides not all are tested.
   std::size_t left = 32 * (own_.size() + other_.corners.size());
   const auto has_inside = [&](const Placed& from, const Placed& in) {
     std::size_t side = 0;
@@ -264,7 +264,7 @@ double PieceSum::signed_distance(double x, double y, double& normal_x, double& n
   const auto past = [&](const Edge& edge) {
     return (y - edge.y) * edge.normal_x - (x - edge.x) * edge.normal_y;
   };
-  const auto is_beside = [&](const Edge& edge) {
+  const auto projects_onto = [&](const Edge& edge) {
     const double here = past(edge);
     return here >= 0 && here <= edge.length;
   };
@@ -276,7 +276,7 @@ double PieceSum::signed_distance(double x, double y, double& normal_x, double& n
     if (here > within) within = here, nearest_edge = &edge;
   }
   // Not from the vector between the point and the edge, which may be very short.
-  if (nearest_edge && (within <= 0 || is_beside(*nearest_edge))) {
+  if (nearest_edge && (within <= 0 || projects_onto(*nearest_edge))) {
     normal_x = nearest_edge->normal_x, normal_y = nearest_edge->normal_y;
     return within;
   }
@@ -287,7 +287,7 @@ double PieceSum::signed_distance(double x, double y, double& normal_x, double& n
     const double from_x = x - edge.x, from_y = y - edge.y, ahead = beyond(edge);
     const double here = from_x * from_x + from_y * from_y;
     if (here < square) square = here, to_x = from_x, to_y = from_y;
-    if (ahead > 0 && is_beside(edge)) {
+    if (ahead > 0 && projects_onto(edge)) {
       normal_x = edge.normal_x, normal_y = edge.normal_y;
       return ahead;
     }

@@ -39,7 +39,7 @@ class PieceSum {
   /// Upper bound of the support function along (x, y), in lengths of that vector. It also holds for the
   /// corners that a rotated outline is stored with, at a rounded heading.
   double support(double x, double y) const;
-  /// The same for a rotation from the given pose, whatever the present pose is.
+  /// The support function in this pose, whatever the present one is.
   double support(double x, double y, const SineCosine<double>& pose) const;
   /// Approximate signed distance of a point, below 0 inside, and its gradient, of length 1.
   double signed_distance(double x, double y, double& normal_x, double& normal_y) const;
@@ -55,7 +55,7 @@ class PieceSum {
                                      double end) const;
   /// Whether one corner of either piece remains inside the other, or within `radius` of it, while both rotate. They
   /// rotate with the vector `own_place`, by up to a half width from the present pose. `half`: the sine and cosine of
-  /// the half width. Approximate; of many corners beside many sides not all are tested.
+  /// the half width. Approximate; of many corners and many sides not all are tested.
   bool has_corner_inside(const Corner& other_place, const Corner& own_place, const SineCosine<double>& half,
                          double radius, double slack) const;
   /// Calls use(normal_x, normal_y, error) for each edge that a point is beyond, or inside by less than

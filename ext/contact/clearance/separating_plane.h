@@ -34,8 +34,8 @@ double min_of(const Vec<D>& n, const Vec<D>& other, const Vec<D>& error, const V
           4 * unit_roundoff * std::abs(support));
 }
 
-/// What an arc adds to the farther of its ends, as from + rate tau + bend tau^2 for tau of [begin, end].
-struct BesideEnds {
+/// How much farther than at both ends of the range corners reach in between, as from + rate tau + bend tau^2.
+struct ExtraReach {
   double from, rate, bend;
 };
 
@@ -43,13 +43,13 @@ struct BesideEnds {
 /// is at most the farther end, and the height of the arc. Without a it is at most the farther end alone once
 /// v tau outweighs c, so that R(k) w turns away from n throughout, or towards n.
 template <int D>
-BesideEnds beside_ends(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
-                       double begin, double end) {
+ExtraReach extra_reach_of_arc(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
+                              const Vec<D>& n, double begin, double end) {
   const double chord = encounter.rotation_chord, size = std::abs(n[0]) + std::abs(n[D > 1]);
   const double height = 0.5 * chord * chord * size * (1 + 0x1p-48);
   const VectorSet<D>&velocity = family.all.velocity, &acceleration = family.all.acceleration;
   const double reach = encounter.turning->own_reach();
-  BesideEnds all{height * reach, height * velocity.radius, 0.5 * height * acceleration.radius};
+  ExtraReach all{height * reach, height * velocity.radius, 0.5 * height * acceleration.radius};
   if (acceleration.turns) return all;
   const auto across = [&](const Vec<D>& v) { return n[0] * v[D > 1] - n[D > 1] * v[0]; };
   const double first = across(family.first.v), last = across(family.last.v);
@@ -57,7 +57,7 @@ BesideEnds beside_ends(const Encounter<D>& encounter, const TrajectoryFamily<D>&
   const double slowest =
       std::min(std::abs(first), std::abs(last)) - size * (velocity.pad.sum() + 0x1p-47 * velocity.radius);
   const double until = size * reach * (1 + 0x1p-40) / slowest;
-  if (!(slowest > 0) || until <= begin) return slowest > 0 ? BesideEnds{0, 0, 0} : all;
+  if (!(slowest > 0) || until <= begin) return slowest > 0 ? ExtraReach{0, 0, 0} : all;
   if (!(2 * (until - begin) < end - begin)) return all;
   const double rate = (all.from + until * all.rate) / (end - until) * (1 + 0x1p-40);
   return {rate * end, -rate, 0};
@@ -66,7 +66,7 @@ BesideEnds beside_ends(const Encounter<D>& encounter, const TrajectoryFamily<D>&
 /// plane_proves() for a sum that rotates with the motions, by one normal for each end of the range.
 template <int D>
 bool planes_prove_of_turns(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
-                           const std::array<Vec<D>, 2>& normals, const BesideEnds& beside, double begin,
+                           const std::array<Vec<D>, 2>& normals, const ExtraReach& extra, double begin,
                            double end) {
   const MotionSet<D>& all = family.all;
   const auto one = [](const Vec<D>& centre, const VectorSet<D>& of) {
@@ -77,21 +77,21 @@ bool planes_prove_of_turns(const Encounter<D>& encounter, const TrajectoryFamily
     const TrajectoryEstimate<D>& own = i == 0 ? family.first : family.last;
     const double along = encounter.turning->support(n[0], n[D > 1], family.turns->ends[i]);
     const double growth = encounter.extents.grows ? encounter.extents.growth.support(n) : 0;
-    const double reach = encounter.extents.support_with(n, along) + beside.from;
+    const double reach = encounter.extents.support_with(n, along) + extra.from;
     const double c0 = min_of<D>(n, encounter.x, encounter.ex, all.place) - reach;
     const double v = min_of<D>(n, encounter.v, encounter.ev, one(own.v, all.velocity));
     const double c1 =
-        v - growth - beside.rate - 4 * unit_roundoff * (std::abs(v) + growth + std::abs(beside.rate));
+        v - growth - extra.rate - 4 * unit_roundoff * (std::abs(v) + growth + std::abs(extra.rate));
     const double c2 = 0.5 * min_of<D>(n, encounter.a, Vec<D>(Vec<D>::Zero()), one(own.a, all.acceleration)) -
-                      beside.bend * (1 + 0x1p-48);
+                      extra.bend * (1 + 0x1p-48);
     if (!surely_positive(c0 - 4 * unit_roundoff * (std::abs(c0) + std::abs(reach)), c1, c2, begin, end))
       return false;
   }
   return true;
 }
 
-/// A plane that turns with the own outline, as beside an edge of it: its normal is n in the present pose of the sum.
-/// The corners of the other piece then rotate about the position of the change, by as much in the other direction.
+/// A plane that turns with the own outline, as along an edge of it: its normal is n in the present pose of the sum.
+/// The corners of the other piece then rotate about the position of the start, by as much in the other direction.
 /// Rotated normals have an error, by which own and other corners reach farther.
 template <int D>
 bool turning_plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
@@ -103,10 +103,10 @@ bool turning_plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<
     return height * ((std::abs(vector[0]) + std::abs(vector[D > 1])) * (1 + 0x1p-48));
   };
   const auto own = [&](const VectorSet<D>& set) { return 0x1p-46 * size * set.radius; };
-  const BesideEnds beside{far(encounter.x.abs() + encounter.ex) +
-                              height * (encounter.turning->size() + std::abs(encounter.extents.radius)),
-                          far(encounter.v.abs() + encounter.ev) + own(family.all.velocity),
-                          0.5 * (far(encounter.a) + own(family.all.acceleration))};
+  const ExtraReach extra{far(encounter.x.abs() + encounter.ex) +
+                             height * (encounter.turning->size() + std::abs(encounter.extents.radius)),
+                         far(encounter.v.abs() + encounter.ev) + own(family.all.velocity),
+                         0.5 * (far(encounter.a) + own(family.all.acceleration))};
   const SineCosine<double>& pose = encounter.turning->pose();
   std::array<Vec<D>, 2> normals{n, n};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -116,7 +116,7 @@ bool turning_plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<
     normals[i][0] = n[0] * cosine + n[D > 1] * sine;
     normals[i][D > 1] = n[D > 1] * cosine - n[0] * sine;
   }
-  return planes_prove_of_turns<D>(encounter, family, normals, beside, begin, end);
+  return planes_prove_of_turns<D>(encounter, family, normals, extra, begin, end);
 }
 
 /// Whether a plane of normal n separates the two throughout [begin, end], for every change: a proof.
@@ -126,7 +126,7 @@ bool plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<D>& fami
   if (!(n.abs().maxCoeff() >= min_normal)) return false;
   if (D > 1 && encounter.turning)
     return planes_prove_of_turns<D>(encounter, family, {n, n},
-                                    beside_ends<D>(encounter, family, n, begin, end), begin, end);
+                                    extra_reach_of_arc<D>(encounter, family, n, begin, end), begin, end);
   const MotionSet<D>& all = family.all;
   double inflation = 0;  // in x and y
   if constexpr (D > 1)
@@ -153,9 +153,9 @@ bool tilted_plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<D
   return plane_proves<D>(encounter, family, tilted, begin, end);
 }
 
-/// The same for a sum that rotates, by a plane until the nearest approach at tau and one after it. `v`: the velocity of
-/// the other object relative to one motion, across n. Far from the nearest approach a plane tilted along v gives
-/// the room that the rotation needs there; near it the rotation is outweighed by the turn of the velocity.
+/// Whether two planes separate a sum that rotates: one until the nearest approach at tau and one after it. `v`: the
+/// velocity of the other object relative to one motion, across n. Far from the nearest approach a plane tilted along v
+/// gives the room that the rotation needs there; near it the rotation is outweighed by the turn of the velocity.
 template <int D>
 bool two_planes_prove(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, const Vec<D>& n,
                       const Vec<D>& v, double tau, double begin, double end) {

@@ -14,8 +14,8 @@ namespace {
 constexpr double rounding = 0x1p-49;
 
 /// A range of delays, where time counts from the start of each delayed motion. So all delays start at one
-/// position, and the other object is where it is by then. A resting object then has one position for all
-/// delays, and the path before the start need not be clear. Cost: some 100 ns.
+/// position, and the other object is where it is by then. A resting object then has one position for all delays,
+/// and the path before the start need not be clear. The family has no all.starts. Cost: some 100 ns.
 template <int D>
 struct SeenFromStart {
   Encounter<D> encounter;
@@ -32,6 +32,7 @@ TrajectoryEstimate<D> estimate_from_start(const Encounter<D>& encounter, const T
           family.middle.a, std::max(0.0, encounter.begin - k), std::min(duration, encounter.end - k)};
 }
 
+/// What touches is seen to touch: a range that is clear as it is seen from the start is clear.
 template <int D>
 SeenFromStart<D> seen_from_start(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
   SeenFromStart<D> seen{encounter, {}};
@@ -57,87 +58,98 @@ SeenFromStart<D> seen_from_start(const Encounter<D>& encounter, const Trajectory
   after.all.begin = 0;
   after.all.end = family.all.end - p + 0x1p-50 * (std::abs(family.all.end) + std::abs(p));
   after.middle = estimate_from_start<D>(encounter, family, middle);
-  after.first = estimate_from_start<D>(encounter, family, p),
+  after.first = estimate_from_start<D>(encounter, family, p);
   after.last = estimate_from_start<D>(encounter, family, q);
-  after.bends = family.bends, after.one_interval = family.one_interval, after.is_from_start = true;
-  find_ends<D>(after);
+  after.bends = family.bends;
+  after.one_interval = family.one_interval;
+  after.is_from_start = true;
+  find_bounds<D>(after);
   after.turned[0] = after.all.place.pad.sum();
   return seen;
 }
 
-/// `nearest`: when the first and the last change touch, about.
+/// The verdict on a set that does not rotate, by the normals at the nearest approaches of three motions. In this order:
+///   - a plane by the middle motion;
+///   - for two that nearly touch: do they move apart at once, and are they apart from then on?
+///   - planes by the first and the last motion, unless the middle one touches and the paths are straight;
+///   - do all motions touch at one time: when the middle one does, or the first, or the last?
+///   - do all touch, each at its own time?
 template <int D>
-bool all_touch_between(const SeparationCase<D>& separation, const Encounter<D>& encounter,
-                       const TrajectoryFamily<D>& family, const std::optional<double> (&nearest)[2]) {
-  const auto passing = [&](const TrajectoryEstimate<D>& own, double tau) {
-    return passing_time<D>(encounter.extents, relative(encounter, own), tau);
-  };
-  return separation.all_touch_between(passing(family.first, *nearest[0]), passing(family.last, *nearest[1]));
-}
+class VerdictByPlanes {
+ public:
+  VerdictByPlanes(SeparationCase<D>& separation, const Encounter<D>& encounter,
+                  const TrajectoryFamily<D>& family)
+      : separation_(separation), encounter_(encounter), family_(family) {}
 
-/// The verdict on a set that does not rotate, by the normals at the nearest approaches of three motions.
-template <int D>
-ClearanceVerdict verdict_by_planes(SeparationCase<D>& separation, const Encounter<D>& encounter,
-                                   const TrajectoryFamily<D>& family) {
-  if (separation.never_together()) return ClearanceVerdict::clear;
-  if (!separation.is_finite()) return ClearanceVerdict::blocked;
-  double tau = 0;
-  std::optional<double> nearest[2];  // of the first and the last change, once known
-  const TrajectoryEstimate<D>* const ends[] = {&family.first, &family.last};
-  ProbeResult probe = separation.probe(family.middle, separation.begin(), tau);
-  if (encounter.beside && !family.all.starts && probe != ProbeResult::separated) {
-    const Departure leaving = departure_of<D>(encounter, family);
-    const double length = separation.end() - separation.begin();
-    if (length <= 0 || leaving.away_until >= length) return ClearanceVerdict::clear;
-    if (leaving.away_until > 0)
-      separation.start_at(separation.begin() + 0.5 * leaving.away_until);
-    else if (leaving.all_touch && separation.all_start_together())
+  ClearanceVerdict verdict() {
+    if (separation_.never_together()) return ClearanceVerdict::clear;
+    if (!separation_.is_finite()) return ClearanceVerdict::blocked;
+    probe_middle();
+    if (encounter_.nearly_touches && !family_.all.starts && middle_ != ProbeResult::separated)
+      if (const auto known = verdict_by_departure()) return *known;
+    if (middle_ == ProbeResult::separated) return ClearanceVerdict::clear;
+    if (middle_ == ProbeResult::inconclusive && an_end_is_separated()) return ClearanceVerdict::clear;
+    if (separation_.all_touch_about(tau_) || separation_.ends_touch_about(tau_))
       return ClearanceVerdict::blocked;
-    if (!leaving.all_approach) separation.take_only_certain_touches();
-    if (leaving.away_until > 0) {
-      if (separation.is_proven_after(separation.begin())) return ClearanceVerdict::clear;
-      probe = separation.probe(family.middle, separation.begin(), tau);
-    }
-  }
-  switch (probe) {
-    case ProbeResult::separated:
+    if (separation_.bends() && middle_ == ProbeResult::overlapping && an_end_is_separated())
       return ClearanceVerdict::clear;
-    case ProbeResult::overlapping:
-      if (separation.all_touch_about(tau)) return ClearanceVerdict::blocked;
-      break;
-    case ProbeResult::inconclusive:
-      for (int i = 0; i < 2; ++i) {
-        double near = 0;
-        if (separation.probe(*ends[i], separation.begin(), near) == ProbeResult::separated)
-          return ClearanceVerdict::clear;
-        nearest[i] = near;
-      }
-      if (separation.all_touch_about(tau)) return ClearanceVerdict::blocked;
-      break;
+    return all_touch() ? ClearanceVerdict::blocked : ClearanceVerdict::undecided;
   }
-  if (separation.ends_touch_about(tau)) return ClearanceVerdict::blocked;
-  if (separation.bends()) {
-    for (int i = 0; i < 2; ++i) {
-      double near = 0;
-      if (!nearest[i] && separation.probe(*ends[i], separation.begin(), near) == ProbeResult::separated)
-        return ClearanceVerdict::clear;
-      if (!nearest[i]) nearest[i] = near;
-    }
-    return all_touch_between<D>(separation, encounter, family, nearest) ? ClearanceVerdict::blocked
-                                                                        : ClearanceVerdict::open;
-  }
-  if (!family.one_interval) {
-    for (int i = 0; i < 2; ++i) {
-      if (!nearest[i]) nearest[i] = separation.nearest_time(*ends[i]);
-      if (separation.ends_touch_about(*nearest[i])) return ClearanceVerdict::blocked;
-    }
-    if (encounter.extents.is_thin() && all_touch_between<D>(separation, encounter, family, nearest))
+
+ private:
+  void probe_middle() { middle_ = separation_.probe(family_.middle, separation_.begin(), tau_); }
+
+  /// No value: other tests decide, from now on from the time until which the two move apart.
+  std::optional<ClearanceVerdict> verdict_by_departure() {
+    const Departure departure = departure_of<D>(encounter_, family_);
+    const double length = separation_.end() - separation_.begin();
+    if (length <= 0 || departure.away_until >= length) return ClearanceVerdict::clear;
+    const bool moves_apart = departure.away_until > 0;
+    if (!moves_apart && departure.all_touch && separation_.all_start_together())
       return ClearanceVerdict::blocked;
+    if (!departure.all_approach) separation_.require_certain_touches();
+    if (!moves_apart) return std::nullopt;
+    separation_.start_at(separation_.begin() + 0.5 * departure.away_until);
+    if (separation_.is_proven_after(separation_.begin())) return ClearanceVerdict::clear;
+    probe_middle();
+    return std::nullopt;
   }
-  if (family.one_interval && separation.touches(family.first) && separation.touches(family.last))
-    return ClearanceVerdict::blocked;
-  return ClearanceVerdict::open;
-}
+
+  /// Whether the first or the last motion gives a plane; else nearest_times_ are known.
+  bool an_end_is_separated() {
+    for (std::size_t i = 0; i < 2; ++i) {
+      double tau = 0;
+      if (separation_.probe(*ends_[i], separation_.begin(), tau) == ProbeResult::separated) return true;
+      nearest_times_[i] = tau;
+    }
+    return false;
+  }
+
+  /// Whether all touch, each at its own time, or at that of the first or the last motion. Approximate.
+  bool all_touch() {
+    if (separation_.bends()) return all_touch_between();
+    if (family_.one_interval) return separation_.touches(family_.first) && separation_.touches(family_.last);
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!nearest_times_[i]) nearest_times_[i] = separation_.nearest_time(*ends_[i]);
+      if (separation_.ends_touch_about(*nearest_times_[i])) return true;
+    }
+    return encounter_.extents.is_thin() && all_touch_between();
+  }
+  bool all_touch_between() const {
+    const auto passing = [&](std::size_t i) {
+      return passing_time<D>(encounter_.extents, relative(encounter_, *ends_[i]), *nearest_times_[i]);
+    };
+    return separation_.all_touch_between(passing(0), passing(1));
+  }
+
+  SeparationCase<D>& separation_;
+  const Encounter<D>& encounter_;
+  const TrajectoryFamily<D>& family_;
+  const TrajectoryEstimate<D>* const ends_[2] = {&family_.first, &family_.last};
+  ProbeResult middle_ = ProbeResult::inconclusive;  ///< of the middle motion
+  double tau_ = 0;                                  ///< when it touches, or is nearest
+  std::optional<double> nearest_times_[2];          ///< of the first and the last motion, once known
+};
 
 /// For a sum that rotates: whether all motions bring one corner into the other piece at tau. Approximate.
 template <int D>
@@ -166,70 +178,84 @@ ClearanceVerdict verdict_on_turns(const SeparationCase<D>& separation, const Enc
   const RangeOfTurns& turns = *family.turns;
   const TrajectoryEstimate<D>* const motions[] = {&family.middle, &family.first, &family.last};
   const SineCosine<double>* const poses[] = {&turns.middle, &turns.ends[0], &turns.ends[1]};
-  StraightApproach<D> near[3];
+  StraightApproach<D> approaches[3];
   const auto is_inside = [&](int i) {
-    return has_corner_inside<D>(separation, encounter, family, near[i].tau);
+    return has_corner_inside<D>(separation, encounter, family, approaches[i].tau);
   };
   bool touch = true, apart = true;  // all so far; nearly touching is both
   for (int i = 0; i < 3; ++i) {
     if (i > 0) encounter.turning->turn(*poses[i]);
     const TrajectoryEstimate<D> path = relative(encounter, *motions[i]);
-    near[i] = separation.approach_of(path);
-    touch = touch && separation.touches(near[i]), apart = apart && near[i].gap > 0;
-    if (apart && separation.is_proven_beside(path, near[i], separation.begin()))
+    approaches[i] = separation.approach_of(path);
+    touch = touch && separation.touches(approaches[i]);
+    apart = apart && approaches[i].gap > 0;
+    if (apart && separation.any_plane_proves(path, approaches[i], separation.begin()))
       return ClearanceVerdict::clear;
-    if (!touch && !apart) return ClearanceVerdict::open;
+    if (!touch && !apart) return ClearanceVerdict::undecided;
     if (i == 0 && touch && is_inside(0)) return ClearanceVerdict::blocked;
   }
-  if (!touch) return ClearanceVerdict::open;
+  if (!touch) return ClearanceVerdict::undecided;
   encounter.turning->turn(turns.middle);
-  const int shallow = near[1].gap > near[2].gap ? 1 : 2;
+  const int shallow = approaches[1].gap > approaches[2].gap ? 1 : 2;
   const bool all_touch =
-      is_inside(shallow) || separation.all_touch_about(near[0].tau) || is_inside(3 - shallow);
-  return all_touch ? ClearanceVerdict::blocked : ClearanceVerdict::open;
+      is_inside(shallow) || separation.all_touch_about(approaches[0].tau) || is_inside(3 - shallow);
+  return all_touch ? ClearanceVerdict::blocked : ClearanceVerdict::undecided;
+}
+
+/// The verdict on motions as they are given, whenever they start.
+template <int D>
+CountedVerdict verdict_as_given(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
+  SeparationCase<D> separation(encounter, family);
+  const ClearanceVerdict verdict = encounter.turning && !separation.bends()
+                                       ? verdict_on_turns<D>(separation, encounter, family)
+                                       : VerdictByPlanes<D>(separation, encounter, family).verdict();
+  return {verdict, 1 + separation.parts()};
+}
+
+/// The verdict on delays, as they are seen from the start of each.
+template <int D>
+CountedVerdict verdict_from_start(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
+  const SeenFromStart<D> seen = seen_from_start<D>(encounter, family);
+  CountedVerdict counted = verdict_as_given<D>(seen.encounter, seen.family);
+  // Extents that grow are seen as large as at the last start: of the first ones too much seems to touch.
+  if (encounter.extents.grows && counted.verdict == ClearanceVerdict::blocked)
+    counted.verdict = ClearanceVerdict::undecided;
+  return counted;
 }
 
 }  // namespace
 
 template <int D>
 CountedVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
-  CountedVerdict counted{};
-  if (family.all.starts) {
-    const SeenFromStart<D> seen = seen_from_start<D>(encounter, family);
-    counted = certify_clearance<D>(seen.encounter, seen.family);
-    // Extents that grow are seen as large as at the last start: of the first ones too much seems to touch.
-    const bool is_sure = counted.verdict == ClearanceVerdict::clear || !encounter.extents.grows;
-    if (counted.verdict != ClearanceVerdict::open && is_sure) return counted;
-  }
-  SeparationCase<D> separation(encounter, family);
-  counted.verdict = encounter.turning && !separation.bends()
-                        ? verdict_on_turns<D>(separation, encounter, family)
-                        : verdict_by_planes<D>(separation, encounter, family);
-  counted.evaluations += 1 + separation.parts();
+  CountedVerdict from_start{ClearanceVerdict::undecided};
+  if (family.all.starts) from_start = verdict_from_start<D>(encounter, family);
+  if (from_start.verdict != ClearanceVerdict::undecided) return from_start;
+  CountedVerdict counted = verdict_as_given<D>(encounter, family);
+  counted.evaluations += from_start.evaluations;
   return counted;
 }
 
 template <int D>
 CountedVerdict certify_only_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
-  const auto clear_or_open = [](bool clear) {
-    return clear ? ClearanceVerdict::clear : ClearanceVerdict::open;
+  const auto clear_or_undecided = [](bool clear) {
+    return clear ? ClearanceVerdict::clear : ClearanceVerdict::undecided;
   };
   const SeparationCase<D> separation(encounter, family);
-  if (separation.bends() || encounter.beside || encounter.turning || family.all.starts) {
+  if (separation.bends() || encounter.nearly_touches || encounter.turning || family.all.starts) {
     const CountedVerdict counted = certify_clearance<D>(encounter, family);
-    return {clear_or_open(counted.verdict == ClearanceVerdict::clear), counted.evaluations};
+    return {clear_or_undecided(counted.verdict == ClearanceVerdict::clear), counted.evaluations};
   }
   if (separation.never_together()) return {ClearanceVerdict::clear, 1};
-  if (!separation.is_finite()) return {ClearanceVerdict::open, 1};
+  if (!separation.is_finite()) return {ClearanceVerdict::undecided, 1};
   const auto probe = [&](const TrajectoryEstimate<D>& own) {
     double ignored = 0;
     return separation.probe(own, separation.begin(), ignored);
   };
   const ProbeResult middle = probe(family.middle);
-  if (middle != ProbeResult::inconclusive) return {clear_or_open(middle == ProbeResult::separated), 1};
+  if (middle != ProbeResult::inconclusive) return {clear_or_undecided(middle == ProbeResult::separated), 1};
   const bool by_an_end =
       probe(family.first) == ProbeResult::separated || probe(family.last) == ProbeResult::separated;
-  return {clear_or_open(by_an_end), 1};
+  return {clear_or_undecided(by_an_end), 1};
 }
 
 template CountedVerdict certify_only_clearance<1>(const Encounter<1>&, const TrajectoryFamily<1>&);

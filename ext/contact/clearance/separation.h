@@ -24,9 +24,9 @@
 namespace foresee {
 
 enum class ClearanceVerdict : std::uint8_t {
-  clear,    ///< proven
-  blocked,  ///< every change seems to touch
-  open      ///< neither
+  clear,     ///< proven
+  blocked,   ///< every change seems to touch
+  undecided  ///< neither
 };
 
 /// A verdict, and its cost: one evaluation, and one per interval of a bent path.
@@ -39,7 +39,7 @@ struct CountedVerdict {
 template <int D>
 CountedVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
-/// The same, but `open` for `blocked`; cheaper, as it does not look for contact.
+/// certify_clearance() with `undecided` for `blocked`: cheaper, as it does not look for contact.
 template <int D>
 CountedVerdict certify_only_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
@@ -55,24 +55,24 @@ CountedVerdict certify_only_clearance(const Encounter<D>& encounter, const Traje
 // and cylinders are left per axis, and on the round axes together. On each of these the object is inside
 // first, and then at an increasing distance. Cost: some microseconds.
 
-/// Requires: the two touch at the change; no extents grow, and none is a sum of pieces.
+/// Requires: the two touch at the start; no extents grow, and none is a sum of pieces.
 template <int D>
 CountedVerdict certify_bent_separation(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
 // Certificate that an object separates from one that it touches when it changes its motion, for every change
-// of a range. If no path is bent, the slope of the distance increases with time, so its sign at the change
+// of a range. If no path is bent, the slope of the distance increases with time, so its sign at the start
 // decides. On bent paths intervals bound the slope (certify_bent_separation() above, spread_of_changes.h).
 
-/// Certifies a range of changes for two objects that touch at the change. A change is clear if the distance of
+/// Certifies a range of changes for two objects that touch at the start. A change is clear if the distance of
 /// the centres never decreases while they touch, and they do not touch again. Convex sets
 /// never touch again if no path is bent. If extents grow, the gap must not decrease. Bent paths of growing
 /// extents or of pieces are blocked. Only intervals of bent paths are counted.
 template <int D>
 CountedVerdict certify_separation_increases(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
-/// The same for one of several pieces, or for a piece that rotates: whether it touches at the change is not
-/// known. A change that never touches it is clear too. If doubles cannot decide whether it touches at first,
-/// the two must move apart along every line that may separate them.
+/// certify_separation_increases() for one of several pieces, or for a piece that rotates: whether it touches at the
+/// start is not known. A change that never touches it is clear too. If doubles cannot decide whether it touches at
+/// first, the two must move apart along every line that may separate them.
 template <int D>
 CountedVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
                                                   const TrajectoryFamily<D>& family);

@@ -40,10 +40,10 @@ class SeparationCase {
   ProbeResult probe(const TrajectoryEstimate<D>& own, double begin, double& tau) const {
     const TrajectoryEstimate<D> path = relative(encounter_, own);
     if (bends_) return probe_bent(path, begin, tau);
-    const auto near = straight_approach<D>(encounter_.extents, path.x, path.v, begin, end_);
-    tau = near.tau;
-    if (!(near.gap > 0)) return ProbeResult::overlapping;
-    return is_proven_beside(path, near, begin) ? ProbeResult::separated : ProbeResult::inconclusive;
+    const auto approach = straight_approach<D>(encounter_.extents, path.x, path.v, begin, end_);
+    tau = approach.tau;
+    if (!(approach.gap > 0)) return ProbeResult::overlapping;
+    return any_plane_proves(path, approach, begin) ? ProbeResult::separated : ProbeResult::inconclusive;
   }
 
   /// Whether any of three motions gives such planes.
@@ -57,28 +57,29 @@ class SeparationCase {
 
   void start_at(double begin) { begin_ = begin; }
   /// From now on a motion that nearly touches does not count as touching.
-  void take_only_certain_touches() { slack_ = -slack_; }
+  void require_certain_touches() { slack_ = -slack_; }
 
   bool touches(const TrajectoryEstimate<D>& own) const {
     const TrajectoryEstimate<D> path = relative(encounter_, own);
     return path.begin <= path.end && touches(approach_of(path));
   }
-  bool touches(const StraightApproach<D>& near) const { return near.gap <= slack_at(near.tau); }
+  bool touches(const StraightApproach<D>& approach) const { return approach.gap <= slack_at(approach.tau); }
   StraightApproach<D> approach_of(const TrajectoryEstimate<D>& path) const {
     return straight_approach<D>(encounter_.extents, path.x, path.v, path.begin, path.end);
   }
-  /// Whether there is a plane from `begin` on, or two, beside the nearest approach of one path that is not bent.
-  bool is_proven_beside(const TrajectoryEstimate<D>& path, const StraightApproach<D>& near,
+  /// Whether there is a plane from `begin` on, or two, at the nearest approach of one path that is not bent.
+  bool any_plane_proves(const TrajectoryEstimate<D>& path, const StraightApproach<D>& approach,
                         double begin) const {
-    if (plane_proves<D>(encounter_, family_, near.normal, begin, end_)) return true;
+    if (plane_proves<D>(encounter_, family_, approach.normal, begin, end_)) return true;
     if (encounter_.turning) {
-      const bool passes = begin < near.tau && near.tau < end_;
-      if (passes ? two_planes_prove<D>(encounter_, family_, near.normal, path.v, near.tau, begin, end_)
-                 : turning_plane_proves<D>(encounter_, family_, near.normal, begin, end_))
+      const bool passes = begin < approach.tau && approach.tau < end_;
+      if (passes
+              ? two_planes_prove<D>(encounter_, family_, approach.normal, path.v, approach.tau, begin, end_)
+              : turning_plane_proves<D>(encounter_, family_, approach.normal, begin, end_))
         return true;
     }
-    return near.gap <= 0x1p-30 * scale_at(near.tau) &&
-           tilted_plane_proves<D>(encounter_, family_, near.normal, path.v, begin, end_);
+    return approach.gap <= 0x1p-30 * scale_at(approach.tau) &&
+           tilted_plane_proves<D>(encounter_, family_, approach.normal, path.v, begin, end_);
   }
 
   /// A smaller distance counts as touching.
@@ -95,17 +96,16 @@ class SeparationCase {
     return all_touch_at(tau);
   }
 
-  /// The same, if all positions of the range at one time are on a segment, or on an arc near one. A convex
+  /// Whether all touch, if all positions of the range at one time are on a segment, or on an arc near one. A convex
   /// set contains a segment whose ends it contains.
   bool ends_touch_about(double tau) const {
     const double first = last_begin(), last = first_end();
     if (first > last) return false;
     tau = std::clamp(tau, first, last);
-    const double slack = slack_at(tau), beside = family_.turned[0] - slack;
+    const double slack = slack_at(tau), depth = family_.turned[0] - slack;
     const double turned = tau * (family_.turned[1] + 0.5 * tau * family_.turned[2]) + encounter_.inflation;
     for (const TrajectoryEstimate<D>* end : {&family_.first, &family_.last})
-      if (!touches_at(place_at<D>(relative(encounter_, *end), tau), tau, beside + turned, beside))
-        return false;
+      if (!touches_at(place_at<D>(relative(encounter_, *end), tau), tau, depth + turned, depth)) return false;
     return true;
   }
 
@@ -118,11 +118,11 @@ class SeparationCase {
     const Vec<D> bend = (encounter_.a - family_.upper[2]).abs().max((encounter_.a - family_.lower[2]).abs());
     const Vec<D> wide = (family_.upper[1] - family_.lower[1]) + later * (family_.upper[2] - family_.lower[2]);
     const double turned = family_.turned[0] + later * (family_.turned[1] + 0.5 * later * family_.turned[2]);
-    Vec<D> beside = 0.5 * half * (half * bend + wide) + turned, ignored;
+    Vec<D> off_chord = 0.5 * half * (half * bend + wide) + turned, ignored;
     for (int axis = 0; axis < D; ++axis)
-      if (encounter_.extents.is_thin(axis)) beside[axis] = 0;  // each passes there at a time of its own
+      if (encounter_.extents.is_thin(axis)) off_chord[axis] = 0;  // each passes there at a time of its own
     const auto touches_at_end = [&](const TrajectoryEstimate<D>& own, double tau) {
-      const Vec<D> far = place_at<D>(relative(encounter_, own), tau).abs() + beside;
+      const Vec<D> far = place_at<D>(relative(encounter_, own), tau).abs() + off_chord;
       return signed_distance<D>(encounter_.extents.after(earlier), far, ignored) <= slack_at(tau);
     };
     return touches_at_end(family_.first, tau_first) && touches_at_end(family_.last, tau_last);
@@ -183,11 +183,11 @@ class SeparationCase {
     int first = 0;
     if constexpr (D > 1)
       if (extents.sum) {
-        const double beside = beside_middle(tau);
+        const double half = half_diagonal(tau);
         Vec<D> middle = Vec<D>::Zero(), ignored;
         for (int axis = 0; axis < 2; ++axis)
           middle[axis] = 0.5 * (place_of(family_.upper, axis, tau) + place_of(family_.lower, axis, tau));
-        if (!(signed_distance_in_round_axes<D>(extents, middle, middle, ignored) + beside +
+        if (!(signed_distance_in_round_axes<D>(extents, middle, middle, ignored) + half +
                   encounter_.inflation <=
               slack))
           return false;
@@ -205,7 +205,7 @@ class SeparationCase {
   }
 
   /// Half the diagonal in x and y of the box around all positions of the range at tau.
-  double beside_middle(double tau) const {
+  double half_diagonal(double tau) const {
     double square = 0;
     for (int axis = 0; axis < 2; ++axis) {
       const double half = 0.5 * (place_of(family_.upper, axis, tau) - place_of(family_.lower, axis, tau));
@@ -249,9 +249,10 @@ class SeparationCase {
       const Part part = parts[--count];
       const double middle = 0.5 * (part.begin + part.end), length = part.end - part.begin;
       const Vec<D> v = path.v + middle * path.a, x = place_at<D>(path, middle) - middle * v;
-      const auto near = straight_approach<D>(encounter_.extents, x, v, part.begin, part.end);
-      tau = near.tau;
-      if (near.gap > 0 && plane_proves<D>(encounter_, family_, near.normal, part.begin, part.end)) continue;
+      const auto approach = straight_approach<D>(encounter_.extents, x, v, part.begin, part.end);
+      tau = approach.tau;
+      if (approach.gap > 0 && plane_proves<D>(encounter_, family_, approach.normal, part.begin, part.end))
+        continue;
       // The nearest place of the bent path, not of its tangent: along its normal the path may bend away.
       Vec<D> normal;
       if (!(signed_distance<D>(encounter_.extents.after(tau), place_at<D>(path, tau), normal) >
@@ -262,7 +263,7 @@ class SeparationCase {
       }
       if (plane_proves<D>(encounter_, family_, normal, part.begin, part.end)) continue;
       // Compares what a shorter time gains with what only a narrower range gains.
-      const Vec<D> along = family_.is_from_start ? near.normal : Vec<D>(Vec<D>::Ones());
+      const Vec<D> along = family_.is_from_start ? approach.normal : Vec<D>(Vec<D>::Ones());
       const double bend = 0.125 * length * length * (along * path.a).abs().sum();
       if (evaluations > 200 || !(bend > 0.5 * width_along(along, part.end))) return ProbeResult::inconclusive;
       parts[count++] = {middle, part.end};

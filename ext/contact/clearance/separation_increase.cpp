@@ -19,15 +19,15 @@ bool is_round_alone(const PairExtents<D>& extents) {
   return true;
 }
 
-/// Slightly less than twice the error along n that a proof adds to each of these vectors.
+/// Twice the error along n that a proof adds to each of these vectors, less a little.
 template <int D>
-double beside_each(const VectorSet<D>& set, const Vec<D>& n) {
+double twice_error_along(const VectorSet<D>& set, const Vec<D>& n) {
   const double length = set.turns ? std::sqrt(n[0] * n[0] + n[D > 1] * n[D > 1]) * set.radius : 0;
   return 1.9 * ((n.abs() * set.pad).sum() + 0x1p-47 * length);
 }
 
 /// Whether the distance of the centres never decreases, on paths that are not bent. Its slope increases with
-/// time, so its sign at the change decides.
+/// time, so its sign at the start decides.
 template <int D>
 ClearanceVerdict certify_straight_separation_increases(const Encounter<D>& encounter,
                                                        const TrajectoryFamily<D>& family) {
@@ -45,8 +45,8 @@ ClearanceVerdict certify_straight_separation_increases(const Encounter<D>& encou
   if (min_slope - error >= 0) return ClearanceVerdict::clear;
   // With twice the error of each velocity, no single change has a proof.
   const double max_slope = along + own.support(-encounter.x);
-  return max_slope <= error + beside_each<D>(own, encounter.x) ? ClearanceVerdict::blocked
-                                                               : ClearanceVerdict::open;
+  return max_slope <= error + twice_error_along<D>(own, encounter.x) ? ClearanceVerdict::blocked
+                                                                     : ClearanceVerdict::undecided;
 }
 
 /// Whether the gap along some axes never decreases, for a set that grows by `rate`. `x`: the position of the
@@ -61,11 +61,11 @@ ClearanceVerdict certify_gap_increases(const Encounter<D>& encounter, const Traj
                         16 * unit_roundoff * ((x.abs() * v).sum() + opening)) *
                        (1 + 0x1p-48);
   if (along - own.support(x) - error >= 0) return ClearanceVerdict::clear;
-  return along + own.support(-x) <= error + beside_each<D>(own, x) ? ClearanceVerdict::blocked
-                                                                   : ClearanceVerdict::open;
+  return along + own.support(-x) <= error + twice_error_along<D>(own, x) ? ClearanceVerdict::blocked
+                                                                         : ClearanceVerdict::undecided;
 }
 
-/// The same on all axes, on paths that are not bent. A growing disc or ball is left permanently if the
+/// certify_gap_increases() on all axes, on paths that are not bent. A growing disc or ball is left permanently if the
 /// distance of the centres grows at least as fast. For other sets each axis is tested separately, as a
 /// growing interval; that is sufficient. Sets that are smaller at first do not touch later either.
 template <int D>
@@ -89,9 +89,9 @@ ClearanceVerdict certify_growing_separation_increases(const Encounter<D>& encoun
   const auto any = [&](ClearanceVerdict what) {
     return std::find(parts.begin(), parts.begin() + count, what) != parts.begin() + count;
   };
-  return any(ClearanceVerdict::blocked) ? ClearanceVerdict::blocked
-         : any(ClearanceVerdict::open)  ? ClearanceVerdict::open
-                                        : ClearanceVerdict::clear;
+  return any(ClearanceVerdict::blocked)     ? ClearanceVerdict::blocked
+         : any(ClearanceVerdict::undecided) ? ClearanceVerdict::undecided
+                                            : ClearanceVerdict::clear;
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ CountedVerdict certify_separation_increases(const Encounter<D>& encounter,
   if (separation.bends() && (encounter.extents.grows || encounter.extents.sum))
     return {ClearanceVerdict::blocked};
   if (encounter.extents.grows) return {certify_growing_separation_increases<D>(encounter, family)};
-  // On bent paths the slope at the change decides which approach at once.
+  // On bent paths the slope at the start decides which approach at once.
   const ClearanceVerdict at_once = certify_straight_separation_increases<D>(encounter, family);
   if (!separation.bends() || at_once == ClearanceVerdict::blocked) return {at_once};
   return certify_bent_separation<D>(encounter, family);
@@ -185,7 +185,7 @@ CountedVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
   const Trend trend = trend_at_boundary<D>(encounter, family, slack);
   if (trend == Trend::departing && increasing.verdict == ClearanceVerdict::clear) return increasing;
   const bool is_blocked = trend == Trend::approaching && is_narrow;
-  return {is_blocked ? ClearanceVerdict::blocked : ClearanceVerdict::open, increasing.evaluations};
+  return {is_blocked ? ClearanceVerdict::blocked : ClearanceVerdict::undecided, increasing.evaluations};
 }
 
 template CountedVerdict certify_separation_increases<1>(const Encounter<1>&, const TrajectoryFamily<1>&);

@@ -129,7 +129,7 @@ class SpreadOfChanges {
     };
     return top(x.high, v.high, a.high) <= size && top(-x.low, -v.low, -a.low) <= size;
   }
-  /// The same for a disc.
+  /// Whether no change is farther than `radius` from the middle on the first two axes during [0, end].
   bool remains_within_disc(double radius, double end, std::uint64_t& evaluations) const {
     double begin = 0, length = end;
     const double shortest = end * 0x1p-10;

@@ -1,15 +1,15 @@
 // Nearest approach of a straight path to a convex set, and the normal of a plane between them, in plain
 // doubles.
 //
-//   const StraightApproach<2> near = straight_approach(extents, x, v, 0, 600);
-//   near.gap > 0                 // the path probably keeps clear; near.normal is that of a separating plane
+//   const StraightApproach<2> approach = straight_approach(extents, x, v, 0, 600);
+//   approach.gap > 0        // the path probably keeps clear; approach.normal is that of a separating plane
 //
 // The result is a guess that others prove. The distance from a convex set along a straight line is a convex
 // function of time. A falling and a rising tangent bound it from below; the mixture of their normals at the
 // crossing is perpendicular to the path. The crossing is the next time to evaluate (Kelley's cutting-plane
 // method, 1960). A disc takes one evaluation, a box as many as it has edges on the path, and a sum of pieces
-// beside whose path it lies none. A growing set takes some more: its distance is convex too, as the growth along a
-// normal is.
+// that the path passes on one side takes none. A growing set takes some more: its distance is convex too, as the
+// growth along a normal is.
 #pragma once
 
 #include <algorithm>
@@ -75,10 +75,10 @@ inline std::optional<StraightApproach<2>> passing_line(const PairExtents<2>& ext
   if (!(square > 0)) return std::nullopt;
   const double speed = std::sqrt(square);
   Vec<2> normal{v[1] / speed, -v[0] / speed};
-  double beside = (x * normal).sum();
-  if (beside < 0) normal = -normal, beside = -beside;
+  double lateral = (x * normal).sum();
+  if (lateral < 0) normal = -normal, lateral = -lateral;
   const Corner corner = extents.sum->farthest(normal[0], normal[1]);
-  const double gap = beside - (corner.x * normal[0] + corner.y * normal[1]);
+  const double gap = lateral - (corner.x * normal[0] + corner.y * normal[1]);
   const double tau = ((corner.x - x[0]) * v[0] + (corner.y - x[1]) * v[1]) / square;
   if (gap > 0) {
     if (!(begin <= tau && tau <= end)) return std::nullopt;

@@ -29,9 +29,9 @@ double horizon_end(const Horizon& horizon, double s) {
   return left.high + 0x1p-50 * (horizon.h + std::abs(passed.high));
 }
 
-/// Both ends on each axis; most sets of a scene contain only 0.
+/// Both bounds on each axis; most sets of a scene contain only 0.
 template <int D>
-void find_ends(const VectorSet<D>& set, Vec<D>& lower, Vec<D>& upper) {
+void find_bounds(const VectorSet<D>& set, Vec<D>& lower, Vec<D>& upper) {
   lower = upper = Vec<D>::Zero();
   if ((set.centre == 0).all() && (set.along == 0).all() && (set.pad == 0).all()) return;
   for (int axis = 0; axis < D; ++axis) {
@@ -109,9 +109,9 @@ RangeOfTurns range_of_turns(double p, double q) {
 }
 
 template <int D>
-void find_ends(TrajectoryFamily<D>& family) {
+void find_bounds(TrajectoryFamily<D>& family) {
   const VectorSet<D>* const parts[] = {&family.all.place, &family.all.velocity, &family.all.acceleration};
-  for (int part = 0; part < 3; ++part) find_ends<D>(*parts[part], family.lower[part], family.upper[part]);
+  for (int part = 0; part < 3; ++part) find_bounds<D>(*parts[part], family.lower[part], family.upper[part]);
 }
 
 template <int D>
@@ -121,7 +121,7 @@ TrajectoryFamily<D> trajectory_family(const Changes& changes, double p, double q
   const auto& all = family.all;
   family.middle = {all.place.centre, all.velocity.centre, all.acceleration.centre, all.begin, all.end};
   family.first = changes.estimate<D>(p), family.last = changes.estimate<D>(q);
-  find_ends<D>(family);
+  find_bounds<D>(family);
   const auto off_chord = [](const VectorSet<D>& set) {
     return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : set.bulge;
   };
@@ -147,9 +147,9 @@ template Encounter<2> encounter_of<2>(const OwnMotion&, const Horizon&, const Bo
                                       const GrowingExtents<2>&);
 template Encounter<3> encounter_of<3>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
                                       const GrowingExtents<3>&);
-template void find_ends<1>(TrajectoryFamily<1>&);
-template void find_ends<2>(TrajectoryFamily<2>&);
-template void find_ends<3>(TrajectoryFamily<3>&);
+template void find_bounds<1>(TrajectoryFamily<1>&);
+template void find_bounds<2>(TrajectoryFamily<2>&);
+template void find_bounds<3>(TrajectoryFamily<3>&);
 template TrajectoryFamily<1> trajectory_family<1>(const Changes&, double, double);
 template TrajectoryFamily<2> trajectory_family<2>(const Changes&, double, double);
 template TrajectoryFamily<3> trajectory_family<3>(const Changes&, double, double);

@@ -7,7 +7,7 @@
 //   const auto changes = changes_by(Manoeuvre::turn, base);
 //   const TrajectoryFamily<2> turns = trajectory_family<2>(*changes, 10, 20);      // degrees to starboard
 //
-// The reference frame of both is the time and position of the change. At tau seconds after the change the
+// The reference frame of both is the time and position at which the manoeuvre starts. At tau seconds after that the
 // other object is at x + v tau + a tau^2 / 2, each number within its error. Differences of positions are
 // taken in double-double before they are rounded, so that neither old reports nor distant positions lose
 // digits. Families hold exact bounds of all motions; estimates are motions in plain doubles, near the stored
@@ -34,14 +34,15 @@ template <int D>
 struct Encounter {
   Vec<D> x, v, a;
   Vec<D> ex, ev;              ///< errors; a is exact
-  GrowingExtents<D> extents;  ///< at the change
-  double begin, end;          ///< both exist in the horizon, in seconds after the change, rounded outward
+  GrowingExtents<D> extents;  ///< at the start
+  double begin, end;          ///< both exist in the horizon, in seconds after the start, rounded outward
   double inflation = 0;       ///< upper bound of the change of the set's support by its rotation …
   double rotation_chord = 0;  ///< … whose chord this is, relative to the length that rotates
-  PieceSum* turning =
-      nullptr;            ///< the sum, if it rotates with the motions of the range: in the pose of the middle
-  double square_gap = 0;  ///< lower bound of squared distance - squared reach, of discs and balls beside
-  bool beside = false;    ///< apart at the change by exact contact, but doubles may not decide it
+  /// The sum, if it rotates with the motions of the range: in the pose of the middle.
+  PieceSum* turning = nullptr;
+  double square_gap =
+      0;  ///< lower bound of squared distance - squared reach, of discs and balls that nearly touch
+  bool nearly_touches = false;  ///< apart at the start by exact contact, but doubles may not decide it
 
   bool bends() const { return (a != 0).any(); }
 };
@@ -51,7 +52,7 @@ template <int D>
 GrowingExtents<D> extents_of_both(const PairRule& rule, const double* row_a, const double* row_b,
                                   double time);
 
-/// `base`: the motion that is changed, at the time of the change. Numbers that overflow are not finite.
+/// `base`: the motion that is changed, as of the start of the manoeuvre. Numbers that overflow are not finite.
 template <int D>
 Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
                           const double* row, const GrowingExtents<D>& extents);
@@ -88,9 +89,9 @@ struct TrajectoryFamily {
 template <int D>
 TrajectoryFamily<D> trajectory_family(const Changes& changes, double p, double q);
 
-/// Computes `upper` and `lower` of `all`.
+/// Computes `upper` and `lower` from `all`.
 template <int D>
-void find_ends(TrajectoryFamily<D>& family);
+void find_bounds(TrajectoryFamily<D>& family);
 
 /// The other object relative to one estimate.
 template <int D>

@@ -1,4 +1,4 @@
-// The verdict on a range of turns beside a sum that rotates with them, by the line along each path.
+// The verdict on a range of turns for a sum that rotates with them, by the line along each path.
 //
 //   verdict_by_lines<2>(encounter, family, begin, end)       // clear: a proof; no value: other proofs may know more
 //
@@ -106,7 +106,7 @@ class TurnedLines {
   }
 
   /// Whether all pairs are left of all paths (1) or right of them (-1), by more than a margin.
-  bool are_beside(int side, double margin) const { return are_beyond(across_, side, 0, radius_, margin); }
+  bool are_on_side(int side, double margin) const { return are_beyond(across_, side, 0, radius_, margin); }
   /// Whether all paths have not reached the pairs by then (1), or have left them before (-1).
   bool are_beyond(int side, double time, double margin) const {
     return are_beyond(along_, side, -side * time, radius_, margin);
@@ -158,7 +158,7 @@ std::optional<ClearanceVerdict> verdict_by_lines(const Encounter<D>& encounter,
   const double error = (encounter.ex + place.pad + end * (encounter.ev + velocity.pad)).sum() +
                        0x1p-44 * encounter.turning->size() + 0x1p-47 * far;
   const double margin = error * fastest * (1 + 0x1p-40) + min_gap, later = 0x1p-48 * end * fastest * fastest;
-  if (lines.are_beside(1, margin) || lines.are_beside(-1, margin) ||
+  if (lines.are_on_side(1, margin) || lines.are_on_side(-1, margin) ||
       lines.are_beyond(1, end, margin + later) || lines.are_beyond(-1, begin, margin + later))
     return ClearanceVerdict::clear;
   if (D == 2 && lines.touch(begin, end)) return ClearanceVerdict::blocked;

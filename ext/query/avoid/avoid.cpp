@@ -32,9 +32,11 @@ class ManoeuvreRows {
       const double k = queried_.lo == queried_.hi ? queried_.lo : 0;
       add_row(is_clear(k), queried_.lo, queried_.hi);
     } else {
-      tile(clear_ranges());
+      std::vector<KRange> clear;
+      if (is_finite(manoeuvre_.own.base)) clear = proven_ranges(manoeuvre_, exact_, interrupt_);
+      tile(with_exact_0(std::move(clear)));
     }
-    if (question_.wants_ends) find_ends();
+    if (question_.wants_ends) name_blockers();
     return std::move(rows_);
   }
 
@@ -54,23 +56,23 @@ class ManoeuvreRows {
     for (const auto& leg : manoeuvre_.changed.legs) motions.push_back(leg->changed(k));
     return motions;
   }
-  ExactAvoidance::Records records_at(double k) const {
-    if (k == 0 && manoeuvre_.own.legs.empty()) return {manoeuvre_.own.record};
-    return manoeuvre_.own.records_of(motions_at(k));
-  }
+  OwnState::Records records_at(double k) const { return manoeuvre_.own.records_of(motions_at(k)); }
 
-  /// The intruders that a change touches, by exact contact.
-  std::vector<Intruder> touching_at(double k) {
-    const ExactAvoidance::Records records = records_at(k);
+  /// What a change touches, by exact contact.
+  std::vector<NearRow> touching_at(double k) {
+    const OwnState::Records records = records_at(k);
+    return exact_.touching(records, exempt_at(k, records));
+  }
+  /// What touches when the manoeuvre starts, and is exempt as Touching says.
+  std::vector<NearRow> exempt_at(double k, const OwnState::Records& records) {
     const bool are_later = manoeuvre_.changed.are_later;
-    if (k == 0 || !(are_later || manoeuvre_.turns))
-      return exact_.touching(records, exact_.touching_at_start(records));
-    if (!exempt_) {
-      exempt_.emplace();
-      if (!are_later || question_.touching == Touching::ignore)
-        exempt_ = exact_.touching_at_start(manoeuvre_.records_at_change());
-    }
-    return exact_.touching(records, *exempt_);
+    // The changed motion starts where the unchanged one is at that time, in the same pose: its own start shows it.
+    if (k == 0 || !(are_later || manoeuvre_.turns)) return exact_.touching_at_start(records);
+    // Of what is later by k no contact is exempt, unless contact at the start is ignored.
+    if (are_later && question_.touching != Touching::ignore) return {};
+    // A delay starts elsewhere in time, and a turned outline in another pose: the unchanged start shows it.
+    if (!exempt_) exempt_ = exact_.touching_at_start(manoeuvre_.records_at_start());
+    return *exempt_;
   }
   bool is_clear(double k) { return can_be_stored(k) && touching_at(k).empty(); }
 
@@ -88,10 +90,8 @@ class ManoeuvreRows {
     return true;
   }
 
-  /// The proven ranges, and the exact decision on 0.
-  std::vector<KRange> clear_ranges() {
-    std::vector<KRange> clear;
-    if (is_finite(manoeuvre_.own.base)) clear = proven_ranges(manoeuvre_, exact_, interrupt_);
+  /// These ranges, with or without 0 as exact contact decides.
+  std::vector<KRange> with_exact_0(std::vector<KRange> clear) {
     if (queried_.lo > 0 || queried_.hi < 0) return clear;
     const auto after = std::find_if(clear.begin(), clear.end(), [](const KRange& r) { return r.to >= 0; });
     const bool has_0 = after != clear.end() && after->from <= 0;
@@ -100,6 +100,7 @@ class ManoeuvreRows {
       clear.insert(after, {0, 0});
       return clear;
     }
+    // 0 touches: the ranges end at the doubles next to 0.
     const KRange around = *after;
     auto place = clear.erase(after);
     if (around.to > 0) place = clear.insert(place, {min_number, around.to});
@@ -107,7 +108,7 @@ class ManoeuvreRows {
     return clear;
   }
 
-  /// Rows of the clear ranges and of the blocked ones between them.
+  /// Adds a clear row for each of these ranges, and a blocked one for each gap: the two alternate.
   void tile(const std::vector<KRange>& clear) {
     double from = queried_.lo;
     for (const KRange& range : clear) {
@@ -126,7 +127,7 @@ class ManoeuvreRows {
   }
 
   /// Names the blockers of both ends of blocked rows, and of the ends that clear rows share with them.
-  void find_ends() {
+  void name_blockers() {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       AvoidRow& row = rows_[i];
       if (row.clear) continue;
@@ -142,7 +143,7 @@ class ManoeuvreRows {
   std::optional<Blocker> blocker(double end, double other, bool end_is_clear) {
     const auto at = [&](double k) -> std::optional<Blocker> {
       if (!can_be_stored(k)) return std::nullopt;
-      const std::vector<Intruder> touching = touching_at(k);
+      const std::vector<NearRow> touching = touching_at(k);
       return touching.empty() ? std::nullopt : exact_.first_touching(records_at(k), touching);
     };
     if (auto found = end_is_clear ? std::nullopt : at(end)) return found;
@@ -166,8 +167,8 @@ class ManoeuvreRows {
   const QueriedChanges& queried_;
   Interrupt& interrupt_;
   ExactAvoidance exact_;
-  /// Once known: the intruders that touch at the change, for motions whose own start does not show them.
-  std::optional<std::vector<Intruder>> exempt_;
+  /// Once known: what touches when the manoeuvre starts, for motions whose own start does not show it.
+  std::optional<std::vector<NearRow>> exempt_;
   std::vector<AvoidRow> rows_;
 };
 

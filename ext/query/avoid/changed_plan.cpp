@@ -13,14 +13,15 @@ Leg leg_of(const OwnMotion& motion) {
 }
 
 Leg later(Leg leg, double k) {
-  leg.t += k, leg.until += k;
+  leg.t += k;
+  leg.until += k;
   return leg;
 }
 
-/// All legs of the plan, where the object stands for k from the change on.
+/// All legs of the plan, where the object stands for k from the start of the manoeuvre on.
 std::vector<Leg> legs_with_wait(const std::vector<Leg>& legs, const OwnState& own, double k) {
   const OwnMotion& base = own.base;
-  const std::size_t here = own.legs_before + own.leg;
+  const std::size_t here = own.legs_before + own.current_leg;
   std::vector<Leg> changed(legs.begin(), legs.begin() + static_cast<std::ptrdiff_t>(here));
   Leg before = legs[here];
   before.until = base.t;
@@ -31,12 +32,12 @@ std::vector<Leg> legs_with_wait(const std::vector<Leg>& legs, const OwnState& ow
   return changed;
 }
 
-/// The same with knots; it need not have these legs.
+/// The plan of knots, where the object stands for k; it need not have the legs of legs_with_wait().
 Plan knots_with_wait(const Plan& plan, const OwnState& own, double k) {
   Plan changed{.kind = plan.kind, .axes = plan.axes, .part_starts = {}};
   const OwnMotion& base = own.base;
   std::size_t leg = 0;
-  const std::size_t here = own.legs_before + own.leg;
+  const std::size_t here = own.legs_before + own.current_leg;
   for (std::size_t part = 0; part < plan.parts(); ++part) {
     changed.part_starts.push_back(changed.knots.size());
     for (std::size_t i = plan.part_starts[part]; i < plan.part_end(part); ++i) {
@@ -44,7 +45,10 @@ Plan knots_with_wait(const Plan& plan, const OwnState& own, double k) {
       if (leg > here || knot.t > base.t) knot.t += k;
       const bool starts = leg == here && i + 1 < plan.part_end(part);
       if (!starts || knot.t < base.t) changed.knots.push_back(knot);
-      if (starts) changed.knots.push_back({base.t, base.x}), changed.knots.push_back({base.t + k, base.x});
+      if (starts) {
+        changed.knots.push_back({base.t, base.x});
+        changed.knots.push_back({base.t + k, base.x});
+      }
       if (i + 1 < plan.part_end(part)) ++leg;
     }
   }
@@ -109,7 +113,7 @@ std::vector<double> changed_record(const ManoeuvreCase& manoeuvre, double k) {
   const Layout& layout = question.own_scene->layout;
   const bool waits = manoeuvre.queried.manoeuvre == Manoeuvre::wait;
   OwnMotion motion = manoeuvre.first_leg().changed(k);
-  const bool has_started = own.legs_before + own.leg > 0 || own.stored.t < own.base.t;
+  const bool has_started = own.legs_before + own.current_leg > 0 || own.stored.t < own.base.t;
   if (question.plan && waits && has_started) motion = own.stored;
   if (question.plan || waits || question.resume) {
     motion.until = motion_in(layout, question.record).until;

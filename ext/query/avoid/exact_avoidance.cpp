@@ -48,7 +48,10 @@ void keep_near_outlines(const Bodies& a, const Bodies& b, const Horizon& horizon
     MovingBox<D> own;
     std::uint32_t known = std::numeric_limits<std::uint32_t>::max();
     std::erase_if(pairs, [&](const Pair& pair) {
-      if (pair.a != known) own = moving_box<D>(a, pair.a, horizon, margin), known = pair.a;
+      if (pair.a != known) {
+        own = moving_box<D>(a, pair.a, horizon, margin);
+        known = pair.a;
+      }
       const MovingBox<D> other = moving_box<D>(b, pair.b, horizon, margin);
       SharedInterval span = shared_span(own, other);
       return span.is_empty() || !narrow_to_contact(own, other, span);
@@ -70,13 +73,14 @@ ExactAvoidance::ExactAvoidance(const ManoeuvreCase& manoeuvre, Interrupt& interr
     : manoeuvre_(manoeuvre), question_(manoeuvre.question), interrupt_(interrupt) {
   const OwnState& own = manoeuvre.own;
   const std::size_t max_legs = std::max(manoeuvre.changed.legs.size(), own.legs.size());
-  moved_.name = question_.own_scene->name, moved_.layout = own.layout;
+  moved_.name = question_.own_scene->name;
+  moved_.layout = own.layout;
   moved_.layout.starts_as_point = false;
   if (moved_.layout.shape == Shape::outline && grows(moved_.layout)) moved_.layout.has_radius = true;
   moved_.ids.resize(max_legs);
   moved_.rows.resize(max_legs * static_cast<std::size_t>(row_offsets(moved_.layout).size));
-  for (std::size_t leg = 0; leg < max_legs; ++leg) take_row(leg, own.record);
-  take({own.record});
+  for (std::size_t leg = 0; leg < max_legs; ++leg) set_row(leg, own.record);
+  set_motion({own.record});
   for (std::size_t table = 0; table < tables(); ++table)
     contacts_.push_back(contact(table, {question_.now, question_.h}));
   start_contacts_.resize(tables());
@@ -84,10 +88,10 @@ ExactAvoidance::ExactAvoidance(const ManoeuvreCase& manoeuvre, Interrupt& interr
 
 ExactAvoidance::~ExactAvoidance() = default;
 
-void ExactAvoidance::take(const Records& legs) {
+void ExactAvoidance::set_motion(const Records& legs) {
   legs_ = static_cast<std::uint32_t>(legs.size());
-  for (std::size_t leg = 0; leg < legs.size(); ++leg) take_row(leg, legs[leg]);
-  if (moved_.layout.shape == Shape::outline) take_forms();
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) set_row(leg, legs[leg]);
+  if (moved_.layout.shape == Shape::outline) set_forms();
   const double first =
       std::max(question_.now, value_or(legs[0].data(), record_offsets(manoeuvre_.own.layout).t, 0));
   if (first == start_) return;
@@ -95,7 +99,7 @@ void ExactAvoidance::take(const Records& legs) {
   for (auto& contact : start_contacts_) contact.reset();
 }
 
-void ExactAvoidance::take_row(std::size_t leg, const std::vector<double>& record) {
+void ExactAvoidance::set_row(std::size_t leg, const std::vector<double>& record) {
   const Layout& layout = manoeuvre_.own.layout;
   double* const own_row =
       moved_.rows.data() + leg * static_cast<std::size_t>(row_offsets(moved_.layout).size);
@@ -107,7 +111,7 @@ void ExactAvoidance::take_row(std::size_t leg, const std::vector<double>& record
   grow_row(layout, row.data(), age, moved_.layout, own_row);
 }
 
-void ExactAvoidance::take_forms() {
+void ExactAvoidance::set_forms() {
   const Offsets at = row_offsets(moved_.layout);
   std::vector<double> headings;
   Extents<3> around;
@@ -129,7 +133,7 @@ void ExactAvoidance::take_forms() {
 }
 
 std::unique_ptr<Contact> ExactAvoidance::contact(std::size_t table, const Horizon& horizon) const {
-  const Scene& others = near(table);
+  const Scene& others = near_scene(table);
   auto contact = make_contact(moved_.bodies(), others.bodies(),
                               {horizon, question_.within, question_.within_z}, moved_.name, others.name);
   contact->set_interrupt(interrupt_);
@@ -138,20 +142,20 @@ std::unique_ptr<Contact> ExactAvoidance::contact(std::size_t table, const Horizo
 
 bool ExactAvoidance::may_meet(std::uint32_t leg, std::size_t table, std::uint32_t row) const {
   if (legs_ == 1) return true;
-  const Bodies own = moved_.bodies(), others = near(table).bodies();
+  const Bodies own = moved_.bodies(), others = near_scene(table).bodies();
   const double *one = own.row(leg), *other = others.row(row);
   return value_or(other, others.at.t, -infinity) <= value_or(one, own.at.until, infinity) &&
          value_or(one, own.at.t, -infinity) <= value_or(other, others.at.until, infinity);
 }
 
-std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contact>>& contacts,
-                                              const Horizon& horizon,
-                                              const std::vector<std::vector<std::uint8_t>>& left_out) {
-  std::vector<Intruder> touching;
+std::vector<NearRow> ExactAvoidance::decided(std::vector<std::unique_ptr<Contact>>& contacts,
+                                             const Horizon& horizon,
+                                             const std::vector<std::vector<std::uint8_t>>& left_out) {
+  std::vector<NearRow> touching;
   for (std::size_t table = 0; table < tables(); ++table) {
     std::vector<Pair> pairs, hits;
-    const PairRule rule(moved_.layout, near(table).layout, question_.within, question_.within_z);
-    const auto count = static_cast<std::uint32_t>(near(table).size());
+    const PairRule rule(moved_.layout, near_scene(table).layout, question_.within, question_.within_z);
+    const auto count = static_cast<std::uint32_t>(near_scene(table).size());
     for (std::uint32_t leg = 0; leg < legs_; ++leg)
       for (std::uint32_t row = 0; row < count;) {
         interrupt_.check();
@@ -159,7 +163,7 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
         for (; row < count && pairs.size() < pairs_at_once; ++row)
           if ((left_out.empty() || !left_out[table][row]) && may_meet(leg, table, row))
             pairs.push_back({leg, row});
-        keep_near_outlines(moved_.bodies(), near(table).bodies(), horizon, rule, pairs);
+        keep_near_outlines(moved_.bodies(), near_scene(table).bodies(), horizon, rule, pairs);
         contacts[table]->decide(pairs, hits);
       }
     std::vector<std::uint8_t> known(legs_ > 1 ? count : 0);
@@ -171,62 +175,64 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
   return touching;
 }
 
-void ExactAvoidance::complete(std::vector<Intruder>& touching) const {
+void ExactAvoidance::complete(std::vector<NearRow>& touching) const {
   for (std::size_t table = 0; table < tables(); ++table) {
-    const Scene& others = near(table);
+    const Scene& others = near_scene(table);
     if (!others.layout.has_plan) continue;
     std::unordered_set<std::int64_t> ids;
-    for (const Intruder& one : touching)
+    for (const NearRow& one : touching)
       if (one.table == table) ids.insert(others.ids[one.row]);
-    std::erase_if(touching, [&](const Intruder& one) { return one.table == table; });
+    std::erase_if(touching, [&](const NearRow& one) { return one.table == table; });
     for (std::uint32_t row = 0; row < others.size(); ++row)
       if (ids.count(others.ids[row]) > 0) touching.push_back({table, row});
   }
 }
 
-std::vector<Intruder> ExactAvoidance::touching_at_start(const Records& legs) {
-  take(legs);
+std::vector<NearRow> ExactAvoidance::touching_at_start(const Records& legs) {
+  set_motion(legs);
   if (!(start_ - question_.now <= question_.h)) return {};
   for (std::size_t table = 0; table < tables(); ++table)
     if (!start_contacts_[table]) start_contacts_[table] = contact(table, {start_, 0});
-  std::vector<Intruder> touching = decided(start_contacts_, {start_, 0}, {});
+  std::vector<NearRow> touching = decided(start_contacts_, {start_, 0}, {});
   if (question_.touching == Touching::ignore) complete(touching);
   return touching;
 }
 
-bool ExactAvoidance::touches(Contact& contact, std::uint32_t leg, const Intruder& intruder) const {
-  const Pair pair{leg, intruder.row};
+bool ExactAvoidance::touches(Contact& contact, std::uint32_t leg, const NearRow& near_row) const {
+  const Pair pair{leg, near_row.row};
   std::vector<Pair> hits;
   contact.decide({&pair, 1}, hits);
   return !hits.empty();
 }
 
-std::vector<Intruder> ExactAvoidance::touching(const Records& legs, const std::vector<Intruder>& exempt) {
-  take(legs);
+std::vector<NearRow> ExactAvoidance::touching(const Records& legs, const std::vector<NearRow>& exempt) {
+  set_motion(legs);
   std::vector<std::vector<std::uint8_t>> left_out;
-  for (std::size_t table = 0; table < tables(); ++table) left_out.emplace_back(near(table).size());
-  for (const Intruder& intruder : exempt) left_out[intruder.table][intruder.row] = 1;
-  std::vector<Intruder> touching = decided(contacts_, {question_.now, question_.h}, left_out);
+  for (std::size_t table = 0; table < tables(); ++table) left_out.emplace_back(near_scene(table).size());
+  for (const NearRow& near_row : exempt) left_out[near_row.table][near_row.row] = 1;
+  std::vector<NearRow> touching = decided(contacts_, {question_.now, question_.h}, left_out);
   if (question_.touching == Touching::part)
-    for (const Intruder& intruder : exempt)
-      if (!all_separate(intruder)) touching.push_back(intruder);
+    for (const NearRow& near_row : exempt)
+      if (!all_separate(near_row)) touching.push_back(near_row);
   return touching;
 }
 
 std::optional<Blocker> ExactAvoidance::first_touching(const Records& legs,
-                                                      const std::vector<Intruder>& touching) {
-  take(legs);
+                                                      const std::vector<NearRow>& touching) {
+  set_motion(legs);
   std::optional<Blocker> first;
   std::vector<Pair> pairs, hits;
   std::vector<ContactTimes> times;
   for (std::size_t table = 0; table < tables(); ++table) {
-    pairs.clear(), hits.clear(), times.clear();
-    for (const Intruder& intruder : touching)
-      for (std::uint32_t leg = 0; leg < legs_ && intruder.table == table; ++leg)
-        if (may_meet(leg, table, intruder.row)) pairs.push_back({leg, intruder.row});
+    pairs.clear();
+    hits.clear();
+    times.clear();
+    for (const NearRow& near_row : touching)
+      for (std::uint32_t leg = 0; leg < legs_ && near_row.table == table; ++leg)
+        if (may_meet(leg, table, near_row.row)) pairs.push_back({leg, near_row.row});
     contacts_[table]->first_contacts(pairs, TimesWanted::starts, hits, times);
     for (std::size_t i = 0; i < hits.size(); ++i) {
-      const Blocker blocker{near(table).ids[hits[i].b], static_cast<int>(table), times[i].t};
+      const Blocker blocker{near_scene(table).ids[hits[i].b], static_cast<int>(table), times[i].t};
       if (!first ||
           std::tie(blocker.t, blocker.table, blocker.id) < std::tie(first->t, first->table, first->id))
         first = blocker;

@@ -3,9 +3,9 @@
 //   ExactAvoidance exact(manoeuvre, interrupt);
 //   exact.touching({record}, exact.touching_at_start({record})).empty()          // clear
 //
-// It says what touches at the change, decides k = 0 and queries of a single change, and names the intruder at the end
-// of a row. Extents grow
-// from the stored t, whichever t the motion has: a change continues, without a new report, what is known now.
+// It says what touches at the start of the manoeuvre, decides k = 0 and queries of a single change, and names the
+// intruder at the end of a row. Extents grow from the stored t, whichever t the motion has: a change continues, without
+// a new report, what is known now.
 //
 // Intruders that touch at the first time of the object are exempt as Touching says. With `ignore` they never
 // count. With `part` they do not count if the distance of the centres never decreases and they do not touch
@@ -23,12 +23,12 @@
 
 namespace foresee {
 
-/// An intruder: its table, and its row there.
-struct Intruder {
+/// A near object, or one leg of its plan: a row of ManoeuvreCase::near_objects.
+struct NearRow {
   std::size_t table;
   std::uint32_t row;
 
-  friend bool operator==(const Intruder&, const Intruder&) = default;
+  friend bool operator==(const NearRow&, const NearRow&) = default;
 };
 
 class ExactAvoidance {
@@ -40,10 +40,10 @@ class ExactAvoidance {
   ~ExactAvoidance();
 
   /// The intruders that touch at the first time of the object, whatever follows.
-  std::vector<Intruder> touching_at_start(const Records& legs);
+  std::vector<NearRow> touching_at_start(const Records& legs);
 
-  /// The intruders that the motion touches. `exempt`: those that touch when the change is made.
-  std::vector<Intruder> touching(const Records& legs, const std::vector<Intruder>& exempt);
+  /// The intruders that the motion touches. `exempt`: those that touch when the manoeuvre starts.
+  std::vector<NearRow> touching(const Records& legs, const std::vector<NearRow>& exempt);
 
   /// An intruder relative to the object at its first time: position and velocity in the nearest doubles, with
   /// errors. `square_gap`, for balls, discs and upright shapes: the squared distance of the centres on the
@@ -52,37 +52,38 @@ class ExactAvoidance {
     std::array<double, 3> x{}, ex{}, v{}, ev{};
     double square_gap = 0;
   };
-  InitialState initial_state(const Records& legs, const Intruder& intruder);
+  InitialState initial_state(const Records& legs, const NearRow& near_row);
 
   /// The one of these that is touched first; ties by table, then by id.
-  std::optional<Blocker> first_touching(const Records& legs, const std::vector<Intruder>& touching);
+  std::optional<Blocker> first_touching(const Records& legs, const std::vector<NearRow>& touching);
 
  private:
-  void take(const Records& legs);
-  void take_row(std::size_t leg, const std::vector<double>& record);
+  /// Fills moved_ with these legs: contacts then test them.
+  void set_motion(const Records& legs);
+  void set_row(std::size_t leg, const std::vector<double>& record);
   /// Rotates the own form by the heading of each row.
-  void take_forms();
+  void set_forms();
   std::unique_ptr<Contact> contact(std::size_t table, const Horizon& horizon) const;
   /// Whether the leg and the intruder's row exist at one time; true where this is not worth a test.
   bool may_meet(std::uint32_t leg, std::size_t table, std::uint32_t row) const;
   /// The intruders that these contacts find during the horizon.
-  std::vector<Intruder> decided(std::vector<std::unique_ptr<Contact>>& contacts, const Horizon& horizon,
-                                const std::vector<std::vector<std::uint8_t>>& left_out);
+  std::vector<NearRow> decided(std::vector<std::unique_ptr<Contact>>& contacts, const Horizon& horizon,
+                               const std::vector<std::vector<std::uint8_t>>& left_out);
   /// Appends all legs of the objects of which one leg is in the list.
-  void complete(std::vector<Intruder>& touching) const;
-  bool touches(Contact& contact, std::uint32_t leg, const Intruder& intruder) const;
-  bool touches_at_start(std::uint32_t leg, const Intruder& intruder);
-  bool separates(std::uint32_t leg, const Intruder& intruder);
+  void complete(std::vector<NearRow>& touching) const;
+  bool touches(Contact& contact, std::uint32_t leg, const NearRow& near_row) const;
+  bool touches_at_start(std::uint32_t leg, const NearRow& near_row);
+  bool separates(std::uint32_t leg, const NearRow& near_row);
   /// Each leg separates from the intruder or never touches it.
-  bool all_separate(const Intruder& intruder);
+  bool all_separate(const NearRow& near_row);
 
-  std::size_t tables() const { return manoeuvre_.near.size(); }
-  const Scene& near(std::size_t table) const { return *manoeuvre_.near[table].scene; }
+  std::size_t tables() const { return manoeuvre_.near_objects.size(); }
+  const Scene& near_scene(std::size_t table) const { return *manoeuvre_.near_objects[table].scene; }
 
   const ManoeuvreCase& manoeuvre_;
   const AvoidQuestion& question_;
   Interrupt& interrupt_;
-  Scene moved_;             ///< the object: a row for each leg, which take() changes
+  Scene moved_;             ///< the object: a row for each leg, which set_motion() sets
   std::uint32_t legs_ = 1;  ///< rows in use
   std::vector<std::unique_ptr<Contact>> contacts_, start_contacts_;
   double start_ = 0;

@@ -11,6 +11,22 @@
 namespace foresee {
 namespace {
 
+template <int D>
+Vec<D> pad_of(const Vec<D>& value) {
+  return value.abs() * rounding_pad + smallest_pad;
+}
+
+/// Moves all bounds outward by rounding errors: by these of x, and by those of v and a.
+template <int D>
+void pad_bounds(Bounds<D>& bounds, const Vec<D>& pad_of_x) {
+  bounds.x_lower = lower_end<D>(bounds.x_lower, pad_of_x);
+  bounds.x_upper = upper_end<D>(bounds.x_upper, pad_of_x);
+  bounds.v_lower = lower_end<D>(bounds.v_lower, pad_of<D>(bounds.v_lower));
+  bounds.v_upper = upper_end<D>(bounds.v_upper, pad_of<D>(bounds.v_upper));
+  bounds.a_lower = lower_end<D>(bounds.a_lower, pad_of<D>(bounds.a_lower));
+  bounds.a_upper = upper_end<D>(bounds.a_upper, pad_of<D>(bounds.a_upper));
+}
+
 /// A box around all changed motions from lo to hi, and when any of them exists.
 template <int D>
 MovingBox<D> box_around(const ManoeuvreCase& manoeuvre, const Changes& changes, double lo, double hi,
@@ -32,15 +48,11 @@ MovingBox<D> box_around(const ManoeuvreCase& manoeuvre, const Changes& changes, 
     bounds.v_lower[axis] = all.velocity.min(axis), bounds.v_upper[axis] = all.velocity.max(axis);
     bounds.a_lower[axis] = all.acceleration.min(axis), bounds.a_upper[axis] = all.acceleration.max(axis);
   }
-  const auto pad = [](const Vec<D>& value) { return Vec<D>(value.abs() * rounding_pad + smallest_pad); };
-  Vec<D> size = pad(bounds.x_lower) + pad(bounds.x_upper) + pad(reach_of(extents) + margin);
+  Vec<D> pad_of_x =
+      pad_of<D>(bounds.x_lower) + pad_of<D>(bounds.x_upper) + pad_of<D>(reach_of(extents) + margin);
   for (int axis = 0; axis < D; ++axis)
-    size[axis] += rounding_pad * std::abs(base.x[static_cast<std::size_t>(axis)]);
-  bounds.x_lower = lower_end<D>(bounds.x_lower, size), bounds.x_upper = upper_end<D>(bounds.x_upper, size);
-  bounds.v_lower = lower_end<D>(bounds.v_lower, pad(bounds.v_lower));
-  bounds.v_upper = upper_end<D>(bounds.v_upper, pad(bounds.v_upper));
-  bounds.a_lower = lower_end<D>(bounds.a_lower, pad(bounds.a_lower));
-  bounds.a_upper = upper_end<D>(bounds.a_upper, pad(bounds.a_upper));
+    pad_of_x[axis] += rounding_pad * std::abs(base.x[static_cast<std::size_t>(axis)]);
+  pad_bounds<D>(bounds, pad_of_x);
   const auto time = [&](double after, double outward) {
     return base.t + after + outward * rounding_pad * (std::abs(base.t) + std::abs(after));
   };
@@ -82,17 +94,18 @@ class RowsNear {
   std::vector<MovingBox<D>> boxes_;
 };
 
-/// The same objects as from a tree: those whose boxes meet one of the boxes. SQL always gives a tree.
+/// Reads a scene as a tree is searched: the objects whose boxes meet one of the boxes. For applications that have no
+/// tree; SQL always gives one.
 template <int D>
 void walk_scene(const Scene& all, const RowsNear<D>& rows, std::optional<std::int64_t> itself,
-                const KindTest& partners, Interrupt& interrupt, Scene& near) {
+                const KindTest& partners, Interrupt& interrupt, Scene& found) {
   const Bodies bodies = all.bodies();
   for (std::size_t i = 0; i < bodies.count; ++i) {
     if (i % 1024 == 0) interrupt.check();
     if (!partners.accepts(kinds_of(bodies.row(i), bodies.at)) || all.ids[i] == itself || !rows.has(i))
       continue;
-    near.ids.push_back(all.ids[i]);
-    near.rows.insert(near.rows.end(), bodies.row(i), bodies.row(i) + bodies.at.size);
+    found.ids.push_back(all.ids[i]);
+    found.rows.insert(found.rows.end(), bodies.row(i), bodies.row(i) + bodies.at.size);
   }
 }
 
@@ -102,18 +115,19 @@ PairRule::Reach reach_to(const AvoidQuestion& question, const SearchTarget& othe
 }
 
 /// `itself`: the object of this id is left out.
-NearObjects near_objects(const ManoeuvreCase& manoeuvre, const SearchTarget& others,
-                         std::optional<std::int64_t> itself, Interrupt& interrupt) {
+NearObjects find_near_objects(const ManoeuvreCase& manoeuvre, const SearchTarget& others,
+                              std::optional<std::int64_t> itself, Interrupt& interrupt) {
   const AvoidQuestion& question = manoeuvre.question;
   const auto& legs = manoeuvre.changed.legs;
-  auto near = std::make_shared<Scene>();
   NearObjects found;
-  near->name = others.name, near->layout = others.layout();
+  const auto scene = std::make_shared<Scene>();
+  scene->name = others.name;
+  scene->layout = others.layout();
   const Horizon horizon{question.now, question.h};
-  near->legs_during = leg_times_of(horizon);
+  scene->legs_during = leg_times_of(horizon);
   const Bodies own = question.own_scene->bodies();
   const KindTest partners = KindTest::of_partners(kinds_of(own.row(0), own.at));
-  with_axes(near->layout.axes, [&]<int D>(Axes<D>) {
+  with_axes(scene->layout.axes, [&]<int D>(Axes<D>) {
     // Our boxes have the whole reach, so the tree adds none: margin_of() is half of it.
     const Vec<D> margin = 2 * margin_of<D>(reach_to(question, others)), none = Vec<D>::Zero();
     const QueriedChanges& queried = manoeuvre.queried;
@@ -121,44 +135,39 @@ NearObjects near_objects(const ManoeuvreCase& manoeuvre, const SearchTarget& oth
     for (const auto& leg : legs)
       boxes.push_back(box_around<D>(manoeuvre, *leg, queried.lo, queried.hi, margin));
     // A delay spares the objects that it touches at its stored start, with all legs: one may be near there alone.
-    if (near->layout.has_plan && legs[0]->starts_vary())
-      for (const OwnMotion& motion : manoeuvre.changed.at_stored_start())
+    if (scene->layout.has_plan && legs[0]->starts_vary())
+      for (const OwnMotion& motion : manoeuvre.changed.motions_at_start())
         boxes.push_back(box_around<D>(manoeuvre, *no_changes_of(motion), 0, 0, margin));
     if (others.scene) {
-      walk_scene<D>(*others.scene, {*others.scene, horizon, boxes}, itself, partners, interrupt, *near);
+      walk_scene<D>(*others.scene, {*others.scene, horizon, boxes}, itself, partners, interrupt, *scene);
     } else {
       const auto is_other = [&](std::int64_t id) { return id != itself; };
-      add_objects_near<D>(others, boxes, horizon, none, interrupt, partners, is_other, *near);
+      add_objects_near<D>(others, boxes, horizon, none, interrupt, partners, is_other, *scene);
     }
     if (legs.size() == 1) return;
-    const RowsNear<D> rows(*near, horizon, boxes);
+    const RowsNear<D> rows(*scene, horizon, boxes);
     found.of_leg.resize(legs.size());
     for (std::size_t box = 0; box < legs.size(); ++box) {
       interrupt.check();
-      for (std::uint32_t row = 0; row < near->size(); ++row)
+      for (std::uint32_t row = 0; row < scene->size(); ++row)
         if (rows.has(row, box)) found.of_leg[box].push_back(row);
     }
   });
-  if (others.tree) near->take_forms(others.tree->forms(), interrupt);
-  found.scene = std::move(near);
+  if (others.tree) scene->take_forms(others.tree->forms(), interrupt);
+  found.scene = scene;
   return found;
 }
 
 }  // namespace
 
-OwnState::Records ManoeuvreCase::records_at_change() const {
-  OwnState::Records records = own.records_of(changed.at_stored_start());
-  for (std::size_t i = changed.legs.size() - changed.ends; i < changed.legs.size(); ++i)
-    records.push_back(own.record_of(changed.legs[i]->unchanged()));
-  return records;
-}
-
 ManoeuvreCase manoeuvre_case(const AvoidQuestion& question, const OwnState& own,
                              const QueriedChanges& queried, Interrupt& interrupt) {
   ManoeuvreCase manoeuvre{question, own, queried, changed_legs(question, own, queried), false};
   manoeuvre.turns = turns_with_course(question, manoeuvre.first_leg());
-  manoeuvre.near.push_back(near_objects(manoeuvre, question.others, question.own_scene->ids[0], interrupt));
-  if (question.also) manoeuvre.near.push_back(near_objects(manoeuvre, *question.also, {}, interrupt));
+  manoeuvre.near_objects.push_back(
+      find_near_objects(manoeuvre, question.others, question.own_scene->ids[0], interrupt));
+  if (question.also)
+    manoeuvre.near_objects.push_back(find_near_objects(manoeuvre, *question.also, {}, interrupt));
   return manoeuvre;
 }
 

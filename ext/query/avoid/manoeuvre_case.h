@@ -31,12 +31,12 @@ struct ManoeuvreCase {
   const OwnState& own;
   QueriedChanges queried;
   ChangedLegs changed;
-  bool turns;                          ///< the own outline rotates with the course
-  std::vector<NearObjects> near = {};  ///< of each table
+  bool turns;                                  ///< the own outline rotates with the course
+  std::vector<NearObjects> near_objects = {};  ///< of each table
 
   const Changes& first_leg() const { return *changed.legs[0]; }
-  /// What this touches at its start touches already: the object at the change; for a delay, at its stored start.
-  OwnState::Records records_at_change() const;
+  /// The records of changed.motions_at_start().
+  OwnState::Records records_at_start() const { return own.records_of(changed.motions_at_start()); }
 };
 
 /// `question` and `own` must outlive the case.

@@ -21,9 +21,14 @@ void with_places(const Layout& layout, Record& record, Motion& motion, Use&& use
   const auto number = [&](int place, auto& value) {
     if (place != Offsets::absent) use(record[static_cast<std::size_t>(place)], value);
   };
-  number(at.t, motion.t), number(at.until, motion.until), number(at.mass, motion.mass);
+  number(at.t, motion.t);
+  number(at.until, motion.until);
+  number(at.mass, motion.mass);
   number(at.heading, motion.heading);
-  vector(at.x, motion.x), vector(at.v, motion.v), vector(at.a, motion.a), vector(at.force, motion.force);
+  vector(at.x, motion.x);
+  vector(at.v, motion.v);
+  vector(at.a, motion.a);
+  vector(at.force, motion.force);
 }
 
 bool has_legs(const AvoidQuestion& question) {
@@ -31,10 +36,16 @@ bool has_legs(const AvoidQuestion& question) {
 }
 
 /// Adds t and until, and leaves out what records say of plans.
-void take_life(Layout& layout, std::vector<double>& record) {
+void add_lifetime(Layout& layout, std::vector<double>& record) {
   const auto place = [](int offset) { return static_cast<std::ptrdiff_t>(offset); };
-  if (layout.has_plan) layout.has_plan = false, record.resize(record.size() - 2);
-  if (!layout.has_t) layout.has_t = true, record.insert(record.begin(), 0.0);
+  if (layout.has_plan) {
+    layout.has_plan = false;
+    record.resize(record.size() - 2);
+  }
+  if (!layout.has_t) {
+    layout.has_t = true;
+    record.insert(record.begin(), 0.0);
+  }
   if (layout.has_until) return;
   layout.has_until = true;
   record.insert(record.begin() + place(record_offsets(layout).until), no_end);
@@ -64,25 +75,28 @@ std::vector<double> with_motion(const Layout& layout, std::vector<double> record
 
 OwnState::OwnState(const AvoidQuestion& question)
     : layout(question.own_scene->layout), record(question.record) {
-  if (has_legs(question)) take_life(layout, record);
+  if (has_legs(question)) add_lifetime(layout, record);
   stored = motion_in(layout, record);
   if (question.plan) {
     const double end = stored.until, last = last_start(question);
     for (const Leg& one : legs_of(*question.plan)) {
       if (one.t > end || (one.t > last && !legs.empty())) break;
       OwnMotion motion = stored;
-      motion.t = one.t, motion.until = std::min(one.until, end);
-      motion.x = one.x, motion.v = one.v, motion.a = one.a;
+      motion.t = one.t;
+      motion.until = std::min(one.until, end);
+      motion.x = one.x;
+      motion.v = one.v;
+      motion.a = one.a;
       if (legs.empty() && legs_before == 0) stored = motion;
       if (motion.until < question.now)
         ++legs_before;
       else
         legs.push_back(motion);
     }
-    const double change = legs.empty() ? question.now : std::max(question.now, legs[0].t);
-    while (leg + 1 < legs.size() && legs[leg + 1].t <= change) ++leg;
+    const double start = legs.empty() ? question.now : std::max(question.now, legs[0].t);
+    while (current_leg + 1 < legs.size() && legs[current_leg + 1].t <= start) ++current_leg;
   }
-  const OwnMotion& here = legs.empty() ? stored : legs[leg];
+  const OwnMotion& here = legs.empty() ? stored : legs[current_leg];
   base = motion_from(here, std::max(question.now, here.t));
 }
 
@@ -101,14 +115,15 @@ OwnState::Records OwnState::records_of(const std::vector<OwnMotion>& motions) co
   return records;
 }
 
-std::vector<OwnMotion> ChangedLegs::at_stored_start() const {
+std::vector<OwnMotion> ChangedLegs::motions_at_start() const {
   std::vector<OwnMotion> motions{legs[0]->unchanged()};
-  if (!legs[0]->starts_vary()) return motions;
-  for (std::size_t i = 1; i < legs.size(); ++i) {
-    const OwnMotion next = legs[i]->unchanged();
-    if (next.t > motions[0].t) break;
-    motions.push_back(next);
-  }
+  if (legs[0]->starts_vary())
+    for (std::size_t i = 1; i < legs.size(); ++i) {
+      const OwnMotion next = legs[i]->unchanged();
+      if (next.t > motions[0].t) break;
+      motions.push_back(next);
+    }
+  for (std::size_t i = legs.size() - ending; i < legs.size(); ++i) motions.push_back(legs[i]->unchanged());
   return motions;
 }
 
@@ -118,11 +133,13 @@ ChangedLegs changed_legs(const AvoidQuestion& question, const OwnState& own, con
   const Manoeuvre how = queried.manoeuvre;
   if (how == Manoeuvre::wait) {
     changed.are_later = true;
-    add(rests_of(own.base)), add(delays_of(own.base, 0));
-    for (std::size_t i = own.leg + 1; i < own.legs.size(); ++i) add(delays_of(own.legs[i], 0));
-    for (std::size_t i = 0; i <= own.leg && i < own.legs.size(); ++i) {
-      if (i == own.leg && own.legs[i].t == own.base.t) break;
-      add(end_of(own.legs[i], std::min(own.legs[i].until, own.base.t))), ++changed.ends;
+    add(rests_of(own.base));
+    add(delays_of(own.base, 0));
+    for (std::size_t i = own.current_leg + 1; i < own.legs.size(); ++i) add(delays_of(own.legs[i], 0));
+    for (std::size_t i = 0; i <= own.current_leg && i < own.legs.size(); ++i) {
+      if (i == own.current_leg && own.legs[i].t == own.base.t) break;
+      add(end_of(own.legs[i], std::min(own.legs[i].until, own.base.t)));
+      ++changed.ending;
     }
   } else if (how == Manoeuvre::delay) {
     changed.are_later = true;

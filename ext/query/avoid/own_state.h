@@ -1,7 +1,7 @@
-// The object that changes: what is stored of it, its motion at the change, and the legs of its plan.
+// The object that changes: what is stored of it, its motion at the start of a manoeuvre, and the legs of its plan.
 //
 //   const OwnState own(question);
-//   own.record_of(own.base)                                    // what a change at once would store
+//   own.record_of(own.base)                                    // the record of its motion from now on
 //
 // All changed motions start from these numbers; sets of them are Changes (motion/changes.h). Cost: a microsecond, and
 // some ns per leg.
@@ -31,10 +31,10 @@ struct OwnState {
   Layout layout;
   std::vector<double> record;
   OwnMotion stored;  ///< the motion of the record; with a plan its first leg
-  OwnMotion base;    ///< the motion from the change on, at max(now, t)
+  OwnMotion base;    ///< the motion from the start of a manoeuvre on, at max(now, t)
   /// Of its plan: those that do not end before now, nor start after the horizon; `until` cuts them.
   std::vector<OwnMotion> legs = {};
-  std::size_t leg = 0;          ///< the one of `base`
+  std::size_t current_leg = 0;  ///< the one of `base`
   std::size_t legs_before = 0;  ///< how many legs of the plan are not in `legs`
 };
 
@@ -44,14 +44,15 @@ std::vector<double> with_motion(const Layout& layout, std::vector<double> record
 
 /// What a manoeuvre makes of the object.
 struct ChangedLegs {
-  /// In order of time from the change on; then those that end at the change.
+  /// In order of time from the start of the manoeuvre on; then those that end at it.
   std::vector<std::unique_ptr<Changes>> legs;
-  std::size_t ends = 0;  ///< how many of the last ones end at the change
+  std::size_t ending = 0;  ///< how many of the last ones end at the start of the manoeuvre
   /// All that follows is later by k: an object in contact at the start is not exempt.
   bool are_later = false;
 
-  /// The unchanged first leg; of a delay also legs that start at the same time, behind one of no duration.
-  std::vector<OwnMotion> at_stored_start() const;
+  /// The unchanged motions whose first time is the start of the manoeuvre, and those that end at it: what they touch
+  /// then, they touch already. Of a delay those at its stored start: several, if a leg has no duration.
+  std::vector<OwnMotion> motions_at_start() const;
 };
 
 /// Requires: `queried` is of `question`.

@@ -17,84 +17,89 @@ bool seem_zero(const Vec<D>& numbers, const Vec<D>& errors) {
   return (errors > 0 && numbers.abs() <= 0x1p30 * errors).any();
 }
 
+/// Whether rounding errors alone may decide if the two seem to touch at the start, or to separate. `touches`: by
+/// exact contact.
 template <int D>
-bool needs_exact_state(const Encounter<D>& encounter, bool touches) {
-  return is_beside(encounter) &&
+bool rounding_may_decide(const Encounter<D>& encounter, bool touches) {
+  return starts_nearly_touching(encounter) &&
          (!touches || seem_zero<D>(encounter.x, encounter.ex) || seem_zero<D>(encounter.v, encounter.ev));
 }
 
 /// For a delay, and for an intruder that does not exist yet, only the gap is valid.
 template <int D>
-void take_exact_state(Encounter<D>& encounter, const ExactAvoidance::InitialState& exact, bool delayed) {
+void set_exact_state(Encounter<D>& encounter, const ExactAvoidance::InitialState& exact, bool delayed) {
   encounter.square_gap = exact.square_gap;
   if (delayed || encounter.begin > 0) return;
   for (int axis = 0; axis < D; ++axis) {
     const auto j = static_cast<std::size_t>(axis);
-    encounter.x[axis] = exact.x[j], encounter.ex[axis] = exact.ex[j];
-    encounter.v[axis] = exact.v[j], encounter.ev[axis] = exact.ev[j];
+    encounter.x[axis] = exact.x[j];
+    encounter.ex[axis] = exact.ex[j];
+    encounter.v[axis] = exact.v[j];
+    encounter.ev[axis] = exact.ev[j];
   }
 }
 
-/// One intruder, or one leg of its plan, beside one leg of the object.
+/// An intruder, and what it is sorted by.
 template <int D>
-struct OrderedCertificate {
+struct OrderedIntruder {
   double nearness;
   std::size_t table;
   std::int64_t id;
   std::size_t leg;
   double t;
-  IntruderCertificate<D> certificate;
+  Intruder<D> intruder;
 };
 
+/// The encounters of all legs of the changed object with all near objects.
 template <int D>
-class ProvenRanges {
+class Encounters {
  public:
-  ProvenRanges(const ManoeuvreCase& manoeuvre, ExactAvoidance& exact, Interrupt& interrupt)
+  Encounters(const ManoeuvreCase& manoeuvre, ExactAvoidance& exact, Interrupt& interrupt)
       : manoeuvre_(manoeuvre),
         question_(manoeuvre.question),
         exact_(exact),
         interrupt_(interrupt),
         own_bodies_(question_.own_scene->bodies()) {}
 
-  std::vector<KRange> ranges() {
-    touches_at_change_ = marked(exact_.touching_at_start(manoeuvre_.records_at_change()));
-    touches_at_rest_ = first_leg().starts_vary() ? marked(touching_at_rest()) : touches_at_change_;
-    for (const NearObjects& near : manoeuvre_.near) others_.push_back(near.scene->bodies());
-    for (std::size_t table = 0; table < manoeuvre_.near.size(); ++table) add_table(table);
-    std::sort(ordered_.begin(), ordered_.end(),
-              [](const OrderedCertificate<D>& a, const OrderedCertificate<D>& b) {
-                return std::tie(a.nearness, a.table, a.id, a.leg, a.t) <
-                       std::tie(b.nearness, b.table, b.id, b.leg, b.t);
-              });
-    std::vector<IntruderCertificate<D>> certificates;
-    for (OrderedCertificate<D>& one : ordered_) certificates.push_back(std::move(one.certificate));
-    return ClearRanges<D>(manoeuvre_.changed.legs, std::move(certificates), interrupt_)
-        .find(manoeuvre_.queried.lo, manoeuvre_.queried.hi);
+  /// This must outlive the intruders, whose outlines refer to it.
+  std::vector<Intruder<D>> nearest_first() {
+    touches_at_start_ = marked(exact_.touching_at_start(manoeuvre_.records_at_start()));
+    touches_at_rest_ = first_leg().starts_vary() ? marked(touching_at_rest()) : touches_at_start_;
+    for (const NearObjects& near : manoeuvre_.near_objects) others_.push_back(near.scene->bodies());
+    for (std::size_t table = 0; table < manoeuvre_.near_objects.size(); ++table) add_table(table);
+    std::sort(ordered_.begin(), ordered_.end(), [](const OrderedIntruder<D>& a, const OrderedIntruder<D>& b) {
+      return std::tie(a.nearness, a.table, a.id, a.leg, a.t) <
+             std::tie(b.nearness, b.table, b.id, b.leg, b.t);
+    });
+    std::vector<Intruder<D>> intruders;
+    for (OrderedIntruder<D>& one : ordered_) intruders.push_back(std::move(one.intruder));
+    return intruders;
   }
 
  private:
-  using AtChange = typename IntruderCertificate<D>::AtChange;
+  using AtStart = typename Intruder<D>::AtStart;
   using Marks = std::vector<std::vector<std::uint8_t>>;
 
   const Changes& first_leg() const { return manoeuvre_.first_leg(); }
 
-  Marks marked(const std::vector<Intruder>& some) const {
+  Marks marked(const std::vector<NearRow>& some) const {
     Marks marks;
-    for (const NearObjects& near : manoeuvre_.near) marks.emplace_back(near.scene->size());
-    for (const Intruder& intruder : some) marks[intruder.table][intruder.row] = 1;
+    for (const NearObjects& near : manoeuvre_.near_objects) marks.emplace_back(near.scene->size());
+    for (const NearRow& near_row : some) marks[near_row.table][near_row.row] = 1;
     return marks;
   }
 
-  /// The intruders that the object touches at any time if it remains at its start.
-  std::vector<Intruder> touching_at_rest() {
+  /// What the object touches at any time if it remains at its start.
+  std::vector<NearRow> touching_at_rest() {
     OwnMotion resting = first_leg().unchanged();
-    resting.t = first_leg().reference().t, resting.until = std::numeric_limits<double>::infinity();
+    resting.t = first_leg().reference().t;
+    resting.until = std::numeric_limits<double>::infinity();
     resting.v = resting.a = resting.force = {};
     return exact_.touching({manoeuvre_.own.record_of(resting)}, {});
   }
 
   void add_table(std::size_t table) {
-    const NearObjects& near = manoeuvre_.near[table];
+    const NearObjects& near = manoeuvre_.near_objects[table];
     const Bodies& there = others_[table];
     const PairRule rule(own_bodies_.layout, there.layout, question_.within, question_.within_z);
     const bool outlines = rule.pieces == PieceKind::planar;
@@ -113,7 +118,7 @@ class ProvenRanges {
 
   void add(std::size_t table, std::size_t row, std::size_t leg, const PairRule& rule, const Bodies& there,
            const std::shared_ptr<const OwnOutline>& own_outline) {
-    const bool touches = touches_at_change_[table][row] != 0;
+    const bool touches = touches_at_start_[table][row] != 0;
     if (touches && question_.touching == Touching::ignore) return;
     const OwnMotion& reference = manoeuvre_.changed.legs[leg]->reference();
     const auto extents = extents_of_both<D>(rule, own_bodies_.row(0), there.row(row), reference.t);
@@ -124,15 +129,15 @@ class ProvenRanges {
     const auto pair = own_outline ? std::make_shared<const OutlinePair>(own_outline, there, row,
                                                                         given_outline(table, there, row))
                                   : nullptr;
-    const AtChange known = at_change(encounter, leg, touches, touches_at_rest_[table][row] != 0);
-    if (leg == 0 && needs_exact_state(encounter, touches)) {
-      const Intruder intruder{table, static_cast<std::uint32_t>(row)};
-      take_exact_state(encounter, exact_.initial_state(manoeuvre_.records_at_change(), intruder),
-                       first_leg().starts_vary());
+    const AtStart known = at_start(encounter, leg, touches, touches_at_rest_[table][row] != 0);
+    if (leg == 0 && rounding_may_decide(encounter, touches)) {
+      const NearRow near_row{table, static_cast<std::uint32_t>(row)};
+      set_exact_state(encounter, exact_.initial_state(manoeuvre_.records_at_start(), near_row),
+                      first_leg().starts_vary());
     }
     const double t = value_or(there.row(row), there.at.t, 0);
     ordered_.push_back(
-        {far, table, manoeuvre_.near[table].scene->ids[row], leg, t, {encounter, known, pair, leg}});
+        {far, table, manoeuvre_.near_objects[table].scene->ids[row], leg, t, {encounter, known, pair, leg}});
   }
 
   /// The outline of a row before its rotation; null: not known.
@@ -147,17 +152,16 @@ class ProvenRanges {
   }
 
   /// For a delay only the state of a resting intruder is known: it has the same position at every start. What is later
-  /// by k is exempt from no contact; of later legs nothing is known.
-  AtChange at_change(const Encounter<D>& encounter, std::size_t leg, bool touches,
-                     bool touches_at_rest) const {
-    if (leg > 0) return AtChange::unknown;
+  /// by k has no exempt contact; of later legs nothing is known.
+  AtStart at_start(const Encounter<D>& encounter, std::size_t leg, bool touches, bool touches_at_rest) const {
+    if (leg > 0) return AtStart::unknown;
     if (first_leg().starts_vary()) {
       const bool rests = (encounter.v == 0).all() && (encounter.ev == 0).all() && !encounter.bends() &&
                          !encounter.extents.grows;
-      return rests && !touches_at_rest ? AtChange::apart : AtChange::unknown;
+      return rests && !touches_at_rest ? AtStart::apart : AtStart::unknown;
     }
-    if (touches) return manoeuvre_.changed.are_later ? AtChange::unknown : AtChange::touches;
-    return encounter.begin > 0 || manoeuvre_.turns ? AtChange::unknown : AtChange::apart;
+    if (touches) return manoeuvre_.changed.are_later ? AtStart::unknown : AtStart::touches;
+    return encounter.begin > 0 || manoeuvre_.turns ? AtStart::unknown : AtStart::apart;
   }
 
   const ManoeuvreCase& manoeuvre_;
@@ -166,18 +170,21 @@ class ProvenRanges {
   Interrupt& interrupt_;
   Bodies own_bodies_;
   std::map<std::pair<std::size_t, std::int64_t>, std::shared_ptr<const Form>> forms_;
-  std::vector<Bodies> others_;  ///< of each table; outlines of certificates refer to them
-  Marks touches_at_change_,
-      touches_at_rest_;  ///< the rows of each table that do; at rest: where a delay starts
-  std::vector<OrderedCertificate<D>> ordered_;
+  std::vector<Bodies> others_;  ///< of each table; outlines of intruders refer to them
+  /// The rows of each table that touch at the start, and those that the object would touch if it remained there.
+  Marks touches_at_start_, touches_at_rest_;
+  std::vector<OrderedIntruder<D>> ordered_;
 };
 
 }  // namespace
 
 std::vector<KRange> proven_ranges(const ManoeuvreCase& manoeuvre, ExactAvoidance& exact,
                                   Interrupt& interrupt) {
-  return with_axes(manoeuvre.own.layout.axes,
-                   [&]<int D>(Axes<D>) { return ProvenRanges<D>(manoeuvre, exact, interrupt).ranges(); });
+  return with_axes(manoeuvre.own.layout.axes, [&]<int D>(Axes<D>) {
+    Encounters<D> encounters(manoeuvre, exact, interrupt);
+    RangeBisection<D> bisection(manoeuvre.changed.legs, encounters.nearest_first(), interrupt);
+    return bisection.clear_ranges(manoeuvre.queried.lo, manoeuvre.queried.hi);
+  });
 }
 
 }  // namespace foresee

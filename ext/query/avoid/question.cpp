@@ -118,10 +118,13 @@ void require_no_meshes(const AvoidQuestion& question) {
 /// Throws what a join of the two tables throws.
 void require_join(const AvoidQuestion& question, const SearchTarget& others) {
   auto none = std::make_shared<Scene>();
-  none->name = others.name, none->layout = others.layout();
+  none->name = others.name;
+  none->layout = others.layout();
   JoinQuestion join{.a = question.own_scene, .b = none};
-  join.now = question.now, join.h = question.h;
-  join.within = question.within, join.within_z = question.within_z;
+  join.now = question.now;
+  join.h = question.h;
+  join.within = question.within;
+  join.within_z = question.within_z;
   require_valid(join);
   contact_of(join);
 }
@@ -140,8 +143,8 @@ void require_start_to_come(const AvoidQuestion& question, const OwnMotion& store
                 " is not supported for objects that grow; write lo >= 0 for " + question.own_scene->name);
 }
 
-/// A velocity that has grown until the change must be stored, too.
-void require_velocity_at_change(const AvoidQuestion& question, const OwnState& own) {
+/// A velocity that has grown until the start of the manoeuvre must be stored, too.
+void require_velocity_at_start(const AvoidQuestion& question, const OwnState& own) {
   if (stores_velocity(question) || own.base.v == std::array<double, 3>{}) return;
   throw Error(question.own_scene->name + ": row " + std::to_string(question.own_scene->ids[0]) +
               " has a velocity at " + shown(own.base.t) +
@@ -200,7 +203,7 @@ bool turns_with_course(const AvoidQuestion& question, const Changes& changes) {
 
 std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnState& own) {
   if (question.plan) require_manoeuvre_of_plan(question);
-  if (question.how != Manoeuvre::delay) require_velocity_at_change(question, own);
+  if (question.how != Manoeuvre::delay) require_velocity_at_start(question, own);
   const double m = speed_of(own.base);
   std::vector<QueriedChanges> queried;
   const auto add = [&](Manoeuvre manoeuvre, double lo, double hi) {

@@ -14,7 +14,7 @@ namespace foresee {
 
 struct OwnState;
 
-/// What is required of objects that touch already when the change is made.
+/// What is required of objects that touch already when the manoeuvre starts.
 enum class Touching : std::uint8_t {
   part,   ///< the distance of the centres never decreases while they touch, and they do not touch again
   ignore  ///< nothing
@@ -22,8 +22,8 @@ enum class Touching : std::uint8_t {
 
 struct AvoidQuestion {
   std::shared_ptr<const Scene> own_scene;  ///< the object that changes, or no object
-  std::vector<double>
-      record;  ///< its numbers as they are stored (OwnState::record may have t and until beside them); empty: no object
+  /// Its numbers as they are stored (OwnState::record may have t and until besides); empty: no object.
+  std::vector<double> record;
   std::shared_ptr<const Form> form = {};  ///< its outline, or null
   std::shared_ptr<const Plan> plan = {};  ///< or null; own_scene has its legs
   bool lacks_t = false;                   ///< no column of its table stores the t of its records
@@ -59,8 +59,8 @@ struct AvoidRow {
   double k_from, k_to, k;
   std::vector<double> record;  ///< to be stored for k; empty if it is not wanted
   std::optional<Blocker> below, above;
-  std::optional<Plan> plan =
-      {};  ///< to be stored for k, of what has several legs; else, or if not wanted, nothing
+  /// To be stored for k, of what has several legs; else, or if it is not wanted, nothing.
+  std::optional<Plan> plan = {};
 };
 
 /// Throws Error for an unknown name, listing the known ones.

@@ -65,7 +65,7 @@ TEST(Separation, DistinguishesClearBlockedAndOpen) {
   EXPECT_EQ(stone.turn(1.146, 180), ClearanceVerdict::clear);
   EXPECT_EQ(stone.turn(-180, -1.146), ClearanceVerdict::clear);
   EXPECT_EQ(stone.turn(-1.1459, 1.1459), ClearanceVerdict::blocked);
-  EXPECT_EQ(stone.turn(1, 2), ClearanceVerdict::open);
+  EXPECT_EQ(stone.turn(1, 2), ClearanceVerdict::undecided);
   const auto gap = [&](double k) {
     return gap_of<2>(stone.encounter, *changes_by(Manoeuvre::turn, stone.base), k);
   };
@@ -157,7 +157,7 @@ TEST(SeparationIncrease, NeedsADistanceThatNeverShrinks) {
   };
   EXPECT_EQ(separating(-179, -1), ClearanceVerdict::clear);
   EXPECT_EQ(separating(1, 179), ClearanceVerdict::blocked);
-  EXPECT_EQ(separating(-1, 1), ClearanceVerdict::open);
+  EXPECT_EQ(separating(-1, 1), ClearanceVerdict::undecided);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
-// The ranges of changes that are clear of all intruders: certificates and bisection.
+// The ranges of changes that are clear of all intruders: bisection, with a certificate per intruder and range.
 //
-//   ClearRanges<2> search(changed.legs, certificates, interrupt);
-//   for (const KRange& range : search.find(-180, 180)) …
+//   RangeBisection<2> bisection(changed.legs, intruders, interrupt);
+//   for (const KRange& range : bisection.clear_ranges(-180, 180)) …
 //
 // Guarantee: every double of a returned range is clear (contact/clearance/separation.h), including its ends.
 // The ranges are in ascending order and disjoint. What is between them is not proven clear.
@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-#include "query/avoid/intruder_certificate.h"
+#include "query/avoid/intruder.h"
 
 namespace foresee {
 
@@ -34,16 +34,16 @@ struct KRange {
 };
 
 template <int D>
-class ClearRanges {
+class RangeBisection {
  public:
   using Legs = std::vector<std::unique_ptr<Changes>>;
 
   /// The intruders are tested in their order: the nearest should be first. An object that several legs meet is several
   /// intruders.
-  ClearRanges(const Legs& legs, std::vector<IntruderCertificate<D>> intruders, Interrupt& interrupt);
+  RangeBisection(const Legs& legs, std::vector<Intruder<D>> intruders, Interrupt& interrupt);
 
   /// Requires: lo < hi.
-  std::vector<KRange> find(double lo, double hi);
+  std::vector<KRange> clear_ranges(double lo, double hi);
 
  private:
   /// A range, and the families of its legs; those of later legs once they are needed.
@@ -56,7 +56,7 @@ class ClearRanges {
           legs_(legs),
           of_first_leg_(trajectory_family<D>(*legs[0], from, to)) {}
 
-    const TrajectoryFamily<D>& family(const IntruderCertificate<D>& intruder) const {
+    const TrajectoryFamily<D>& family(const Intruder<D>& intruder) const {
       const std::size_t leg = intruder.leg();
       if (leg == 0) return of_first_leg_;
       const auto known = of_later_legs_.find(leg);
@@ -65,47 +65,57 @@ class ClearRanges {
     }
 
     const double from, to;
-    const bool is_coarse;  ///< one of the parts of the whole, beside which all intruders are tested
+    const bool is_coarse;  ///< one of the first parts of the whole, in which all intruders are tested
 
    private:
     const Legs& legs_;
     TrajectoryFamily<D> of_first_leg_;
     mutable std::unordered_map<std::size_t, TrajectoryFamily<D>> of_later_legs_;
   };
-  /// `near`: a known end beside the range, or infinite.
-  void search(double from, double to, std::size_t begin, std::size_t end, double near);
-  /// Whether the intruder blocks all of the range. It is appended to open_ if it is undecided, or its undecided parts
-  /// are, from index `first` on. If many are undecided, the rest is not tested: narrower ranges decide.
-  bool blocks(std::uint32_t intruder, const Range& range, std::size_t first);
-  /// The verdict on one intruder, or on a part of the intruder `whole`; counts its cost.
-  ClearanceVerdict certify(const IntruderCertificate<D>& intruder, std::uint32_t whole, const Range& range);
-  /// Splits a range: at the end that an intruder causes, if one is guessed. Near a known end, it splits at
-  /// the geometric mean of the distances from that end; else in the middle.
-  void cut(double from, double to, std::size_t begin, std::size_t end, double near);
-  std::optional<double> guessed_end(double from, double to, std::size_t begin, std::size_t end);
-  /// The largest width at which a range is given up that one of these intruders of open_ leaves open.
-  double narrowest(std::size_t begin, std::size_t end) const;
+  using Numbers = std::vector<std::uint32_t>;  ///< of intruders and parts, as IntruderParts counts them
+  /// The places in undecided_ of the intruders that one range is tested for.
+  struct Frame {
+    std::size_t begin, end;
+  };
+
+  /// Appends the clear ranges of [from, to] to clear_: tests the intruders of the frame, and cuts the range if some are
+  /// undecided and none blocks it. `known_end`: an end of a clear range, at or outside an end of this one; or infinite.
+  void search(double from, double to, Frame tested, double known_end);
+  /// The verdict on an intruder, or on a part. If it is undecided, `undecided` gets its number, or those of its
+  /// undecided parts. If many parts are undecided, the rest is not tested, but appended: narrower ranges decide.
+  ClearanceVerdict test(std::uint32_t number, const Range& range, Numbers& undecided);
+  /// The verdict on one convex set, or bound of several. Counts its cost as that of the intruder `whole`.
+  ClearanceVerdict verdict_on(const Intruder<D>& intruder, std::uint32_t whole, const Range& range);
+  /// Searches the parts of a range: split at the end that an intruder causes, if one is guessed. Near a known end, it
+  /// is split at the geometric mean of the distances from that end; else in the middle.
+  void cut(double from, double to, Frame tested, double known_end);
+  /// The end that the first intruder of the frame causes, if it causes one.
+  std::optional<double> guessed_end(double from, double to, Frame tested);
+  /// A range of this width that leaves one of these intruders undecided is not cut further.
+  double give_up_width(Frame tested) const;
 
   // Outlines and prisms only:
 
   /// Whether a test of the parts of an undecided intruder, or part, is worth its cost.
-  bool is_worth_dividing(std::uint32_t intruder, const Range& range);
-  bool any_part_blocks(std::uint32_t intruder, const Range& range, std::size_t first);
+  bool is_worth_dividing(std::uint32_t number, const Range& range);
+  /// test() of all parts.
+  ClearanceVerdict test_parts(std::uint32_t number, const Range& range, Numbers& undecided);
   /// The first verdict of its parts that is not clear; the parts are not kept.
-  ClearanceVerdict certify_parts(const IntruderCertificate<D>& intruder, std::uint32_t whole,
-                                 const Range& range);
-  /// Searches beside the turns that certainly touch an intruder, if some are known. Whether it has searched all.
-  bool search_beside_touching(double from, double to, std::size_t begin, std::size_t end);
+  ClearanceVerdict verdict_on_parts(const Intruder<D>& intruder, std::uint32_t whole, const Range& range);
+  /// Searches what is between the turns that certainly touch an intruder, if some are known. Whether it has searched
+  /// all.
+  bool search_between_touching_turns(double from, double to, Frame tested);
 
   const Legs& legs_;
   Steps step_;
   const bool turns_outlines_;
   IntruderParts<D> intruders_;
   double width_ = 0, min_change_ = 0;
-  std::vector<std::uint64_t>
-      evaluations_;  ///< of each intruder and its parts, without those of coarse ranges
+  /// Of each intruder and its parts, without those of coarse ranges.
+  std::vector<std::uint64_t> evaluations_;
   std::uint64_t all_evaluations_ = 0;
-  std::vector<std::uint32_t> open_;  ///< a stack: the undecided intruders of each enclosing range
+  Numbers undecided_;  ///< a stack: the undecided intruders of each enclosing range
+  Numbers found_;      ///< scratch of search(): what one intruder leaves undecided
   std::vector<KRange> clear_;
 };
 

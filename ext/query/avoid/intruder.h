@@ -1,9 +1,10 @@
-// The clearance certificate of one intruder for a range of changes, refined from bounds to convex pieces.
+// An intruder: one near object, or one leg of its plan, relative to one leg of the changed object. It gives the verdict
+// on a range of changes, refined from bounds to convex pieces.
 //
-//   IntruderCertificate<2> ship(encounter, IntruderCertificate<2>::AtChange::apart);
-//   ship.certify(trajectory_family<2>(*changes, 10, 20)).verdict
+//   Intruder<2> ship(encounter, Intruder<2>::AtStart::apart);
+//   ship.verdict_on(trajectory_family<2>(*changes, 10, 20)).verdict            // clear: certified
 //
-// Guarantee: a range certified clear is so for every change of it (contact/clearance/separation.h). An
+// Guarantee: a range whose verdict is clear is so for every change of it (contact/clearance/separation.h). An
 // intruder of several parts is clear if all of them are. An outline starts as the disc around both objects.
 // Where that is undecided, boxes follow, and finally the pairs of convex pieces.
 // Cost: that of a certificate. The sum of an outline that rotates is recomputed per range.
@@ -19,24 +20,24 @@
 namespace foresee {
 
 template <int D>
-class IntruderCertificate {
+class Intruder {
  public:
-  /// The state at the change, by exact contact.
-  enum class AtChange : std::uint8_t {
+  /// The state at the start of the manoeuvre, by exact contact.
+  enum class AtStart : std::uint8_t {
     touches,  ///< must separate
     apart,
     unknown
   };
   /// `outlines`: null for shapes without outlines. `leg`: of the object that changes, to which the encounter refers.
-  IntruderCertificate(const Encounter<D>& encounter, AtChange at_change,
-                      std::shared_ptr<const OutlinePair> outlines = {}, std::size_t leg = 0);
+  Intruder(const Encounter<D>& encounter, AtStart at_start, std::shared_ptr<const OutlinePair> outlines = {},
+           std::size_t leg = 0);
 
   const Encounter<D>& encounter() const { return encounter_; }
   std::size_t leg() const { return leg_; }
-  bool touches_at_change() const { return at_change_ == AtChange::touches; }
-  CountedVerdict certify(const TrajectoryFamily<D>& family) const;
+  bool touches_at_start() const { return at_start_ == AtStart::touches; }
+  CountedVerdict verdict_on(const TrajectoryFamily<D>& family) const;
 
-  /// Whether a convex set rotates with the change: then ranges beside a known end are proven up to large widths.
+  /// Whether a convex set rotates with k: then ranges at a known end are proven up to large widths.
   bool turns() const { return turning_ && !has_parts(); }
 
   /// The encounter of one change, for guesses.
@@ -47,7 +48,7 @@ class IntruderCertificate {
   /// Whether this is the disc around two outlines of which the own one turns, on its first leg: then touching_turns()
   /// of its parts are worth their cost.
   bool is_around_turns() const {
-    return !touches_at_change() && leg_ == 0 && stage_ == Stage::whole && outlines_->turns();
+    return !touches_at_start() && leg_ == 0 && stage_ == Stage::whole && outlines_->turns();
   }
   /// Whether both outlines are convex. Requires: they are outlines.
   bool is_sole() const { return outlines_->is_sole(); }
@@ -59,17 +60,17 @@ class IntruderCertificate {
   /// Whether a test of the parts can succeed. It cannot if the whole is smaller than the distance between the
   /// changes of the range: then no set touches for all of them.
   bool is_worth_splitting(const TrajectoryFamily<D>& family) const;
-  std::vector<IntruderCertificate> parts() const;
+  std::vector<Intruder> parts() const;
 
  private:
   enum class Stage : std::uint8_t { simple, whole, boxes, pieces };
 
-  /// If the outline rotates with the change: its pose in the middle of the range, inflated by the rotation to
+  /// If the outline rotates with k: its pose in the middle of the range, inflated by the rotation to
   /// the ends. For boxes and a wide range the disc around them instead.
   Encounter<D> turned_encounter(const RangeOfTurns& turns) const;
 
   Encounter<D> encounter_;
-  AtChange at_change_;
+  AtStart at_start_;
   Stage stage_;
   std::shared_ptr<const OutlinePair> outlines_;
   OutlinePair::Part part_;
@@ -84,16 +85,16 @@ class IntruderCertificate {
 template <int D>
 class IntruderParts {
  public:
-  struct Numbers {
+  struct NumberRange {
     std::uint32_t begin, end;
   };
 
-  IntruderParts(std::vector<IntruderCertificate<D>> wholes, Steps& steps)
+  IntruderParts(std::vector<Intruder<D>> wholes, Steps& steps)
       : wholes_(std::move(wholes)), numbers_(wholes_.size()), steps_(steps) {}
 
   std::size_t count_of_wholes() const { return wholes_.size(); }
   /// Valid until a part is read, or made.
-  const IntruderCertificate<D>& operator[](std::uint32_t number) {
+  const Intruder<D>& operator[](std::uint32_t number) {
     return number < wholes_.size() ? wholes_[number] : part(number);
   }
   /// The intruder of which it may be a part.
@@ -105,28 +106,28 @@ class IntruderParts {
   /// Whether as many intruders and parts have been divided as there may be.
   bool is_full() const { return divided_ >= max_divided; }
   /// The numbers of its parts; it is divided if it is not yet.
-  Numbers parts_of(std::uint32_t number);
+  NumberRange parts_of(std::uint32_t number);
 
  private:
   static constexpr std::size_t max_divided = 1 << 15, max_in_memory = 1 << 12;
 
   struct Part {
-    std::unique_ptr<const IntruderCertificate<D>> certificate;  ///< null: not in memory
-    std::uint32_t whole, divided;  ///< of which it is a part, at the top and directly
+    std::unique_ptr<const Intruder<D>> intruder;  ///< null: not in memory
+    std::uint32_t whole, divided;                 ///< of which it is a part, at the top and directly
   };
-  const IntruderCertificate<D>& part(std::uint32_t number);
+  const Intruder<D>& part(std::uint32_t number);
   /// Makes the parts from `begin` on.
-  void make(std::vector<IntruderCertificate<D>> made, std::uint32_t begin);
+  void make(std::vector<Intruder<D>> made, std::uint32_t begin);
 
-  std::vector<IntruderCertificate<D>> wholes_;
+  std::vector<Intruder<D>> wholes_;
   std::vector<Part> parts_;
-  std::vector<Numbers> numbers_;  ///< of the parts of each intruder and part
+  std::vector<NumberRange> numbers_;  ///< of the parts of each intruder and part
   std::size_t divided_ = 0, in_memory_ = 0;
   Steps& steps_;
 };
 
 /// Whether one single change is proven clear. `family`: of this change alone.
 template <int D>
-bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family);
+bool is_clear_of(const Intruder<D>& intruder, const TrajectoryFamily<D>& family);
 
 }  // namespace foresee
