@@ -8,7 +8,7 @@
 namespace foresee {
 namespace {
 
-void take_acceleration_of_force(OwnMotion& motion) {
+void set_acceleration_of_force(OwnMotion& motion) {
   if (motion.mass == 0) return;
   for (std::size_t j = 0; j < 3; ++j) motion.a[j] = motion.force[j] / motion.mass;
 }
@@ -58,8 +58,10 @@ class TurnChanges final : public ChangesOf<TurnChanges> {
 
  private:
   void change(OwnMotion& motion, double k) const override {
-    turn(motion.v, k), turn(motion.force, k), turn(motion.a, k);
-    take_acceleration_of_force(motion);
+    turn(motion.v, k);
+    turn(motion.force, k);
+    turn(motion.a, k);
+    set_acceleration_of_force(motion);
     motion.heading = turned_heading(motion.heading, k);
   }
   /// Turns the vector in x and y.
@@ -159,7 +161,7 @@ class AccelerationChanges final : public ChangesOf<AccelerationChanges> {
       const Dyadic along = Dyadic(k) * Dyadic(motion.mass) * Dyadic(motion.v[j]);
       motion.force[j] = rounded_quotient(Dyadic(motion.force[j]) * Dyadic(speed_) + along, Dyadic(speed_));
     }
-    take_acceleration_of_force(motion);
+    set_acceleration_of_force(motion);
   }
   /// a + k b / m, where b is one component of the velocity.
   static double added_along(double a, double k, double b, double m) {

@@ -24,7 +24,8 @@ class DelayChanges final : public ChangesOf<DelayChanges> {
     MotionSet<D> set = unchanged_set<D>();
     const double unsure = min_change(p, q);
     set.starts = {p + later_ - unsure, q + later_ + unsure, set.velocity};
-    p += later_, q += later_;
+    p += later_;
+    q += later_;
     const double middle = p + 0.5 * (q - p);
     const Vec<D> v = vector_of<D>(reference().v), a = vector_of<D>(reference().a);
     const double furthest = std::max(std::abs(p), std::abs(q)), rounding = rounding_at(furthest);
@@ -44,10 +45,16 @@ class DelayChanges final : public ChangesOf<DelayChanges> {
  private:
   static OwnMotion reference_of(OwnMotion stored, double lo) {
     const double t = lo < 0 ? stored.t + lo : stored.t;
-    if (t < stored.t) stored.until -= stored.t - t, stored.t = t;
+    if (t < stored.t) {
+      stored.until -= stored.t - t;
+      stored.t = t;
+    }
     return stored;
   }
-  void change(OwnMotion& motion, double k) const override { motion.t += k, motion.until += k; }
+  void change(OwnMotion& motion, double k) const override {
+    motion.t += k;
+    motion.until += k;
+  }
   /// Of the stored sum t + k, and of `later` and its sums.
   double rounding_at(double furthest) const {
     return 0x1p-52 * (std::abs(reference().t) + furthest + 2 * later_);
@@ -75,7 +82,8 @@ class RestChanges final : public ChangesOf<RestChanges> {
 
  private:
   static OwnMotion resting(OwnMotion base) {
-    base.v = base.a = base.force = {}, base.until = std::numeric_limits<double>::infinity();
+    base.v = base.a = base.force = {};
+    base.until = std::numeric_limits<double>::infinity();
     return base;
   }
   void change(OwnMotion& motion, double k) const override { motion.until = motion.t + k; }

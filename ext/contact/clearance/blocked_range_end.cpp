@@ -201,7 +201,8 @@ std::optional<double> end_between(const std::function<SignedDistance(double)>& d
     const SignedDistance gap = distance_at(k);
     if (!gap) return std::nullopt;
     const int now = (*gap > 0) == (low_gap > 0) ? -1 : 1;
-    (now < 0 ? low : high) = k, (now < 0 ? low_gap : high_gap) = *gap;
+    (now < 0 ? low : high) = k;
+    (now < 0 ? low_gap : high_gap) = *gap;
     if (now == side) (now < 0 ? high_gap : low_gap) *= 0.5;
     side = now;
   }

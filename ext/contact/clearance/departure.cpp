@@ -38,7 +38,10 @@ class Start {
       const EnclosedNumber x{encounter_.x[axis] - encounter_.ex[axis],
                              encounter_.x[axis] + encounter_.ex[axis]},
           v = relative_velocity(axis), a = relative_acceleration(axis);
-      c0 += product(x, v), c1 += square(v), c1 += product(x, a), c2 += product(v, a);
+      c0 += product(x, v);
+      c1 += square(v);
+      c1 += product(x, a);
+      c2 += product(v, a);
     }
     // They touch at once if the sum of the first three terms falls below 0; an approach alone is not enough.
     all_approach_ = false;
@@ -73,7 +76,10 @@ class Start {
     ++count_;
   }
 
-  void set_unknown() { away_until_ = -1, all_approach_ = false; }
+  void set_unknown() {
+    away_until_ = -1;
+    all_approach_ = false;
+  }
   Departure departure() const {
     return {count_ > 0 ? std::max(away_until_, away_until_round_) : -1, count_ > 0 && all_approach_,
             all_touch_};
@@ -144,10 +150,14 @@ void probe_round_set(const Encounter<D>& encounter, double slack, Start<D>& star
     const double off = encounter.ex[axis] + 0x1p-49 * extents.half[axis] +
                        (extents.half[axis] > 0 ? 0x1p-49 * std::abs(encounter.x[axis]) : 0);
     if (over < -off) continue;
-    n[axis] = std::copysign(std::max(over, 0.0), encounter.x[axis]), error[axis] = off;
+    n[axis] = std::copysign(std::max(over, 0.0), encounter.x[axis]);
+    error[axis] = off;
     beyond += n[axis] != 0 || off > 0;
   }
-  if (beyond == 1) n = n.sign(), error.setZero();
+  if (beyond == 1) {
+    n = n.sign();
+    error.setZero();
+  }
   if (beyond == 0 || extents.radius <= slack)
     start.set_unknown();
   else

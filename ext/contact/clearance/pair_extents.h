@@ -25,7 +25,8 @@ struct PairExtents {
   const PieceSum* sum = nullptr;
 
   void add(const PairExtents& more, double times = 1) {
-    half += times * more.half, radius += times * more.radius;
+    half += times * more.half;
+    radius += times * more.radius;
   }
 
   /// Upper bound of the support function along n.

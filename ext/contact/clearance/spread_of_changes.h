@@ -67,14 +67,18 @@ class SpreadOfChanges {
 
   EnclosedNumber place(int axis, double tau) const {
     EnclosedNumber at{encounter_.x[axis] - encounter_.ex[axis], encounter_.x[axis] + encounter_.ex[axis]};
-    if (tau > 0) at += tau * velocity(axis, 0), at += 0.5 * tau * tau * acceleration(axis);
+    if (tau > 0) {
+      at += tau * velocity(axis, 0);
+      at += 0.5 * tau * tau * acceleration(axis);
+    }
     return at;
   }
   EnclosedNumber velocity(int axis, double tau) const {
     const double ev = encounter_.ev[axis], size = ev == 0 ? 0 : 0x1p-52 * std::abs(encounter_.v[axis]);
     EnclosedNumber at = padded(encounter_.v[axis] - ev - family_.upper[1][axis],
                                encounter_.v[axis] + ev - family_.lower[1][axis]);
-    at.low -= size, at.high += size;
+    at.low -= size;
+    at.high += size;
     if (tau > 0) at += tau * acceleration(axis);
     return at;
   }
@@ -109,7 +113,8 @@ class SpreadOfChanges {
         if (length < shortest) return false;
         continue;
       }
-      begin += length, length *= 2;
+      begin += length;
+      length *= 2;
       if (begin >= end) return true;
     }
     return false;
@@ -140,10 +145,12 @@ class SpreadOfChanges {
     for (std::uint64_t parts = 0; begin < end; ++parts, ++evaluations) {
       length = std::min(length, end - begin);
       if (parts == max_parts || !(length > 0)) return false;
-      if (is_within_disc(radius * radius * (1 - 0x1p-44), begin, length))
-        begin += length, length *= 2;
-      else
+      if (is_within_disc(radius * radius * (1 - 0x1p-44), begin, length)) {
+        begin += length;
+        length *= 2;
+      } else {
         length *= 0.5;
+      }
     }
     return true;
   }
@@ -169,8 +176,10 @@ class SpreadOfChanges {
                          EnclosedNumber& c3) const {
     for (int axis = axes.begin; axis < axes.end; ++axis) {
       const EnclosedNumber x = place(axis, begin), v = velocity(axis, begin), a = acceleration(axis);
-      c1 += square(v), c1 += product(x, a);
-      c2 += 1.5 * product(v, a), c3 += 0.5 * square(a);
+      c1 += square(v);
+      c1 += product(x, a);
+      c2 += 1.5 * product(v, a);
+      c3 += 0.5 * square(a);
     }
   }
   Vec<D> speed() const {
@@ -197,8 +206,12 @@ class SpreadOfChanges {
     EnclosedNumber c0, c1, c2, c3, c4;
     for (int axis = axes.begin; axis < axes.end; ++axis) {
       const EnclosedNumber x = place(axis, begin), v = velocity(axis, begin), a = acceleration(axis);
-      c0 += square(x), c1 += 2 * product(x, v), c2 += square(v), c2 += product(x, a);
-      c3 += product(v, a), c4 += 0.25 * square(a);
+      c0 += square(x);
+      c1 += 2 * product(x, v);
+      c2 += square(v);
+      c2 += product(x, a);
+      c3 += product(v, a);
+      c4 += 0.25 * square(a);
     }
     const double b1 = c1.high * length / 4, b2 = c2.high * length / 6 * length,
                  b3 = c3.high * length / 4 * length * length,

@@ -162,7 +162,8 @@ double deepest_time(const GrowingExtents<D>& extents, const TrajectoryEstimate<D
   for (int evaluation = 0; evaluation < 12; ++evaluation) {
     step *= 0.5;
     const double middle = best;
-    evaluate_at(std::max(begin, middle - step)), evaluate_at(std::min(end, middle + step));
+    evaluate_at(std::max(begin, middle - step));
+    evaluate_at(std::min(end, middle + step));
   }
   return best;
 }

@@ -61,7 +61,8 @@ GrowingExtents<D> extents_of_both(const PairRule& rule, const double* row_a, con
     pair.add(composed<D>(rule, grown(std::abs(age_a), std::abs(age_b))), rounded_up);
     pair.add(composed<D>(rule, grown(age_a, age_b)));
   }
-  pair.half += rounded_up * pair.half.abs(), pair.radius += rounded_up * std::abs(pair.radius);
+  pair.half += rounded_up * pair.half.abs();
+  pair.radius += rounded_up * std::abs(pair.radius);
   return pair;
 }
 
@@ -78,14 +79,17 @@ Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const B
     const DoubleDouble gap = difference(other.x, own);
     encounter.a[axis] = other.a;
     if (age.high == 0) {
-      encounter.x[axis] = gap.high, encounter.v[axis] = other.v;
-      encounter.ex[axis] = std::abs(gap.low), encounter.ev[axis] = 0;
+      encounter.x[axis] = gap.high;
+      encounter.v[axis] = other.v;
+      encounter.ex[axis] = std::abs(gap.low);
+      encounter.ev[axis] = 0;
       continue;
     }
     const DoubleDouble gained = age * number(other.a);
     const DoubleDouble v = number(other.v) + gained, x = gap + age * (number(other.v) + half_of(gained));
     const double magnitude = std::abs(age.high) * (std::abs(other.v) + std::abs(gained.high));
-    encounter.x[axis] = x.high, encounter.v[axis] = v.high;
+    encounter.x[axis] = x.high;
+    encounter.v[axis] = v.high;
     encounter.ex[axis] = std::abs(x.low) + 0x1p-95 * (std::abs(other.x) + std::abs(own) + magnitude) +
                          (magnitude == 0 ? 0 : 0x1p-1000);
     encounter.ev[axis] = std::abs(v.low) + 0x1p-95 * (std::abs(other.v) + std::abs(gained.high)) +
@@ -120,18 +124,21 @@ TrajectoryFamily<D> trajectory_family(const Changes& changes, double p, double q
   family.all = changes.between<D>(p, q);
   const auto& all = family.all;
   family.middle = {all.place.centre, all.velocity.centre, all.acceleration.centre, all.begin, all.end};
-  family.first = changes.estimate<D>(p), family.last = changes.estimate<D>(q);
+  family.first = changes.estimate<D>(p);
+  family.last = changes.estimate<D>(q);
   find_bounds<D>(family);
   const auto off_chord = [](const VectorSet<D>& set) {
     return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : set.bulge;
   };
   family.turned[0] = off_chord(all.place) + all.place.pad.sum();
-  family.turned[1] = off_chord(all.velocity), family.turned[2] = off_chord(all.acceleration);
+  family.turned[1] = off_chord(all.velocity);
+  family.turned[2] = off_chord(all.acceleration);
   // For turns by more than a third of a circle the middle is not typical: the mean is near 0.
   const auto shorten = [](const VectorSet<D>& set, Vec<D>& middle) {
     if (set.turns && set.cosine < 0.5) middle *= set.cosine > 0 ? 0.5 : 0;
   };
-  shorten(all.velocity, family.middle.v), shorten(all.place, family.middle.x);
+  shorten(all.velocity, family.middle.v);
+  shorten(all.place, family.middle.x);
   family.bends = (family.upper[2] != 0).any() || (family.lower[2] != 0).any();
   family.one_interval = changes.touches_in_one_interval() && p < q;
   family.from = p, family.to = q;

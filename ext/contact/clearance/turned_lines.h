@@ -70,10 +70,12 @@ struct Wave {
 struct WavesOfCorners {
   static constexpr double inf = std::numeric_limits<double>::infinity();
 
-  void take(const SineCosine<double>& half, const Wave& wave) {
+  void add(const SineCosine<double>& half, const Wave& wave) {
     const double numbers[] = {wave.at({-half.sine, half.cosine}), wave.at(half), wave.cosine};
-    for (int i = 0; i < 3; ++i)
-      low[i] = std::min(low[i], numbers[i]), high[i] = std::max(high[i], numbers[i]);
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], numbers[i]);
+      high[i] = std::max(high[i], numbers[i]);
+    }
     const double middle = wave.mean + wave.cosine;
     if (middle < lowest) lowest = middle, bottom = wave;
     if (middle > highest) highest = middle, top = wave;
@@ -92,17 +94,17 @@ class TurnedLines {
                  x = encounter.x.template head<2>();
     for (const Corner& corner : encounter.turning->own_corners()) {
       const Vec<2> p{corner.x, corner.y};
-      across_[0].take(half_, {cross(p, own), -cross(p, other), -dot(p, other)});
-      along_[0].take(half_, {-dot(p, own), dot(p, other), cross(other, p)});
+      across_[0].add(half_, {cross(p, own), -cross(p, other), -dot(p, other)});
+      along_[0].add(half_, {-dot(p, own), dot(p, other), cross(other, p)});
     }
     for (const Corner& corner : encounter.turning->other_corners()) {
       const Vec<2> w = x + Vec<2>(corner.x, corner.y);
-      across_[1].take(half_, {cross(w, other), -cross(w, own), dot(w, own)});
-      along_[1].take(half_, {-dot(w, other), dot(w, own), cross(w, own)});
+      across_[1].add(half_, {cross(w, other), -cross(w, own), dot(w, own)});
+      along_[1].add(half_, {-dot(w, other), dot(w, own), cross(w, own)});
     }
     const double fastest = std::sqrt(dot(own, own)) + std::sqrt(dot(other, other));
     slack_ = 0x1p-46 * fastest * fastest;
-    square_.take(half_, {dot(own, own) + dot(other, other), -2 * dot(other, own), -2 * cross(other, own)});
+    square_.add(half_, {dot(own, own) + dot(other, other), -2 * dot(other, own), -2 * cross(other, own)});
   }
 
   /// Whether all pairs are left of all paths (1) or right of them (-1), by more than a margin.

@@ -191,10 +191,6 @@ bool reads_any(const FunctionCall& call, int first, int last) {
   return false;
 }
 
-SearchTarget searched(const OpenTable& table) {
-  return {table.table, nullptr, table.store->take_snapshot(), table.store->chunks()};
-}
-
 void read_inputs(const FunctionCall& call, AvoidQuestion& question) {
   question.h = call.required_number(in_h);
   question.within = call.number(in_within).value_or(0);
@@ -219,12 +215,15 @@ OpenTables open_tables(const FunctionCall& call, AvoidQuestion& question) {
   OpenTables tables{open_table(call.connection(), tbl)};
   require_upright(tables.a, question.within_z);
   question.on_globe = tables.a.store->frame().on_globe();
-  question.others = searched(tables.a);
-  call.reads_back_as(in_tbl, tables.a.table), call.reads_back_as(in_schema, tables.a.schema);
+  StoredTable own(call.connection(), tables.a);
+  question.others = trees_of(own);
+  call.reads_back_as(in_tbl, tables.a.table);
+  call.reads_back_as(in_schema, tables.a.schema);
   if (const auto also = call.text(in_also)) {
     tables.b = open_table(call.connection(), {also, tbl.schema});
     require_one_frame(tables.a, *tables.b);
-    question.also = searched(*tables.b);
+    StoredTable other(call.connection(), *tables.b);
+    question.also = trees_of(other);
   }
   return tables;
 }
@@ -273,8 +272,9 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     question.now = read_newest_t(*question.others.tree);
     if (question.also) question.now = std::max(question.now, read_newest_t(*question.also->tree));
   }
-  call.reads_back_as(in_now, question.now), call.reads_back_as(in_within, question.within),
-      call.reads_back_as(in_touching, "part");
+  call.reads_back_as(in_now, question.now);
+  call.reads_back_as(in_within, question.within);
+  call.reads_back_as(in_touching, "part");
   read_object(tables.a, id, interrupt, question);
   std::vector<AvoidRow> rows = avoid(question, interrupt);
   if (const auto clear = call.only(out_clear))
