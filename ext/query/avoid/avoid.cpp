@@ -70,7 +70,7 @@ class ManoeuvreRows {
     if (k == 0 || !(are_later || manoeuvre_.turns)) return exact_.touching_at_start(records);
     // Of what is later by k no contact is exempt, unless contact at the start is ignored.
     if (are_later && question_.touching != Touching::ignore) return {};
-    // A delay starts elsewhere in time, and a turned outline in another pose: the unchanged start shows it.
+    // A delay starts at another time, and a turned outline in another pose: the unchanged start shows it.
     if (!exempt_) exempt_ = exact_.touching_at_start(manoeuvre_.records_at_start());
     return *exempt_;
   }

@@ -82,6 +82,7 @@ class Encounters {
 
   const Changes& first_leg() const { return manoeuvre_.first_leg(); }
 
+  /// Marks 1 for these rows of each table, 0 for the others.
   Marks marked(const std::vector<NearRow>& some) const {
     Marks marks;
     for (const NearObjects& near : manoeuvre_.near_objects) marks.emplace_back(near.scene->size());
@@ -98,6 +99,7 @@ class Encounters {
     return exact_.touching({manoeuvre_.own.record_of(resting)}, {});
   }
 
+  /// Adds the encounters of each leg with the near objects of one table.
   void add_table(std::size_t table) {
     const NearObjects& near = manoeuvre_.near_objects[table];
     const Bodies& there = others_[table];
@@ -116,6 +118,7 @@ class Encounters {
     }
   }
 
+  /// Adds one encounter, if the two ever exist together and contact at the start is not ignored.
   void add(std::size_t table, std::size_t row, std::size_t leg, const PairRule& rule, const Bodies& there,
            const std::shared_ptr<const OwnOutline>& own_outline) {
     const bool touches = touches_at_start_[table][row] != 0;
