@@ -80,7 +80,7 @@ struct JoinedTables {
   bool are_one() const { return a == b; }
   bool is_within_one() const { return !b || are_one(); }
   /// Side b, which is a for pairs within one table.
-  TableSource& last() const { return b ? *b : *a; }
+  TableSource& side_b() const { return b ? *b : *a; }
   /// The newest t stored in either table.
   double newest_t() const { return is_within_one() ? a->newest_t() : std::max(a->newest_t(), b->newest_t()); }
 };

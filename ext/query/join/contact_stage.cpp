@@ -99,7 +99,7 @@ void order_by_id(const std::vector<std::int64_t>& ids, std::vector<Pair>& pairs)
 
 void ContactStage::keep_queried_pairs(std::vector<Pair>& batch) const {
   const Scene& a = *question_.a;
-  const Scene& b = question_.last();
+  const Scene& b = question_.side_b();
   if (question_.b == question_.a) std::erase_if(batch, [](Pair pair) { return pair.a == pair.b; });
   const bool ids_repeat = a.layout.has_plan && a.first_rows.size() != a.size() + 1;
   if (ids_repeat && &a == &b) drop_equal_ids(a.ids, batch);
@@ -157,7 +157,7 @@ void ContactStage::add_all_ends(Hits& hits) {
 
 void ContactStage::write(Hits& hits, std::vector<JoinRow>& rows) {
   const Scene& a = *question_.a;
-  const Scene& b = question_.last();
+  const Scene& b = question_.side_b();
   if (question_.all_contacts && !hits.with_ends) add_all_ends(hits);
   if (question_.wants.contact && question_.wants.ends && !hits.with_ends) add_ends(hits);
   if (question_.wants.approach) {

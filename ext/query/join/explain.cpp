@@ -83,7 +83,7 @@ class Explanation {
       : kinds_count_(kinds),
         question_(question),
         a_(*question.a),
-        b_(question.last()),
+        b_(question.side_b()),
         interrupt_(interrupt),
         contact_(contact_of(question, true)),
         refinement_(has(Shape::outline) || has(Shape::mesh) ? contact_of(question) : nullptr),

@@ -74,7 +74,7 @@ std::unique_ptr<Candidates> tree(const JoinQuestion& question, const Horizon& ho
 std::unique_ptr<Candidates> all_candidates(const JoinQuestion& question, JoinMethod method,
                                            const Horizon& horizon, Interrupt& interrupt) {
   const Scene& a = *question.a;
-  const Scene& b = question.last();
+  const Scene& b = question.side_b();
   if (has_plans(question) && (question.only_a || question.only_b || method == JoinMethod::scan))
     return leg_candidates(question, horizon, interrupt);
   if (question.only_a) return one_row(a, *question.only_a, Side::a, b.size(), interrupt);
@@ -102,7 +102,7 @@ std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& questi
   auto all = with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
     const Vec<D> margin = margin_of<D>(question);
     const MovingBoxes<D> a{question.a->bodies(), horizon, margin, kinds_of_a(question)};
-    const MovingBoxes<D> b{question.last().bodies(), horizon, margin, kinds_of_b(question)};
+    const MovingBoxes<D> b{question.side_b().bodies(), horizon, margin, kinds_of_b(question)};
     return make_divided_grid<D>(a, question.b ? &b : nullptr, question.helpers, interrupt, question.space);
   });
   return question.own ? owned_candidates(std::move(all), question.own) : std::move(all);

@@ -119,7 +119,7 @@ void take_object_and_near(const JoinedTables& tables, JoinQuestion& question, In
   std::optional<std::int64_t>& queried = by_a ? question.only_a : question.only_b;
   const std::int64_t id = queried.value();
   queried.reset();
-  TableSource &one = by_a ? *tables.a : tables.last(), &others = by_a ? tables.last() : *tables.a;
+  TableSource &one = by_a ? *tables.a : tables.side_b(), &others = by_a ? tables.side_b() : *tables.a;
   std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
                         &near = by_a ? question.b : question.a;
   const LegTimes times = leg_times_of({question.now, question.h});
@@ -152,7 +152,7 @@ void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& 
       if (auto in_tile = scene_by_tree(table, question, interrupt)) return in_tile;
     return inert == InertObjects::counted ? table.all(needs) : all_that_may_meet(table, others, needs);
   };
-  question.a = scene(*tables.a, tables.last());
+  question.a = scene(*tables.a, tables.side_b());
   if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b, *tables.a);
 }
 

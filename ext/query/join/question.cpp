@@ -71,13 +71,13 @@ void require_valid(const JoinQuestion& question) {
 }
 
 PairRule::Reach reach_of(const JoinQuestion& question) {
-  const Scene &a = *question.a, &b = question.last();
+  const Scene &a = *question.a, &b = question.side_b();
   require_distance(a.layout, b.layout, question.within_z, a.name, b.name);
   return PairRule(a.layout, b.layout, question.within, question.within_z).reach();
 }
 
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines) {
-  const Scene &a = *question.a, &b = question.last();
+  const Scene &a = *question.a, &b = question.side_b();
   const ContactQuestion contact_question{
       {question.now, question.h}, question.within, question.within_z, rectangles_for_outlines};
   return make_contact(a.bodies(), b.bodies(), contact_question, a.name, b.name);

@@ -77,7 +77,7 @@ struct JoinQuestion {
       false;  ///< a row for each contact of a pair, not for outlines and meshes; else for the first
 
   /// Side b, which is a for pairs within one scene.
-  const Scene& last() const { return b ? *b : *a; }
+  const Scene& side_b() const { return b ? *b : *a; }
   bool queries_all_times() const { return queried_t.are_all() && queried_dt.are_all(); }
 };
 

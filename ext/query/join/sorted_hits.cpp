@@ -26,7 +26,7 @@ bool SortedHits::precedes(const Found& l, const Found& r) const {
     return l.pair.a != r.pair.a ? l.pair.a < r.pair.a : l.pair.b < r.pair.b;
   }
   const Scene& a = *question_.a;
-  const Scene& b = question_.last();
+  const Scene& b = question_.side_b();
   const std::int64_t l_a = a.ids[l.pair.a], r_a = a.ids[r.pair.a];
   return l_a != r_a ? l_a < r_a : b.ids[l.pair.b] < b.ids[r.pair.b];
 }

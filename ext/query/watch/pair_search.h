@@ -50,7 +50,7 @@ class PairSearch {
   /// Calls use() for these rows, as the guarantee has them: no object with itself, the smaller id first.
   void pass_on(std::span<const JoinRow> found, const UseRow& use) const;
   LegTimes times() const { return leg_times_of({question_.now, question_.h}); }
-  TableSource& table(Side side) const { return side == Side::b ? tables_.last() : *tables_.a; }
+  TableSource& table(Side side) const { return side == Side::b ? tables_.side_b() : *tables_.a; }
 
   const JoinedTables& tables_;
   JoinQuestion question_;

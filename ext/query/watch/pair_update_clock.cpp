@@ -75,7 +75,7 @@ double ends_known_to(const WatchState& state) {
 bool PairUpdate::must_recompute() const {
   if (!changed_.a.are_known || !changed_.b.are_known || before_.must_rebuild || !before_.clock) return true;
   if (clock_ < *before_.clock || clock_ > ends_known_to(before_)) return true;
-  return is_majority(changed_.a, *tables_.a) || is_majority(changed_.b, tables_.last());
+  return is_majority(changed_.a, *tables_.a) || is_majority(changed_.b, tables_.side_b());
 }
 
 /// Doubles or halves the look-ahead. A search costs about a hundred nanoseconds per object at any length.

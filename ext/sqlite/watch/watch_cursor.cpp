@@ -85,7 +85,7 @@ bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const O
   const JoinedTables sources = sources_of(*table_.connection, tables);
   const ChangedSides changed = changes_since(sources, state);
   if (!changed.a.are_known || !changed.b.are_known || is_majority(changed.a, *sources.a)) return false;
-  if (is_majority(changed.b, sources.last())) return false;
+  if (is_majority(changed.b, sources.side_b())) return false;
   // For one object, all its pairs are recomputed, however many other objects have changed.
   const bool of_one = only_a_ || only_b_;
   std::vector<ShownPair> pairs = of_one ? std::vector<ShownPair>{} : kept_pairs(rows, changed);
