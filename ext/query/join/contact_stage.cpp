@@ -22,26 +22,26 @@ void ContactStage::in_slices(std::size_t count, Work work) {
   }
 }
 
-void ContactStage::query(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
-                         Hits& hits) {
-  if (question_.all_contacts) return query_all(batch, slab, hits);
+void ContactStage::find_hits(std::vector<Pair>& batch, BatchProof proof, const TimeSlab& slab, Hits& hits) {
+  if (question_.all_contacts) return find_all_contacts(batch, slab, hits);
   constexpr double inf = std::numeric_limits<double>::infinity();
   const bool all_times = slab.from == -inf && slab.before == inf && question_.queries_all_times();
   const bool times_matter = !all_times || question_.wants.contact || question_.order != JoinOrder::any;
   const std::size_t before = hits.pairs.size();
-  // Where some hits may be left out or never read, write() computes the ends of the others only. Of legs, pairs that
-  // have a row are not tested again (movers/leg_join.h), so that few are left out.
-  hits.with_ends =
+  // Where some hits may be left out or never read, write_rows() computes the ends of the others only. Of legs, pairs
+  // that have a row are not tested again (movers/leg_join.h), so that few are left out.
+  const bool ends_now =
       (all_times || has_plans(question_)) && question_.order == JoinOrder::any && question_.wants.ends;
-  if (candidates.touching() && (!hits.with_ends || !queries_start(slab))) {
-    if (queries_start(slab)) take_touching(batch, hits);
-    return;
+  hits.with_ends = ends_now;
+  if (proof == BatchProof::touch_at_start) {
+    if (!queries_start(slab)) return;  // no contact of the batch starts at another time
+    if (!ends_now) return add_touching(batch, hits);
   }
   keep_queried_pairs(batch);
   in_slices(batch.size(), [&](std::size_t begin, std::size_t count) {
     const auto pairs = std::span(batch).subspan(begin, count);
     if (times_matter)
-      contact_->first_contacts(pairs, hits.with_ends ? TimesWanted::both : TimesWanted::starts, hits.pairs,
+      contact_->first_contacts(pairs, ends_now ? TimesWanted::both : TimesWanted::starts, hits.pairs,
                                hits.times);
     else
       contact_->decide(pairs, hits.pairs);
@@ -50,7 +50,7 @@ void ContactStage::query(const Candidates& candidates, std::vector<Pair>& batch,
   if (!all_times) keep_queried_times(slab, before, hits);
 }
 
-void ContactStage::query_all(std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits) {
+void ContactStage::find_all_contacts(std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits) {
   const std::size_t before = hits.pairs.size();
   hits.with_ends = true;
   keep_queried_pairs(batch);
@@ -67,7 +67,7 @@ bool ContactStage::queries_start(const TimeSlab& slab) const {
          question_.queried_dt.holds(0);
 }
 
-void ContactStage::take_touching(std::vector<Pair>& batch, Hits& hits) const {
+void ContactStage::add_touching(std::vector<Pair>& batch, Hits& hits) const {
   const double now = question_.now;
   keep_queried_pairs(batch);
   hits.pairs.insert(hits.pairs.end(), batch.begin(), batch.end());
@@ -149,13 +149,14 @@ void ContactStage::add_all_ends(Hits& hits) {
       join_equal_contacts(0, all.pairs, all.times);
       for (const ContactTimes& times : all.times) {
         if (times.t != sorted_.times[i].t || times.dt != sorted_.times[i].dt) continue;
-        hits.pairs.push_back(sorted_.pairs[i]), hits.times.push_back(times);
+        hits.pairs.push_back(sorted_.pairs[i]);
+        hits.times.push_back(times);
       }
     }
   });
 }
 
-void ContactStage::write(Hits& hits, std::vector<JoinRow>& rows) {
+void ContactStage::write_rows(Hits& hits, std::vector<JoinRow>& rows) {
   const Scene& a = *question_.a;
   const Scene& b = question_.side_b();
   if (question_.all_contacts && !hits.with_ends) add_all_ends(hits);
@@ -171,26 +172,27 @@ void ContactStage::write(Hits& hits, std::vector<JoinRow>& rows) {
   rows.resize(before + hits.pairs.size());
   for (std::size_t i = 0; i < hits.pairs.size(); ++i) {
     JoinRow& row = rows[before + i];
-    row.a = a.ids[hits.pairs[i].a], row.b = b.ids[hits.pairs[i].b], row.contact = hits.times[i];
+    row.a = a.ids[hits.pairs[i].a], row.b = b.ids[hits.pairs[i].b];
+    row.contact = hits.times[i];
     if (question_.wants.approach) row.approach = approaches_[i];
   }
 }
 
-bool ContactStage::would_only_write(const Candidates& candidates) const {
+bool ContactStage::would_only_write(BatchProof proof) const {
   const bool all_pairs = !question_.only_a && !question_.only_b && question_.b != question_.a;
   const bool no_more_wanted = !question_.wants.ends && !question_.wants.approach;
-  return candidates.touching() && all_pairs && no_more_wanted && !question_.all_contacts;
+  return proof == BatchProof::touch_at_start && all_pairs && no_more_wanted && !question_.all_contacts;
 }
 
-void ContactStage::answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
-                          std::vector<JoinRow>& rows) {
-  if (would_only_write(candidates)) {
+void ContactStage::find_and_write(std::vector<Pair>& batch, BatchProof proof, const TimeSlab& slab,
+                                  std::vector<JoinRow>& rows) {
+  if (would_only_write(proof)) {
     if (queries_start(slab)) write_touching(batch, rows);
     return;
   }
   hits_.clear();
-  query(candidates, batch, slab, hits_);
-  write(hits_, rows);
+  find_hits(batch, proof, slab, hits_);
+  write_rows(hits_, rows);
 }
 
 namespace {
@@ -198,8 +200,8 @@ namespace {
 /// Rows of pairs that all have the same times; within one scene the smaller id first. A branch would be
 /// mispredicted; the expression is one that compilers do not turn into a branch.
 template <bool within>
-void write_rows(std::span<const Pair> pairs, const std::int64_t* ids_a, const std::int64_t* ids_b,
-                const ContactTimes& times, JoinRow* rows) {
+void write_pairs(std::span<const Pair> pairs, const std::int64_t* ids_a, const std::int64_t* ids_b,
+                 const ContactTimes& times, JoinRow* rows) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const std::int64_t a = ids_a[pairs[i].a], b = ids_b[pairs[i].b];
     const std::int64_t exchanged = within ? (a ^ b) & -static_cast<std::int64_t>(b < a) : 0;
@@ -216,9 +218,9 @@ void ContactStage::write_touching(std::span<const Pair> pairs, std::vector<JoinR
   const std::size_t before = rows.size();
   rows.resize(before + pairs.size());
   if (question_.b)
-    write_rows<false>(pairs, ids, question_.b->ids.data(), times, rows.data() + before);
+    write_pairs<false>(pairs, ids, question_.b->ids.data(), times, rows.data() + before);
   else
-    write_rows<true>(pairs, ids, ids, times, rows.data() + before);
+    write_pairs<true>(pairs, ids, ids, times, rows.data() + before);
 }
 
 }  // namespace foresee

@@ -1,9 +1,10 @@
 // Exact stage of a join: decides which candidates of a time slab touch, and fills the rows of the result.
 //
 //   ContactStage stage(question, interrupt);
-//   stage.answer(candidates, batch, slab, rows);         // in one step; where hits are sorted in between:
-//   stage.query(candidates, batch, slab, hits);            // contact, and the conditions of `question`
-//   stage.write(hits, rows);                             // ids, times, closest approach
+//   const BatchProof proof = proof_of(candidates);
+//   stage.find_and_write(batch, proof, slab, rows);      // in one step; where hits are sorted in between:
+//   stage.find_hits(batch, proof, slab, hits);           // contact, and the conditions of `question`
+//   stage.write_rows(hits, rows);                        // ids, times, closest approach
 //
 // A batch that certainly touches when the slab starts needs no contact test.
 //
@@ -19,10 +20,18 @@ namespace foresee {
 struct Hits {
   std::vector<Pair> pairs;
   std::vector<ContactTimes> times;
-  bool with_ends = false;
+  bool with_ends = false;  ///< else the times have no t_end and dt_end yet
 
   void clear() { pairs.clear(), times.clear(), with_ends = false; }
 };
+
+/// What an index has proved of all pairs of a batch.
+enum class BatchProof : std::uint8_t { none, touch_at_start };
+
+/// Of the last batch of `candidates`.
+inline BatchProof proof_of(const Candidates& candidates) {
+  return candidates.touching() ? BatchProof::touch_at_start : BatchProof::none;
+}
 
 class ContactStage {
  public:
@@ -30,36 +39,37 @@ class ContactStage {
   /// without a distance.
   ContactStage(const JoinQuestion& question, Interrupt& interrupt);
 
-  /// Appends the pairs of the last batch that touch, and whose time `slab` holds, to `hits`, in order; the
-  /// batch is overwritten. Ends may be left to write(). Times are computed only where they are read, decide
+  /// Appends the pairs of the batch that touch, and whose time `slab` holds, to `hits`, in order; the batch is
+  /// overwritten. Ends may be left to write_rows(). Times are computed only where they are read, decide
   /// whether a pair is a hit, or are not certain yet.
-  void query(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
+  void find_hits(std::vector<Pair>& batch, BatchProof proof, const TimeSlab& slab, Hits& hits);
 
-  /// Appends a row for each hit, in order, with the columns of JoinQuestion::wants.
-  void write(Hits& hits, std::vector<JoinRow>& rows);
+  /// Appends a row for each hit, in order, with the columns of JoinQuestion::wants. Computes ends that find_hits()
+  /// has left out.
+  void write_rows(Hits& hits, std::vector<JoinRow>& rows);
 
-  /// query() and write() in one step.
-  void answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
-              std::vector<JoinRow>& rows);
+  /// find_hits() and write_rows() in one step.
+  void find_and_write(std::vector<Pair>& batch, BatchProof proof, const TimeSlab& slab,
+                      std::vector<JoinRow>& rows);
 
-  /// Whether answer() would do nothing with the last batch but write_touching().
-  bool would_only_write(const Candidates& candidates) const;
+  /// Whether find_and_write() would do nothing with a batch of this proof but write_touching().
+  bool would_only_write(BatchProof proof) const;
   /// Whether a contact that starts at `now` is a row of this slab: by the slab, and by the queried t and dt.
   bool queries_start(const TimeSlab& slab) const;
   /// Appends the rows of pairs that touch at `now`.
   void write_touching(std::span<const Pair> pairs, std::vector<JoinRow>& rows) const;
 
  private:
-  /// query() for all contacts of each pair, with their ends.
-  void query_all(std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
-  /// Computes the ends of hits of query_all() that were sorted: a hit stands for all contacts of its pair with its t
-  /// and dt.
+  /// find_hits() for all contacts of each pair, with their ends.
+  void find_all_contacts(std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
+  /// Computes the ends of hits of find_all_contacts() that were sorted: a hit stands for all contacts of its pair
+  /// with its t and dt.
   void add_all_ends(Hits& hits);
   /// Calls work(begin, count) for slices of [0, count), in order; checks for an interrupt before each.
   template <class Work>
   void in_slices(std::size_t count, Work work);
   /// Appends the queried pairs of a batch that certainly touches at `now`; the batch is overwritten.
-  void take_touching(std::vector<Pair>& batch, Hits& hits) const;
+  void add_touching(std::vector<Pair>& batch, Hits& hits) const;
   /// Keeps the queried pairs, in order and with the objects in their columns: the requested ids, and within one
   /// scene the smaller id first. No object is paired with itself or another of its legs.
   void keep_queried_pairs(std::vector<Pair>& batch) const;

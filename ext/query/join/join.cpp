@@ -47,7 +47,7 @@ struct Join::Progress {
 
   /// Opens the next slab, or the same one again for the hits that were left out.
   bool open_slab() {
-    if (!sorted.leaves_some_out()) slab = slabs.next();
+    if (!sorted.take_left_out()) slab = slabs.next();
     if (!slab) return false;
     // A slab of pairs that touch at `now` has a single t: already in order.
     sorts = question.order == JoinOrder::by_t ? slab->before > std::nextafter(question.now, HUGE_VAL)
@@ -72,12 +72,12 @@ struct Join::Progress {
     pairs.clear();
     if (!candidates->next(pairs)) return false;
     if (!sorts) {
-      stage.answer(*candidates, pairs, *slab, rows);
+      stage.find_and_write(pairs, proof_of(*candidates), *slab, rows);
       given = rows;
       return true;
     }
     hits.clear();
-    stage.query(*candidates, pairs, *slab, hits);
+    stage.find_hits(pairs, proof_of(*candidates), *slab, hits);
     sorted.add(hits, interrupt);
     return true;
   }
@@ -127,7 +127,7 @@ std::span<const JoinRow> Join::next() {
     p.interrupt.check();
     if (p.sorted.any()) {
       p.sorted.take(p.hits);
-      p.stage.write(p.hits, p.rows);
+      p.stage.write_rows(p.hits, p.rows);
       p.given = p.rows;
     } else if (p.candidates || p.helpers) {
       p.advance();

@@ -94,10 +94,11 @@ struct SlabHelpers::Shared {
   bool answer_some(Candidates& part, ContactStage& stage, std::vector<Pair>& pairs, SlabBatch& batch) const {
     pairs.clear();
     if (!part.next(pairs)) return false;
+    const BatchProof proof = proof_of(part);
     if (sorts)
-      stage.query(part, pairs, slab, batch.hits);
-    else if (!stage.would_only_write(part))
-      batch.add_rows([&](std::vector<JoinRow>& rows) { stage.answer(part, pairs, slab, rows); });
+      stage.find_hits(pairs, proof, slab, batch.hits);
+    else if (!stage.would_only_write(proof))
+      batch.add_rows([&](std::vector<JoinRow>& rows) { stage.find_and_write(pairs, proof, slab, rows); });
     else if (stage.queries_start(slab))
       batch.add_touching(pairs);
     return true;

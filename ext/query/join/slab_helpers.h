@@ -21,7 +21,7 @@ namespace foresee {
 // Batch of results that a helper thread hands over: rows, hits or touching pairs, in the candidates' order.
 //
 //   batch.add_touching(pairs);                           // the helper, any number of times
-//   batch.add_rows([&](auto& rows) { stage.answer(part, pairs, slab, rows); });
+//   batch.add_rows([&](auto& rows) { stage.find_and_write(pairs, proof_of(part), slab, rows); });
 //   for (auto rows = batch.next(stage); !rows.empty(); rows = batch.next(stage)) …   // the reader
 //
 // Touching pairs are handed over as pairs, and the reader writes their rows. A row is nine times as large as
@@ -35,11 +35,11 @@ class SlabBatch {
     touching_.insert(touching_.end(), pairs.begin(), pairs.end());
     add_chunk(true, pairs.size());
   }
-  /// Adds the rows that `answer` appends.
-  template <class Answer>
-  void add_rows(Answer answer) {
+  /// Adds the rows that `append(rows)` appends.
+  template <class Append>
+  void add_rows(Append append) {
     const std::size_t before = rows_.size();
-    answer(rows_);
+    append(rows_);
     add_chunk(false, rows_.size() - before);
   }
 

@@ -9,7 +9,7 @@ namespace foresee {
 void SortedHits::add(const Hits& hits, Interrupt& interrupt) {
   for (std::size_t i = 0; i < hits.pairs.size(); ++i) {
     const Found found{hits.times[i].t, hits.times[i].dt, hits.pairs[i]};
-    // Contacts of one pair with one t and dt are one hit, which write() expands again.
+    // Contacts of one pair with one t and dt are one hit, which write_rows() expands again.
     if (question_.all_contacts && i > 0 && hits.pairs[i] == hits.pairs[i - 1] &&
         found.t == hits.times[i - 1].t && found.dt == hits.times[i - 1].dt)
       continue;

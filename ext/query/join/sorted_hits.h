@@ -4,7 +4,7 @@
 //     while (next(hits)) sorted.add(hits, interrupt);      // all hits of the slab
 //     sorted.sort(interrupt);
 //     while (sorted.any()) sorted.take(hits);
-//   } while (sorted.leaves_some_out());
+//   } while (sorted.take_left_out());
 //
 // A hit takes 24 bytes; ends and closest approaches are computed when rows are written, so a LIMIT saves
 // them. If few rows are likely to be read (`likely_rows`), at most twice as many hits are kept, the
@@ -27,7 +27,7 @@ class SortedHits {
       : question_(question), room_(std::max(min_room, question.likely_rows)) {}
 
   /// Keeps the first of the slab's hits after those taken, at least as many as are likely to be read. Others
-  /// may be left out (leaves_some_out).
+  /// may be left out (take_left_out).
   void add(const Hits& hits, Interrupt& interrupt);
   /// Requires: all hits of the slab were added.
   void sort(Interrupt& interrupt);
@@ -36,8 +36,9 @@ class SortedHits {
   bool any() const { return given_ < sorted_; }
   void take(Hits& hits);
 
-  /// After the last hit was taken: whether the slab has others. Then only hits after it are added.
-  bool leaves_some_out() { return std::exchange(cut_, false); }
+  /// After the last hit was taken: whether hits of the slab were left out. True once: then the caller adds all hits of
+  /// the slab again, and only those after the last hit are kept.
+  bool take_left_out() { return std::exchange(cut_, false); }
 
   /// The number of hits in the buffer.
   std::size_t size() const { return found_.size(); }

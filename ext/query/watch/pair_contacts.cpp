@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::size_t batch_size = 1024, pairs_at_once = 8192;
 
-/// Stands for pairs that the caller gives: no search.
-class NoCandidates final : public Candidates {
- public:
-  bool next(std::vector<Pair>&) override { return false; }
-};
-
 /// The number of an object in a scene whose ids ascend.
 std::optional<std::uint32_t> object_of(const Scene& scene, std::int64_t id) {
   const auto found = std::lower_bound(scene.ids.begin(), scene.ids.end(), id);
@@ -142,7 +136,6 @@ std::vector<JoinRow> pair_contacts(const JoinQuestion& queried, std::span<const 
   }
   ContactStage stage(question, interrupt);
   const TimeSlab all{-inf, inf, {question.now, question.h}};
-  const NoCandidates none;
   std::vector<Pair> batch;
   for (std::size_t begin = 0; begin < pairs.size(); begin += batch_size) {
     interrupt.check();
@@ -150,7 +143,7 @@ std::vector<JoinRow> pair_contacts(const JoinQuestion& queried, std::span<const 
     batch.assign(part.begin(), part.end());
     if (question.kinds)
       std::erase_if(batch, [&](const Pair& pair) { return !question.kinds->may_meet(pair); });
-    stage.answer(none, batch, all, rows);
+    stage.find_and_write(batch, BatchProof::none, all, rows);
   }
   return rows;
 }

@@ -50,11 +50,11 @@ TEST(SortedHits, KeepAMultipleOfWhatIsReadAndGiveTheOthersLater) {
     plain.add(hits, never);
     EXPECT_EQ(plain.size(), count);
     const std::vector<Pair> right = taken(plain, never);
-    EXPECT_FALSE(plain.leaves_some_out());
+    EXPECT_FALSE(plain.take_left_out());
 
     std::vector<Pair> found;
     std::size_t answered = 0;
-    for (bool again = true; again; again = sparing.leaves_some_out(), ++answered) {
+    for (bool again = true; again; again = sparing.take_left_out(), ++answered) {
       sparing.add(hits, never);
       EXPECT_LE(sparing.size(), 10000 + 2 * 8 * found.size());
       const std::vector<Pair> some = taken(sparing, never);

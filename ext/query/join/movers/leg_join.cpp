@@ -80,7 +80,7 @@ bool LegJoin::join_slab() {
     for (pairs_.clear(); candidates->next(pairs_); pairs_.clear()) {
       hits_.clear();
       if (found_.knows_pairs()) found_.drop_found(pairs_, legs_a_, legs_b_ ? *legs_b_ : legs_a_);
-      stage.query(*candidates, pairs_, *slab, hits_);
+      stage.find_hits(pairs_, proof_of(*candidates), *slab, hits_);
       add(hits_);
     }
   }
