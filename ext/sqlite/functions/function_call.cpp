@@ -13,6 +13,8 @@ namespace foresee {
 
 namespace {
 
+constexpr int inputs_by_place = 5;  // further ones are given by name, and in messages they would be too long
+
 /// The input that a message names as an example: within, or the first one.
 std::string example_input(const TableFunction& function) {
   for (const std::string_view name : function.inputs)
@@ -22,15 +24,18 @@ std::string example_input(const TableFunction& function) {
 
 }  // namespace
 
-void FunctionCall::reject(int input, const char* kind) const {
-  const std::string name = name_of(input);
+void FunctionCall::reject(int input, const char* kind, const std::string& remedy) const {
+  throw Error(std::string(name_of(input)) + " must be " + kind + ", not " + shown(value(input)) + remedy);
+}
+
+std::string FunctionCall::remedy_of_type(int input) const {
   const int type = sqlite3_value_type(value(input));
-  std::string remedy;
-  if (const auto seconds = as_unixepoch(value(input))) remedy = ": write " + *seconds;
+  if (const auto seconds = as_unixepoch(value(input))) return ": write " + *seconds;
+  if (type == SQLITE_BLOB || input >= inputs_by_place) return "";
+  const std::string order = ": write " + usage(function_, inputs_by_place);
   // f(300, within = 60) passes the result of a comparison, a number, in the place of the table.
-  if (name == "tbl" && (type == SQLITE_INTEGER || type == SQLITE_FLOAT))
-    remedy = "; to give an input by its name, write WHERE " + example_input(function_) + " = 60";
-  throw Error(name + " must be " + kind + ", not " + shown(value(input)) + remedy);
+  const bool may_be_comparison = std::string_view(name_of(input)) == "tbl" && type != SQLITE_TEXT;
+  return may_be_comparison ? order + ", or WHERE " + example_input(function_) + " = 60" : order;
 }
 
 const char* FunctionCall::name_of(int input) const {
@@ -41,7 +46,7 @@ std::optional<double> FunctionCall::number(int input) const {
   sqlite3_value* value = this->value(input);
   if (!value) return std::nullopt;
   const int type = sqlite3_value_numeric_type(value);
-  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, "a number");
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, "a number", remedy_of_type(input));
   if (is_inexact(value)) reject(input, "a number that a double holds exactly");
   return sqlite3_value_double(value);
 }
@@ -64,7 +69,7 @@ std::optional<std::uint32_t> FunctionCall::bits(int input) const {
   if (!value(input)) return std::nullopt;
   constexpr const char* kind = "a whole number from 0 to 4294967295";
   const int type = sqlite3_value_numeric_type(value(input));
-  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, kind);
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, kind, remedy_of_type(input));
   const double number = sqlite3_value_double(value(input));
   if (!(0 <= number && number <= max && integer_of(number))) reject(input, kind);
   return static_cast<std::uint32_t>(number);
@@ -73,8 +78,9 @@ std::optional<std::uint32_t> FunctionCall::bits(int input) const {
 std::optional<std::string> FunctionCall::text(int input, const char* kind) const {
   sqlite3_value* value = this->value(input);
   if (!value) return std::nullopt;
-  if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, kind);
-  return text_of(value);
+  if (sqlite3_value_type(value) == SQLITE_TEXT) return text_of(value);
+  if (kind) reject(input, kind);
+  reject(input, "a name in quotes, or NULL to leave it out", remedy_of_type(input));
 }
 
 std::optional<std::int64_t> FunctionCall::only(int output) const {

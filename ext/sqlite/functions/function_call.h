@@ -4,7 +4,8 @@
 //   const double h = call.required_number(in_h);
 //   const std::string method = call.text(in_method).value_or("auto");
 //
-// A NULL input counts as left out. An input of the wrong kind is an Error that names the right one.
+// A NULL input counts as left out. An input of the wrong kind is an Error that names the right one. A text in place of
+// a number, or a number in place of a name, is often a wrong order: then the Error also shows the order of the inputs.
 #pragma once
 
 #include <algorithm>
@@ -107,9 +108,8 @@ class FunctionCall {
   std::int64_t required_integer(int input) const;
   /// 32 bits, as a whole number from 0 to 4294967295; nothing if it was left out.
   std::optional<std::uint32_t> bits(int input) const;
-  /// `kind`: the kind of text that is expected, for the message about a value that is not a text.
-  std::optional<std::string> text(int input,
-                                  const char* kind = "a name in quotes, or NULL to leave it out") const;
+  /// `kind`: the kind of text that is expected, for the message about a value that is not a text; null: a name.
+  std::optional<std::string> text(int input, const char* kind = nullptr) const;
 
   /// The value as it was given; null if it was left out.
   sqlite3_value* value(int input) const { return arguments_.inputs[static_cast<std::size_t>(input)]; }
@@ -140,7 +140,9 @@ class FunctionCall {
   const RowLimit& limit() const { return arguments_.limit; }
 
  private:
-  [[noreturn]] void reject(int input, const char* kind) const;
+  [[noreturn]] void reject(int input, const char* kind, const std::string& remedy = {}) const;
+  /// What to write in place of an input of the wrong type; "" for a blob and for an input far from the first ones.
+  std::string remedy_of_type(int input) const;
 
   const TableFunction& function_;
   Connection& connection_;

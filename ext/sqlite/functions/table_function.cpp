@@ -184,8 +184,13 @@ const sqlite3_module function_module = [] {
 
 }  // namespace
 
-std::string usage(const TableFunction& function) {
-  return std::string(function.name) + "(" + joined(function.inputs, "") + ")";
+std::string usage(const TableFunction& function, std::size_t inputs) {
+  std::vector<const char*> names = function.inputs;
+  if (inputs < names.size()) {
+    names.resize(inputs);
+    names.push_back("...");
+  }
+  return std::string(function.name) + "(" + joined(names, "") + ")";
 }
 
 int register_table_function(sqlite3* db, const TableFunction& function,

@@ -17,6 +17,7 @@
 // b = ?` finds twice. The inputs are part of it, because rows of different calls are different rows.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,8 +52,10 @@ struct TableFunction {
   std::vector<std::vector<int>> orders = {};  ///< in which rows can come: ascending by these outputs
 };
 
-/// The function with its inputs, as messages show it: predictive_position(at, tbl).
-std::string usage(const TableFunction& function);
+/// The function with its inputs in order, as messages show it: predictive_position(at, tbl). Of more than `inputs`
+/// the first ones: predictive_join(h, tbl, ...).
+std::string usage(const TableFunction& function,
+                  std::size_t inputs = std::numeric_limits<std::size_t>::max());
 
 /// `function` must live as long as the program.
 int register_table_function(sqlite3* db, const TableFunction& function,

@@ -20,21 +20,24 @@ TEST_F(JoinErrors, NameTheMissingHorizon) {
 TEST_F(JoinErrors, QuoteTheWrongInput) {
   EXPECT_EQ(error("predictive_join(-3)"), "predictive_join: h must be a finite number >= 0, not -3");
   EXPECT_EQ(error("predictive_join(9e999)"), "predictive_join: h must be a finite number >= 0, not inf");
-  EXPECT_EQ(error("predictive_join('soon')"), "predictive_join: h must be a number, not 'soon'");
-  EXPECT_EQ(error("predictive_join('ships', 600)"), "predictive_join: h must be a number, not 'ships'");
+  const std::string order = ": write predictive_join(h, tbl, within, other, now, ...)";
+  EXPECT_EQ(error("predictive_join('soon')"), "predictive_join: h must be a number, not 'soon'" + order);
+  EXPECT_EQ(error("predictive_join('ships', 600)"),
+            "predictive_join: h must be a number, not 'ships'" + order);
+  EXPECT_EQ(error("predictive_join(x'00')"), "predictive_join: h must be a number, not a blob of 1 bytes");
   EXPECT_EQ(error("predictive_join(1, 'ships', -1)"),
             "predictive_join: within must be a finite number >= 0, not -1");
   EXPECT_EQ(error("predictive_join(1, 'ships', 'near')"),
-            "predictive_join: within must be a number, not 'near'");
+            "predictive_join: within must be a number, not 'near'" + order);
   EXPECT_EQ(error("predictive_join(1, 926)"),
-            "predictive_join: tbl must be a name in quotes, or NULL to leave it out, not 926; to give an "
-            "input by its name, write WHERE within = 60");
+            "predictive_join: tbl must be a name in quotes, or NULL to leave it out, not 926" + order +
+                ", or WHERE within = 60");
   EXPECT_EQ(error("ships, predictive_join(1, r >= 0)"),
-            "predictive_join: tbl must be a name in quotes, or NULL to leave it out, not 1; to give an input "
-            "by its name, write WHERE within = 60");
+            "predictive_join: tbl must be a name in quotes, or NULL to leave it out, not 1" + order +
+                ", or WHERE within = 60");
   EXPECT_EQ(error("predictive_position(1, 2.5)"),
-            "predictive_position: tbl must be a name in quotes, or NULL to leave it out, not 2.5; to give an "
-            "input by its name, write WHERE at = 60");
+            "predictive_position: tbl must be a name in quotes, or NULL to leave it out, not 2.5: write "
+            "predictive_position(at, tbl, schema), or WHERE at = 60");
   EXPECT_EQ(error("predictive_join(1) WHERE now = -9e999"),
             "predictive_join: now must be a finite number, not -inf");
   EXPECT_EQ(error("predictive_join(1) WHERE now = 'now'"),
@@ -44,7 +47,7 @@ TEST_F(JoinErrors, QuoteTheWrongInput) {
   EXPECT_EQ(error("predictive_join(1) WHERE method = 2"),
             "predictive_join: method must be a name in quotes, or NULL to leave it out, not 2");
   EXPECT_EQ(error("predictive_join(1) WHERE other = 2"),
-            "predictive_join: other must be a name in quotes, or NULL to leave it out, not 2");
+            "predictive_join: other must be a name in quotes, or NULL to leave it out, not 2" + order);
   EXPECT_EQ(
       error("predictive_join(1) WHERE schema = x'00'"),
       "predictive_join: schema must be a name in quotes, or NULL to leave it out, not a blob of 1 bytes");

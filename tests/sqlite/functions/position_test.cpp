@@ -100,8 +100,9 @@ TEST_F(PositionTest, IsNeverNullOnADeclaredAxis) {
 TEST_F(PositionTest, SaysWhatIsWrong) {
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_position"),
             "predictive_position: at is missing or NULL: write predictive_position(at, tbl, schema)");
-  EXPECT_EQ(db.error_of("SELECT * FROM predictive_position('noon')"),
-            "predictive_position: at must be a number, not 'noon'");
+  EXPECT_EQ(
+      db.error_of("SELECT * FROM predictive_position('noon')"),
+      "predictive_position: at must be a number, not 'noon': write predictive_position(at, tbl, schema)");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_position(9e999)"),
             "predictive_position: at must be a finite number, not inf");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_position(1, 'nowhere')"),

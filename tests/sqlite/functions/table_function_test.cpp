@@ -88,13 +88,15 @@ TEST_F(TableFunctionTest, SaysWhatIsMissingOrWrong) {
             "countdown: start is missing or NULL: write countdown(start, step, label)");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(NULL)"),
             "countdown: start is missing or NULL: write countdown(start, step, label)");
-  EXPECT_EQ(db.error_of("SELECT * FROM countdown('soon')"), "countdown: start must be a number, not 'soon'");
+  EXPECT_EQ(db.error_of("SELECT * FROM countdown('soon')"),
+            "countdown: start must be a number, not 'soon': write countdown(start, step, label)");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(x'00')"),
             "countdown: start must be a number, not a blob of 1 bytes");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(9007199254740993)"),
             "countdown: start must be a number that a double holds exactly, not 9007199254740993");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(1, 1, 2)"),
-            "countdown: label must be a name in quotes, or NULL to leave it out, not 2");
+            "countdown: label must be a name in quotes, or NULL to leave it out, not 2: write "
+            "countdown(start, step, label)");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(1, 1, 'x', 4)"),
             "too many arguments on countdown() - max 3");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(4, 1, 'fall')"), "countdown: fell at 1");

@@ -96,7 +96,9 @@ TEST_F(WindowInSql, SaysWhatToWrite) {
             "predictive_window: x0 must not be greater than x1: x0 is 5, x1 is 3");
   EXPECT_EQ(error(name + "(1, 'ships', 9e999)"),
             "predictive_window: x0 must be a finite number, or left out for no bound, not inf");
-  EXPECT_EQ(error(name + "(1, 'ships', 'west')"), "predictive_window: x0 must be a number, not 'west'");
+  EXPECT_EQ(error(name + "(1, 'ships', 'west')"),
+            "predictive_window: x0 must be a number, not 'west': write predictive_window(h, tbl, x0, x1, y0, "
+            "...)");
   EXPECT_EQ(error(name + "(1) WHERE z0 = 5"), "predictive_window: ships has 2 axes (x, y): leave out z0");
   EXPECT_EQ(error(name + "(1) WHERE wvz = 5"), "predictive_window: ships has 2 axes (x, y): leave out wvz");
   EXPECT_EQ(error(name + "(1) WHERE wvx = 9e999"), "predictive_window: wvx must be a finite number, not inf");

@@ -80,7 +80,8 @@ TEST_F(GeoFunctions, SayWhatIsWrong) {
             "geo_to_plane: lon0 is missing or NULL: write geo_to_plane(in_lat, in_lon, in_speed, in_course, "
             "lat0, lon0)");
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane('30 N', 2, 3, 4, 5, 6)"),
-            "geo_to_plane: in_lat must be a number, not '30 N'");
+            "geo_to_plane: in_lat must be a number, not '30 N': write geo_to_plane(in_lat, in_lon, in_speed, "
+            "in_course, lat0, ...)");
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(1, 2, 9e999, 4, 5, 6)"),
             "geo_to_plane: in_speed is infinite");
   EXPECT_EQ(db.error_of("SELECT * FROM plane_to_geo(3e7, 0, 0, 0, 5, 6)"),
