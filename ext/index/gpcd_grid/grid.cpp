@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/stratified_sample.h"
 #include "index/gpcd_grid/moving_source.h"
 
 namespace foresee::gpcd {
@@ -17,7 +18,7 @@ constexpr std::size_t pairs_per_batch = 512;      // the data of the next stage 
 constexpr std::size_t touching_per_batch = 128;   // these become rows, which then fit that cache
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 
-/// Non-empty beams of both sides: one from each of some hundred equal parts, at irregular distances.
+/// Non-empty beams of both sides: a stratified sample of some hundred.
 template <int D>
 std::vector<Beam<D>> sample_of(const MovingSource<D>& a, const MovingSource<D>* b) {
   const std::size_t count_a = a.count(), count = count_a + (b ? b->count() : 0),
@@ -25,9 +26,11 @@ std::vector<Beam<D>> sample_of(const MovingSource<D>& a, const MovingSource<D>* 
                     wanted = std::min(count, aim);
   std::vector<std::size_t> of_a, of_b;
   for (std::size_t part = 0; part < wanted; ++part) {
-    const std::size_t begin = part * count / wanted, end = (part + 1) * count / wanted;
-    const std::size_t i = begin + (part * 0x9e3779b97f4a7c15u >> 33) % (end - begin);
-    i < count_a ? of_a.push_back(i) : of_b.push_back(i - count_a);
+    const std::size_t i = stratified_pick(part, wanted, count);
+    if (i < count_a)
+      of_a.push_back(i);
+    else
+      of_b.push_back(i - count_a);
   }
   std::vector<Beam<D>> sample;
   a.sample(of_a, sample);

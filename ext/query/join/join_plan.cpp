@@ -5,6 +5,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
+#include "base/stratified_sample.h"
 #include "query/legs/leg_scene.h"
 
 namespace foresee {
@@ -30,7 +31,7 @@ double pairs_of(const JoinQuestion& question) {
   return question.b ? a * static_cast<double>(question.b->size()) : a * (a - 1) / 2;
 }
 
-/// Swept boxes of a stratified sample: one row from each of equal ranges, not at equal distances.
+/// Swept boxes of a stratified sample of rows.
 template <int D>
 std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const Vec<D>& margin,
                               const SampleSize& size = usual_sample) {
@@ -39,11 +40,8 @@ std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const 
   const Bodies bodies = scene.bodies();
   std::vector<Box<D>> boxes;
   boxes.reserve(wanted);
-  for (std::size_t part = 0; part < wanted; ++part) {
-    const std::size_t begin = part * count / wanted, end = (part + 1) * count / wanted;
-    const std::size_t row = begin + (part * 0x9e3779b97f4a7c15u >> 33) % (end - begin);
-    boxes.push_back(swept_box<D>(bodies, row, horizon, margin));
-  }
+  for (std::size_t part = 0; part < wanted; ++part)
+    boxes.push_back(swept_box<D>(bodies, stratified_pick(part, wanted, count), horizon, margin));
   return boxes;
 }
 
@@ -138,10 +136,11 @@ class LegSample {
     const std::size_t count = scene.size(), wanted = std::min<std::size_t>(count, 4096);
     const double end = span.now + span.h;
     for (std::size_t part = 0; part < wanted; ++part) {
-      const std::size_t first = part * count / wanted, last = (part + 1) * count / wanted;
-      const std::size_t row = first + (part * 0x9e3779b97f4a7c15u >> 33) % (last - first);
-      if (t(row) <= end && span.now <= until(row))
-        rows_.push_back(row), lengths_.push_back(until(row) - t(row));
+      const std::size_t row = stratified_pick(part, wanted, count);
+      const bool exists = t(row) <= end && span.now <= until(row);
+      if (!exists) continue;
+      rows_.push_back(row);
+      lengths_.push_back(until(row) - t(row));
     }
     each_ = wanted > 0 ? static_cast<double>(count) / static_cast<double>(wanted) : 0;
     std::sort(lengths_.begin(), lengths_.end());
@@ -166,7 +165,7 @@ class LegSample {
     const std::size_t wanted = std::min(rows_.size(), usual_sample.max);
     for (std::size_t i = 0; i < wanted; ++i) {
       const RowRange legs = legs_of_object(rows_[i * rows_.size() / wanted], part);
-      if (legs.size() > 0) alive.push_back(legs.first + (i * 0x9e3779b97f4a7c15u >> 33) % legs.size());
+      if (legs.size() > 0) alive.push_back(legs.first + irregular_pick(i, legs.size()));
     }
     std::sort(alive.begin(), alive.end());
     alive.erase(std::unique(alive.begin(), alive.end()), alive.end());

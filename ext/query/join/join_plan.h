@@ -15,8 +15,8 @@ namespace foresee {
 struct JoinPlan {
   JoinMethod method;  ///< never automatic
   const char* why;    ///< the reason, for predictive_explain
-  std::size_t
-      slabs;  ///< of equal length if rows need no order; 1 unless the method is grid or objects have plans
+  /// Of equal length if rows need no order; 1 unless the method is grid or objects have plans.
+  std::size_t slabs;
   bool with_helpers = false;  ///< a slab is enough work for helper threads
 };
 
