@@ -15,7 +15,10 @@ class DividedGrid final : public DividedCandidates {
     const std::size_t work_per_part = std::max<std::size_t>(8192, 8 * grid_->giant_count());
     std::size_t stripe = 0, work = 0;
     for (std::size_t of_stripe : grid_->work_by_stripe()) {
-      if (ends_.empty() || work >= work_per_part) ends_.push_back(stripe), work = 0;
+      if (ends_.empty() || work >= work_per_part) {
+        ends_.push_back(stripe);
+        work = 0;
+      }
       work += of_stripe;
       ends_.back() = ++stripe;
     }

@@ -50,17 +50,17 @@ Columns columns_of(const MovingSource<D>& a, const MovingSource<D>* b, const Flo
 }  // namespace
 
 template <int D>
-Grid<D>::Grid(const MovingBoxes<D>& boxes_a, const MovingBoxes<D>* boxes_b, std::shared_ptr<GridSpace> space,
-              std::size_t helpers, Interrupt& interrupt)
+Grid<D>::Grid(const MovingBoxes<D>& objects_a, const MovingBoxes<D>* objects_b,
+              std::shared_ptr<GridSpace> space, std::size_t helpers, Interrupt& interrupt)
     : space_(space ? std::move(space) : std::make_shared<GridSpace>()) {
-  const MovingSource<D> a(boxes_a, interrupt);
-  std::optional<MovingSource<D>> other;
-  const MovingSource<D>* const b = boxes_b ? &other.emplace(*boxes_b, interrupt) : nullptr;
+  const MovingSource<D> a(objects_a, interrupt);
+  std::optional<MovingSource<D>> source_b;
+  const MovingSource<D>* const b = objects_b ? &source_b.emplace(*objects_b, interrupt) : nullptr;
   const std::vector<Beam<D>> sample = sample_of(a, b);
   const FloatFrame<D> frame = frame_of(std::span<const Beam<D>>(sample));
   const Columns columns = columns_of(a, b, frame);
-  const std::vector<FloatBox<D>> boxes = boxes_of(std::span<const Beam<D>>(sample), frame, columns);
-  partition_ = choose_partition(std::span<const FloatBox<D>>(boxes), a.count() + (b ? b->count() : 0));
+  const std::vector<FloatBox<D>> sample_boxes = boxes_of(std::span<const Beam<D>>(sample), frame, columns);
+  partition_ = choose_partition(std::span<const FloatBox<D>>(sample_boxes), a.count() + (b ? b->count() : 0));
   for (int axis = 1; axis < D; ++axis)
     stripe_height_[axis] = 1 / static_cast<double>(partition_.axis[axis].per_unit) / frame.scale[axis];
   for (const MovingSource<D>* source : {&a, b})
@@ -94,7 +94,14 @@ bool GridVisit<D>::next(std::vector<Pair>& out) {
   bool more = true;
   while (steps > 0 && written < enough && more) {
     if (scan_ == scans_.size()) {
-      more = open_next();
+      scans_.clear();
+      scan_ = 0;
+      if (!giants_met_)
+        open_giants();
+      else if (next_stripe_ < last_stripe_)
+        open_stripe(next_stripe_++);
+      else
+        more = false;
       continue;
     }
     const bool touching = scans_[scan_].keep == Keep::covered;
@@ -110,21 +117,8 @@ bool GridVisit<D>::next(std::vector<Pair>& out) {
 }
 
 template <int D>
-bool GridVisit<D>::open_next() {
-  scans_.clear();
-  scan_ = 0;
-  if (!giants_met_) {
-    giants_met_ = true;
-    open_giants();
-    return true;
-  }
-  if (next_stripe_ == last_stripe_) return false;
-  open_stripe(next_stripe_++);
-  return true;
-}
-
-template <int D>
 void GridVisit<D>::open_giants() {
+  giants_met_ = true;
   for (std::size_t i = 0; i < sides_.size(); ++i)
     sides_[i].crossing.gather(sides_[i].giants.all(), grid_->side(i).rows, interrupt_);
   if (sides_.size() == 1)
@@ -140,19 +134,20 @@ void GridVisit<D>::open_stripe(std::size_t number) {
   if constexpr (D == 2) stripe[1] = static_cast<int>(number);
   if constexpr (D == 3) {
     const auto across = static_cast<std::size_t>(partition.axis[2].count);
-    stripe[1] = static_cast<int>(number / across), stripe[2] = static_cast<int>(number % across);
+    stripe[1] = static_cast<int>(number / across);
+    stripe[2] = static_cast<int>(number % across);
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     auto& entered = grid_->side(i);
-    sides_[i].inside.sort_and_gather(entered.stripes.entries(number), entered.rows, partition, stripe,
-                                     interrupt_);
-    const bool meets_none = grid_->side(sides_.size() - 1 - i).stripes.entries(number).empty();
+    sides_[i].inside.sort_and_gather_of_stripe(entered.stripes.entries(number), entered.rows, partition,
+                                               stripe, interrupt_);
+    const bool meets_none = grid_->side(other_side(i)).stripes.entries(number).empty();
     const auto crossing = meets_none ? std::span<const Key>() : sides_[i].giants.crossing(stripe);
-    sides_[i].crossing.gather(crossing, entered.rows, partition, stripe, interrupt_);
+    sides_[i].crossing.gather_of_stripe(crossing, entered.rows, partition, stripe, interrupt_);
     sides_[i].crossing.set_cores(sides_[i].giants.cores());
   }
   for (std::size_t i = 0; i < sides_.size(); ++i)
-    sides_[i].crossing.clip_to(sides_[sides_.size() - 1 - i].inside.view());
+    sides_[i].crossing.clip_to(sides_[other_side(i)].inside.view());
   const LaneView<D>&inside = sides_[0].inside.view(), &crossing = sides_[0].crossing.view();
   if (sides_.size() == 1) {
     scans_.push_back(scan_within(inside));
@@ -211,7 +206,8 @@ std::string Grid<D>::describe() const {
     const char* between = axis > 1 ? " x " : "";
     char height[32];
     std::snprintf(height, sizeof height, "%.3g", stripe_height_[axis]);
-    counts += between + std::to_string(partition_.axis[axis].count), heights += between + std::string(height);
+    counts += between + std::to_string(partition_.axis[axis].count);
+    heights += between + std::string(height);
   }
   return (D == 1 ? "one stripe, " : counts + " stripes of " + heights + ", ") +
          std::to_string(entry_count()) + " entries, " + std::to_string(giant_count()) + " giants outside";

@@ -91,8 +91,8 @@ class GridVisit final : public Candidates {
     Lanes<D> inside, crossing;
   };
 
-  /// Puts the scans of the next stripe into scans_; false if no stripe is left.
-  bool open_next();
+  /// The other side of the join; in a self-join the one side itself.
+  std::size_t other_side(std::size_t i) const { return sides_.size() - 1 - i; }
   /// Adds the scan of giants with one another, or of the giants of both sides.
   void open_giants();
   /// Adds the scans of a stripe: together they report each pair that belongs to the stripe (lanes.h) once.
@@ -106,7 +106,7 @@ class GridVisit final : public Candidates {
   Interrupt& interrupt_;
   std::vector<Gathered> sides_;
   const ScanKernel<D> run_ = scan_kernel<D>();
-  std::vector<Scan<D>> scans_;
+  std::vector<Scan<D>> scans_;  // of the open stripe, or of giants with giants
   std::size_t scan_ = 0;
   bool touching_ = false;  // of the last batch
   bool giants_met_;

@@ -37,7 +37,7 @@ void Lanes<D>::lay_out(std::size_t count, Columns columns) {
   room_ = (count + lanes_max + line - 1) / line * line;
   const auto width = static_cast<std::size_t>(FloatRows<D>::width(columns));
   floats_ = memory_.floats.room(room_ * (width + (columns.travel ? 2 * D : 0)));
-  movers_ = floats_ + room_ * width;
+  centres_ = floats_ + room_ * width;
   classes_ = memory_.words.room(2 * room_);
   ids_ = classes_ + room_;
   view_.size = count;
@@ -96,8 +96,8 @@ void Lanes<D>::copy_rows(const FloatRows<D>& rows, Interrupt& interrupt) {
 }
 
 template <int D>
-void Lanes<D>::find_movers() {
-  float* column = movers_;
+void Lanes<D>::find_centres() {
+  float* column = centres_;
   for (int k = 0; k < D; ++k, column += 2 * room_) {
     float *centre = column, *extent = column + room_;
     const float *lower = view_.lower[k], *upper = view_.upper[k], *travel = view_.travel[k];
@@ -124,7 +124,7 @@ void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, Inter
     copy_rows<3 * D>(rows, interrupt);
   else
     copy_rows<2 * D>(rows, interrupt);
-  if (rows.columns().travel) find_movers();
+  if (rows.columns().travel) find_centres();
   for (float* column : {floats_, floats_ + D * room_})  // lower and upper ends along x
     std::fill_n(column + keys.size(), room_ - keys.size(), std::numeric_limits<float>::infinity());
   // Four accumulators, so that no step waits for the previous one. A sentinel's length is NaN.
@@ -137,16 +137,17 @@ void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, Inter
 }
 
 template <int D>
-void Lanes<D>::sort_and_gather(std::span<const Key> keys, const FloatRows<D>& rows,
-                               const Partition<D>& partition, const int (&stripe)[D], Interrupt& interrupt) {
-  gather(sorted_along_x(keys, partition.x, memory_, interrupt), rows, partition, stripe, interrupt);
+void Lanes<D>::gather_of_stripe(std::span<const Key> keys, const FloatRows<D>& rows,
+                                const Partition<D>& partition, const int (&stripe)[D], Interrupt& interrupt) {
+  gather(keys, rows, interrupt);
+  classify(partition, stripe);
 }
 
 template <int D>
-void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, const Partition<D>& partition,
-                      const int (&stripe)[D], Interrupt& interrupt) {
-  gather(keys, rows, interrupt);
-  classify(partition, stripe);
+void Lanes<D>::sort_and_gather_of_stripe(std::span<const Key> keys, const FloatRows<D>& rows,
+                                         const Partition<D>& partition, const int (&stripe)[D],
+                                         Interrupt& interrupt) {
+  gather_of_stripe(sorted_along_x(keys, partition.x, memory_, interrupt), rows, partition, stripe, interrupt);
 }
 
 template <int D>

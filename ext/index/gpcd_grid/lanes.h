@@ -21,14 +21,15 @@ class Lanes {
  public:
   explicit Lanes(GridSpace::Visit::Lanes& memory) : memory_(memory) {}
 
-  /// Sorts the boxes of one stripe (its numbers along y and z), then gathers and classifies them.
-  void sort_and_gather(std::span<const Key> keys, const FloatRows<D>& rows, const Partition<D>& partition,
-                       const int (&stripe)[D], Interrupt& interrupt);
-  /// The same for boxes that are already sorted.
-  void gather(std::span<const Key> keys, const FloatRows<D>& rows, const Partition<D>& partition,
-              const int (&stripe)[D], Interrupt& interrupt);
-  /// The same without a stripe: all classes are 0.
+  /// Replaces the lanes by the rows of these keys, in their order, and by the columns that a scan computes with.
+  /// All classes are 0: the boxes belong to no stripe. Requires: the keys are sorted along x.
   void gather(std::span<const Key> keys, const FloatRows<D>& rows, Interrupt& interrupt);
+  /// gather() for boxes of one stripe, given by its numbers along y and z: with their classes.
+  void gather_of_stripe(std::span<const Key> keys, const FloatRows<D>& rows, const Partition<D>& partition,
+                        const int (&stripe)[D], Interrupt& interrupt);
+  /// gather_of_stripe() for keys in any order.
+  void sort_and_gather_of_stripe(std::span<const Key> keys, const FloatRows<D>& rows,
+                                 const Partition<D>& partition, const int (&stripe)[D], Interrupt& interrupt);
 
   /// Sets the core of each box; null: no cores.
   void set_cores(const Cores<D>* cores);
@@ -48,14 +49,14 @@ class Lanes {
   /// Allocates the columns for `count` boxes and points the view to them.
   void lay_out(std::size_t count, Columns columns);
   /// Computes the centres and extents that the time test needs, once and not in every step.
-  void find_movers();
+  void find_centres();
   /// Computes the classes of the boxes relative to this stripe.
   void classify(const Partition<D>& partition, const int (&stripe)[D]);
 
   GridSpace::Visit::Lanes& memory_;
   LaneView<D> view_;
   float* floats_ = nullptr;
-  float* movers_ = nullptr;  // after the copied columns
+  float* centres_ = nullptr;  // and extents; after the copied columns
   std::uint32_t* classes_ = nullptr;
   std::uint32_t* ids_ = nullptr;
   std::size_t room_ = 0;  // the number of lanes in a column
