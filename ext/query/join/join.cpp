@@ -16,11 +16,11 @@ namespace foresee {
 
 namespace {
 
-/// The same query about the objects that it needs, with a grid space of its own if the caller gives none. Throws Error
-/// as require_valid() does.
-JoinQuestion prepared(JoinQuestion whole, Interrupt& interrupt) {
-  require_valid(whole);
-  JoinQuestion question = with_kinds(in_tile(without_inert(std::move(whole)), interrupt));
+/// The query with what a join computes with: scenes without objects that no row needs, the kinds of pairs, the
+/// ownership of a tile, and a grid space. Throws Error as require_valid() does.
+JoinQuestion prepared(JoinQuestion question, Interrupt& interrupt) {
+  require_valid(question);
+  question = with_kinds(in_tile(without_inert(std::move(question)), interrupt));
   // Straight paths of two objects meet once at most.
   if (!has_plans(question) && !has_bent_paths(question)) question.all_contacts = false;
   if (!question.space) question.space = std::make_shared<GridSpace>();
@@ -29,20 +29,35 @@ JoinQuestion prepared(JoinQuestion whole, Interrupt& interrupt) {
 
 }  // namespace
 
-/// The state of a join: the query, the contact test, the plan, and the slabs, of which one is open at a time.
-struct Join::Progress {
-  /// `whole`: prepared, and of tables without plans.
-  Progress(JoinQuestion whole, Interrupt& interrupt)
-      : question(std::move(whole)),
+/// A join of tables without plans: the query, the contact test, the plan, and the slabs, of which one is open at a
+/// time.
+struct Join::ObjectJoin {
+  /// `of_join`: prepared.
+  ObjectJoin(JoinQuestion of_join, Interrupt& interrupt)
+      : question(std::move(of_join)),
         interrupt(interrupt),
         stage(question, interrupt),
         plan(plan_join(question)),
         slabs(slabs_of(plan, question)),
         sorted(question) {}
-  ~Progress() {
-    candidates.reset();
-    helpers.reset();
+  ~ObjectJoin() {
+    close_slab();
     question.space->trim();
+  }
+
+  std::span<const JoinRow> next() {
+    rows.clear();
+    given = {};
+    while (given.empty()) {
+      interrupt.check();
+      if (sorted.any())
+        write_sorted();
+      else if (candidates || helpers)
+        process_batch();
+      else if (!open_slab())
+        break;
+    }
+    return given;
   }
 
   /// Opens the next slab, or the same one again for the hits that were left out.
@@ -59,16 +74,22 @@ struct Join::Progress {
     return true;
   }
 
-  /// Processes one batch, or closes the slab: sorts its hits and frees its grid.
-  void advance() {
-    if (helpers ? advance_helpers() : advance_alone()) return;
-    helpers.reset();
+  /// Frees the grid of the slab.
+  void close_slab() {
     candidates.reset();
+    helpers.reset();
+  }
+
+  /// Gives the rows of a batch, or adds its hits if the slab has to be sorted. At the end of the slab sorts them.
+  void process_batch() {
+    const bool more = helpers ? process_helper_batch() : process_own_batch();
+    if (more) return;
+    close_slab();
     sorted.sort(interrupt);
   }
 
-  /// Gives the rows of a batch, or adds its hits if the slab has to be sorted. False at the end of the slab.
-  bool advance_alone() {
+  /// False at the end of the slab.
+  bool process_own_batch() {
     pairs.clear();
     if (!candidates->next(pairs)) return false;
     if (!sorts) {
@@ -82,13 +103,20 @@ struct Join::Progress {
     return true;
   }
 
-  /// Gives some rows of a batch, or reads the next batch. False at the end of the slab.
-  bool advance_helpers() {
+  /// Gives some rows of the last batch of a helper, or takes the next batch. False at the end of the slab.
+  bool process_helper_batch() {
     given = batch.next(stage);
     if (!given.empty()) return true;
     if (!helpers->next(batch)) return false;
     if (sorts) sorted.add(batch.hits, interrupt);
     return true;
+  }
+
+  /// Gives the rows of some sorted hits.
+  void write_sorted() {
+    sorted.take(hits);
+    stage.write_rows(hits, rows);
+    given = rows;
   }
 
   JoinQuestion question;
@@ -113,29 +141,14 @@ Join::Join(JoinQuestion question, Interrupt& interrupt) {
   if (has_plans(question))
     legs_ = std::make_unique<LegJoin>(std::move(question), interrupt);
   else
-    progress_ = std::make_unique<Progress>(std::move(question), interrupt);
+    objects_ = std::make_unique<ObjectJoin>(std::move(question), interrupt);
 }
 
 Join::~Join() = default;
 
 std::span<const JoinRow> Join::next() {
   const FloatEnvironment environment;
-  if (legs_) return legs_->next();
-  Progress& p = *progress_;
-  p.rows.clear(), p.given = {};
-  while (p.given.empty()) {
-    p.interrupt.check();
-    if (p.sorted.any()) {
-      p.sorted.take(p.hits);
-      p.stage.write_rows(p.hits, p.rows);
-      p.given = p.rows;
-    } else if (p.candidates || p.helpers) {
-      p.advance();
-    } else if (!p.open_slab()) {
-      break;
-    }
-  }
-  return p.given;
+  return legs_ ? legs_->next() : objects_->next();
 }
 
 }  // namespace foresee

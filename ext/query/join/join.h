@@ -40,9 +40,9 @@ class Join {
   std::span<const JoinRow> next();
 
  private:
-  struct Progress;
+  struct ObjectJoin;
 
-  std::unique_ptr<Progress> progress_;
+  std::unique_ptr<ObjectJoin> objects_;
   std::unique_ptr<LegJoin> legs_;  ///< in place of it, for tables with plans
 };
 
