@@ -34,8 +34,8 @@ struct RowRange {
 
 /// What a query needs of a table's objects; by default all of them, without the tree.
 struct SceneNeeds {
-  bool with_levels =
-      false;            ///< the levels of the tree; not of a layout with plans, which has none in a scene
+  /// The levels of the tree; not of a layout with plans, which has none in a scene.
+  bool with_levels = false;
   LegTimes times = {};  ///< of a layout with plans: legs that exist at no time of these may be missing
   std::optional<Kinds> others = {};  ///< objects that may meet none of these kinds, or-ed, may be missing
 };

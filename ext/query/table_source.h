@@ -63,7 +63,8 @@ class TableSource {
 /// A scene without objects, for checks that need no more than names and layouts.
 inline std::shared_ptr<const Scene> empty_scene(const TableSource& table) {
   auto scene = std::make_shared<Scene>();
-  scene->name = table.name(), scene->layout = table.layout();
+  scene->name = table.name();
+  scene->layout = table.layout();
   return scene;
 }
 

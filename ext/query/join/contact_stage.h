@@ -8,7 +8,7 @@
 //
 // A batch that certainly touches when the slab starts needs no contact test.
 //
-// Keeps scratch space: used by one thread at a time; several may share a `JoinQuestion`.
+// Keeps scratch space: used by one thread at a time; several may share a JoinQuestion.
 #pragma once
 
 #include "index/candidates.h"

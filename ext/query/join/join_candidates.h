@@ -12,7 +12,7 @@ namespace foresee {
 std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMethod method,
                                             const Horizon& horizon, Interrupt& interrupt);
 
-/// The same by the grid, divided among `question.helpers` threads.
+/// join_candidates() by the grid, divided among `question.helpers` threads.
 std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
                                                       Interrupt& interrupt);
 

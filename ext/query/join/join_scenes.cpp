@@ -48,7 +48,10 @@ std::vector<MovingBox<D>> boxes_of(const Scene& one, const Horizon& horizon, con
   std::vector<Leg> legs;
   const RowRange rows = rows_during(bodies, one.rows_of(0), horizon);
   Steps steps(interrupt);
-  for (std::size_t row = rows.first; row < rows.last; ++row) steps(), legs.push_back(leg_of(bodies, row));
+  for (std::size_t row = rows.first; row < rows.last; ++row) {
+    steps();
+    legs.push_back(leg_of(bodies, row));
+  }
   const Vec<D> reach = reach_of(extents_of<D>(bodies, 0));
   std::vector<MovingBox<D>> boxes;
   for (const ChunkRange& range : cut_into_chunks(legs)) {
@@ -58,7 +61,8 @@ std::vector<MovingBox<D>> boxes_of(const Scene& one, const Horizon& horizon, con
     Vec<D> half;
     for (int axis = 0; axis < D; ++axis) {
       const auto j = static_cast<std::size_t>(axis);
-      chord.x[axis] = box.x[j], chord.v[axis] = box.v[j];
+      chord.x[axis] = box.x[j];
+      chord.v[axis] = box.v[j];
       half[axis] = sum_outward(box.half[j], reach[axis]);
     }
     boxes.push_back(moving_box<D>(chord, symmetric<D>(half), horizon, margin));
@@ -75,7 +79,7 @@ void walk(const Scene& one, const SearchTarget& others, const Horizon& horizon, 
   add_objects_near<D>(others, boxes, horizon, margin, interrupt, partners_of(one, near.layout), keep, near);
 }
 
-/// Throws Error for a `JoinQuestion` that is invalid for any objects.
+/// Throws Error for a query that is invalid whatever objects the tables have.
 void require_valid_between(const JoinedTables& tables, JoinQuestion question) {
   question.a = empty_scene(*tables.a);
   if (tables.b) question.b = empty_scene(*tables.b);
@@ -103,7 +107,9 @@ std::shared_ptr<const Scene> objects_near(const Scene& one, const SearchTarget& 
                                           const std::function<bool(std::int64_t)>& keep) {
   const FloatEnvironment environment;
   auto near = std::make_shared<Scene>();
-  near->name = others.name, near->layout = others.layout(), near->legs_during = leg_times_of(horizon);
+  near->name = others.name;
+  near->layout = others.layout();
+  near->legs_during = leg_times_of(horizon);
   if (one.size() == 0) return near;
   with_axes(near->layout.axes,
             [&]<int D>(Axes<D>) { walk<D>(one, others, horizon, reach, interrupt, keep, *near); });
@@ -113,15 +119,17 @@ std::shared_ptr<const Scene> objects_near(const Scene& one, const SearchTarget& 
 
 namespace {
 
-/// Takes the object of `only_a`, or else of `only_b`, and the objects near it. Requires: one of the two ids.
-void take_object_and_near(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt) {
+/// Sets one side to the object of `only_a`, or else of `only_b`, and the other to the objects near it. Requires: one of
+/// the two ids.
+void load_object_and_near(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt) {
   const bool by_a = question.only_a.has_value();
   std::optional<std::int64_t>& queried = by_a ? question.only_a : question.only_b;
   const std::int64_t id = queried.value();
   queried.reset();
-  TableSource &one = by_a ? *tables.a : tables.side_b(), &others = by_a ? tables.side_b() : *tables.a;
-  std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
-                        &near = by_a ? question.b : question.a;
+  TableSource& one = by_a ? *tables.a : tables.side_b();
+  TableSource& others = by_a ? tables.side_b() : *tables.a;
+  std::shared_ptr<const Scene>& object = by_a ? question.a : question.b;
+  std::shared_ptr<const Scene>& near = by_a ? question.b : question.a;
   const LegTimes times = leg_times_of({question.now, question.h});
   object = one.objects(std::span(&id, 1), times);
   near = empty_scene(others);
@@ -140,17 +148,17 @@ void take_object_and_near(const JoinedTables& tables, JoinQuestion& question, In
 
 }  // namespace
 
-void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt,
+void load_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt,
                  InertObjects inert) {
   const bool by_tree = question.method == JoinMethod::tree;
   if ((question.only_a || question.only_b) && (by_tree || question.method == JoinMethod::automatic))
-    return take_object_and_near(tables, question, interrupt);
+    return load_object_and_near(tables, question, interrupt);
   if (question.tile) require_valid_between(tables, question);
   const SceneNeeds needs{.with_levels = by_tree, .times = leg_times_of({question.now, question.h})};
   const auto scene = [&](TableSource& table, TableSource& others) {
     if (question.tile && !by_tree && !table.layout().has_plan)
       if (auto in_tile = scene_by_tree(table, question, interrupt)) return in_tile;
-    return inert == InertObjects::counted ? table.all(needs) : all_that_may_meet(table, others, needs);
+    return inert == InertObjects::counted ? table.all(needs) : scene_without_inert(table, others, needs);
   };
   question.a = scene(*tables.a, tables.side_b());
   if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b, *tables.a);

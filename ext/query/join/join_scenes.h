@@ -1,6 +1,6 @@
 // Scenes of a join, read from its tables: all objects, those that a tile needs, or one object and those near it.
 //
-//   take_scenes(tables, question, interrupt);                             // question.a and question.b
+//   load_scenes(tables, question, interrupt);                             // question.a and question.b
 //   auto near = objects_near(*one, {"ships", nullptr, tree}, {now, h}, reach_of(question), interrupt,
 //                            [](std::int64_t id) { return id != 42; });
 #pragma once
@@ -25,7 +25,7 @@ namespace foresee {
 /// objects that may touch it. That id is then cleared, and the method becomes `scan`.
 ///
 /// Throws Error as require_valid() does, if there is a tile or such an id.
-void take_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt,
+void load_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt,
                  InertObjects inert = InertObjects::left_out);
 
 /// Objects of a tree near the one object of a scene, which may be empty. Guarantee: every object that `keep`

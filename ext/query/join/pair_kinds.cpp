@@ -89,7 +89,7 @@ std::vector<Group> groups_of(const SceneKinds& scene, const std::vector<TileMark
 
 }  // namespace
 
-std::shared_ptr<const Scene> all_that_may_meet(TableSource& table, TableSource& others, SceneNeeds needs) {
+std::shared_ptr<const Scene> scene_without_inert(TableSource& table, TableSource& others, SceneNeeds needs) {
   if (has_kinds(table.layout()) && !table.layout().has_plan) needs.others = kinds_of_all(*others.tree());
   return table.all(needs);
 }

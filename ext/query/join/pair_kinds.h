@@ -3,7 +3,7 @@
 //   JoinQuestion question = with_kinds(in_tile(without_inert(queried), interrupt));
 //   auto candidates = meeting_candidates(make_all_pairs(count, interrupt), question.kinds);
 //
-// An object is inert if no object of the other side may meet it: then it is not read (all_that_may_meet()). Where a
+// An object is inert if no object of the other side may meet it: then it is not read (scene_without_inert()). Where a
 // scene of all objects has it, the index does not get it (without_inert()). Of the other pairs the grid and the tree
 // keep those that may meet; a filter does the same for the other methods.
 //
@@ -45,15 +45,15 @@ struct PairKinds {
   bool may_meet(const Pair& pair) const { return foresee::may_meet(a->of[pair.a], b->of[pair.b]); }
 };
 
-/// All objects of a table that are needed and may meet one of `others`, and perhaps some that may not. Cost: as all(),
-/// without the rows and subtrees that are left out.
-std::shared_ptr<const Scene> all_that_may_meet(TableSource& table, TableSource& others,
-                                               SceneNeeds needs = {});
+/// table.all(needs), where objects that may meet none of `others` may be missing. Without category and mask, and with
+/// plans, all() itself. Cost: as all(), without the rows and subtrees that are left out.
+std::shared_ptr<const Scene> scene_without_inert(TableSource& table, TableSource& others,
+                                                 SceneNeeds needs = {});
 
 /// Whether a side has category or mask.
 bool has_kinds(const JoinQuestion& question);
 
-/// The same `JoinQuestion` without the inert objects of its scenes. A scene with outlines or meshes keeps them.
+/// Leaves out the inert objects of both scenes. A scene with outlines or meshes keeps them.
 JoinQuestion without_inert(JoinQuestion question);
 
 /// Sets `kinds` if a side has category or mask. Row numbers must not change afterwards.

@@ -52,6 +52,7 @@ enum class JoinOrder : std::uint8_t {
 struct Ownership;
 struct PairKinds;
 
+/// A join: its scenes, what the user asks, the resources that it may use, and what Join derives from these.
 struct JoinQuestion {
   std::shared_ptr<const Scene> a;
   std::shared_ptr<const Scene> b = nullptr;  ///< null: pairs within a, each once
@@ -69,12 +70,12 @@ struct JoinQuestion {
   JoinWants wants = {};
   std::size_t helpers = 0;                     ///< threads that the grid may use besides the caller's
   std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time
-  std::shared_ptr<const Ownership> own =
-      nullptr;  ///< of the tile, by in_tile() (tile_scenes.h); null: all pairs
-  std::shared_ptr<const PairKinds> kinds =
-      nullptr;  ///< by with_kinds() (pair_kinds.h); null: all pairs may meet
-  bool all_contacts =
-      false;  ///< a row for each contact of a pair, not for outlines and meshes; else for the first
+  /// Of the tile; null: all pairs. Join sets it by in_tile() (tile_scenes.h).
+  std::shared_ptr<const Ownership> own = nullptr;
+  /// Null: all pairs may meet. Join sets it by with_kinds() (pair_kinds.h).
+  std::shared_ptr<const PairKinds> kinds = nullptr;
+  /// A row for each contact of a pair, not for outlines and meshes; else for the first.
+  bool all_contacts = false;
 
   /// Side b, which is a for pairs within one scene.
   const Scene& side_b() const { return b ? *b : *a; }
@@ -106,7 +107,7 @@ void require_valid(const JoinQuestion& question);
 /// The inflation of the swept boxes of both sides together. Throws Error for shapes without a distance.
 PairRule::Reach reach_of(const JoinQuestion& question);
 
-/// The same for the swept boxes of each side.
+/// Half of reach_of(), rounded up: the inflation of the swept boxes of each side.
 template <int D>
 Vec<D> margin_of(const JoinQuestion& question) {
   return margin_of<D>(reach_of(question));

@@ -23,8 +23,8 @@ std::shared_ptr<const Scene> scene_of_tile(NodeSource& tree, const std::string& 
 /// Estimated fraction of the tree's nodes that scene_of_tile() would read, from a few of them.
 double share_in_tile(NodeSource& tree, const JoinQuestion& question, Interrupt& interrupt);
 
-/// The same query; if it has a tile, with `own`, and without most objects that the tile does not need. If the
-/// tile owns all pairs of the scenes, `own` stays null. Requires: `question` is valid. Cost: one swept box per object.
+/// If the query has a tile: sets `own`, and leaves out most objects that the tile does not need. If the tile owns all
+/// pairs of the scenes, `own` stays null. Requires: `question` is valid. Cost: one swept box per object.
 JoinQuestion in_tile(JoinQuestion question, Interrupt& interrupt);
 
 }  // namespace foresee

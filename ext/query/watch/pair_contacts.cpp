@@ -104,8 +104,8 @@ JoinQuestion question_of(const JoinedTables& tables, const WatchDeclaration& dec
 JoinQuestion question_of_all(const JoinedTables& tables, const WatchDeclaration& declaration,
                              const Horizon& horizon, const JoinResources& resources) {
   JoinQuestion question = question_of(tables, declaration, horizon);
-  question.a = all_that_may_meet(*tables.a, tables.side_b());
-  if (tables.b) question.b = tables.are_one() ? question.a : all_that_may_meet(*tables.b, *tables.a);
+  question.a = scene_without_inert(*tables.a, tables.side_b());
+  if (tables.b) question.b = tables.are_one() ? question.a : scene_without_inert(*tables.b, *tables.a);
   question.space = resources.space;
   question.helpers = resources.helpers;
   return question;

@@ -67,7 +67,7 @@ void PairSearch::probe(Side side, std::int64_t id, const SearchTarget& others, c
 void PairSearch::join(Side side, std::span<const std::int64_t> ids, const UseRow& use) {
   JoinQuestion question = question_;
   const auto changed = table(side).objects(ids, times());
-  const auto all = all_that_may_meet(table(side == Side::a ? Side::b : Side::a), table(side));
+  const auto all = scene_without_inert(table(side == Side::a ? Side::b : Side::a), table(side));
   question.a = side == Side::a ? changed : all;
   question.b = side == Side::a ? all : changed;
   question.space = resources_.space;

@@ -30,8 +30,10 @@ std::optional<Tile> read_tile(const FunctionCall& call) {
     of_tile = *number;
     if (!first) first = call.name_of(input);
   };
-  bound(in_own_x0, tile.x0), bound(in_own_x1, tile.x1);
-  bound(in_own_y0, tile.y0), bound(in_own_y1, tile.y1);
+  bound(in_own_x0, tile.x0);
+  bound(in_own_x1, tile.x1);
+  bound(in_own_y0, tile.y0);
+  bound(in_own_y1, tile.y1);
   if (!first) return {};
   if (!call.number(in_now))
     throw Error(std::string(first) + " needs an explicit now, the same for all tiles; write now = ...");
@@ -52,7 +54,7 @@ bool all_contacts_input(const FunctionCall& call, int contacts) {
   return all;
 }
 
-JoinQuestion join_question(const FunctionCall& call, JoinQuestion question, InertObjects inert) {
+JoinedTables read_join_inputs(const FunctionCall& call, JoinQuestion& question) {
   Connection& connection = call.connection();
   if (call.has(in_contacts)) question.all_contacts = all_contacts_input(call, in_contacts);
   question.h = call.required_number(in_h);
@@ -68,14 +70,15 @@ JoinQuestion join_question(const FunctionCall& call, JoinQuestion question, Iner
   if (other) open.b = open_table(connection, {other, schema});
   if (open.b) require_one_frame(open.a, *open.b);
   require_upright(open.a, question.within_z);
-  const JoinedTables tables = sources_of(connection, open);
+  JoinedTables tables = sources_of(connection, open);
   question.now = now ? *now : tables.newest_t();
-  call.reads_back_as(in_tbl, open.a.table), call.reads_back_as(in_schema, open.a.schema);
-  call.reads_back_as(in_now, question.now), call.reads_back_as(in_within, question.within);
+  call.reads_back_as(in_tbl, open.a.table);
+  call.reads_back_as(in_schema, open.a.schema);
+  call.reads_back_as(in_now, question.now);
+  call.reads_back_as(in_within, question.within);
   call.reads_back_as(in_method, "auto");
   question.space = connection.grid_space();
-  take_scenes(tables, question, connection.interrupt(), inert);
-  return question;
+  return tables;
 }
 
 }  // namespace foresee

@@ -44,7 +44,9 @@ class ExplainRows final : public FunctionRows {
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   Connection& connection = call.connection();
-  const JoinQuestion question = join_question(call, {}, InertObjects::counted);
+  JoinQuestion question;
+  const JoinedTables tables = read_join_inputs(call, question);
+  load_scenes(tables, question, connection.interrupt(), InertObjects::counted);
   return std::make_unique<ExplainRows>(explain_join(question, connection.interrupt()));
 }
 

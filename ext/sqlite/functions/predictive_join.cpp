@@ -70,18 +70,29 @@ QueriedTimes queried(const FunctionCall::Bounds& bounds) {
   return {bounds.min, bounds.max};
 }
 
-std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
-  JoinQuestion outputs;
-  outputs.only_a = call.only(out_a), outputs.only_b = call.only(out_b);
-  JoinWants& wants = outputs.wants;
+/// What the outputs that are read, and the conditions on them, determine of the query.
+JoinQuestion question_of_outputs(const FunctionCall& call) {
+  JoinQuestion question;
+  question.only_a = call.only(out_a);
+  question.only_b = call.only(out_b);
+  JoinWants& wants = question.wants;
   wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
   wants.contact = wants.ends || call.reads(out_t) || call.reads(out_dt);
   wants.approach = call.reads(out_t_cpa) || call.reads(out_dt_cpa) || call.reads(out_d_cpa);
-  outputs.queried_t = queried(call.bounds(out_t)), outputs.queried_dt = queried(call.bounds(out_dt));
-  outputs.order = order_of(call.order());
-  outputs.likely_rows = call.limit().total().value_or(all_rows);
-  outputs.helpers = call.connection().helper_threads();
-  return std::make_unique<JoinRows>(join_question(call, std::move(outputs)), call.connection().interrupt());
+  question.queried_t = queried(call.bounds(out_t));
+  question.queried_dt = queried(call.bounds(out_dt));
+  question.order = order_of(call.order());
+  question.likely_rows = call.limit().total().value_or(all_rows);
+  return question;
+}
+
+std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
+  Connection& connection = call.connection();
+  JoinQuestion question = question_of_outputs(call);
+  question.helpers = connection.helper_threads();
+  const JoinedTables tables = read_join_inputs(call, question);
+  load_scenes(tables, question, connection.interrupt());
+  return std::make_unique<JoinRows>(std::move(question), connection.interrupt());
 }
 
 }  // namespace

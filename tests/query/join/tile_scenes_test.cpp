@@ -208,34 +208,34 @@ std::shared_ptr<MemoryTable> row_of_ships() {
   return ships;
 }
 
-TEST(TakenScenes, HoldWhatATileNeedsAndElseAllObjects) {
+TEST(LoadedScenes, HoldWhatATileNeedsAndElseAllObjects) {
   NeverInterrupt never;
   const JoinedTables within_one{row_of_ships()}, with_itself{within_one.a, within_one.a};
   JoinQuestion question;
   question.h = 1, question.within = 9, question.tile = Tile{.x0 = 95, .x1 = 205};
-  take_scenes(within_one, question, never);
+  load_scenes(within_one, question, never);
   EXPECT_EQ(question.b, nullptr);
   EXPECT_LT(question.a->size(), 200u);
   EXPECT_EQ(rows_of(question).size(), 11u);  // the pairs with ship 11 to ship 21 as the second one
   question.tile.reset();
-  take_scenes(with_itself, question, never);
+  load_scenes(with_itself, question, never);
   EXPECT_EQ(question.a, question.b);
   EXPECT_EQ(question.a->size(), 1000u);
   question.tile = Tile{}, question.h = -1;
-  EXPECT_THROW(take_scenes(within_one, question, never), Error);
+  EXPECT_THROW(load_scenes(within_one, question, never), Error);
 }
 
-TEST(TakenScenes, HoldAnObjectAndThoseNearIt) {
+TEST(LoadedScenes, HoldAnObjectAndThoseNearIt) {
   NeverInterrupt never;
   const JoinedTables within_one{row_of_ships()}, with_itself{within_one.a, within_one.a};
   JoinQuestion question;
   question.h = 1, question.within = 9, question.only_b = 7;
-  take_scenes(within_one, question, never);  // pairs once, the smaller id first
+  load_scenes(within_one, question, never);  // pairs once, the smaller id first
   EXPECT_EQ(question.a->ids, std::vector<std::int64_t>{6});
   EXPECT_EQ(question.b->ids, std::vector<std::int64_t>{7});
   EXPECT_EQ(question.method, JoinMethod::scan);
   question.method = JoinMethod::tree, question.only_a = 7;
-  take_scenes(with_itself, question, never);
+  load_scenes(with_itself, question, never);
   EXPECT_EQ(question.a->ids, std::vector<std::int64_t>{7});
   EXPECT_EQ(std::set(question.b->ids.begin(), question.b->ids.end()), (std::set<std::int64_t>{6, 8}));
 }

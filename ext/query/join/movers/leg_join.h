@@ -33,7 +33,7 @@ class LegJoin {
  private:
   /// Joins the legs of the next slab; false after the last.
   bool join_slab();
-  /// The `JoinQuestion` about the legs of a slab, whose rows are hits.
+  /// The query about the legs of a slab, whose rows are hits.
   JoinQuestion question_of_legs() const;
   void add(Hits& hits);
   void write(std::span<const MoverHit> hits);
