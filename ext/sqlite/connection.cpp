@@ -16,6 +16,41 @@ std::size_t memory_of(const Scene& scene) {
          (scene.forms ? scene.forms->memory() : 0);
 }
 
+struct ReadScene {
+  std::shared_ptr<const Scene> scene;
+  bool is_complete;  ///< no object was left out by its kind
+};
+
+/// Reads the objects that are needed: the legs of plans, rows with the tree's levels, or rows alone.
+ReadScene read_scene(const OpenTable& table, const SceneNeeds& needs, Interrupt& interrupt) {
+  Store& store = *table.store;
+  auto scene = std::make_shared<Scene>();
+  scene->name = table.table;
+  scene->layout = store.declaration().layout;
+  scene->legs_during = needs.times;
+  std::optional<KindTest> wanted;
+  if (needs.others) wanted = KindTest::of_partners(*needs.others);
+  const FloatEnvironment environment;  // accelerations are computed on loading
+  bool is_complete = true;
+  if (scene->layout.has_plan) {
+    const auto add = [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
+      scene->add(id, record.data(), legs);
+    };
+    store.read_objects(needs.times.from, needs.times.until, add, interrupt);
+  } else if (needs.with_levels) {
+    TreeScene tree = read_tree(*store.take_snapshot(), interrupt, wanted);
+    scene->ids = std::move(tree.ids);
+    scene->rows = std::move(tree.rows);
+    scene->levels = std::move(tree.levels);
+    is_complete = tree.complete;
+    if (is_complete) store.expect_objects(scene->ids.size());
+  } else {
+    is_complete = store.read_all(scene->ids, scene->rows, interrupt, wanted);
+  }
+  scene->take_forms(store.forms(), interrupt);
+  return {scene, is_complete};
+}
+
 }  // namespace
 
 void add_object(Store& store, std::int64_t id, std::span<const double> record, Scene& scene) {
@@ -94,49 +129,29 @@ bool Connection::is_loaded(const OpenTable& table) const {
 }
 
 std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, SceneNeeds needs) {
-  Store& store = *table.store;
-  const Layout& layout = store.declaration().layout;
-  if (layout.has_plan)
-    needs.with_levels = false, needs.others.reset();
-  else
+  const Store* const store = table.store.get();
+  if (table.store->declaration().layout.has_plan) {
+    needs.with_levels = false;
+    needs.others.reset();
+  } else {
     needs.times = {};
-  const ContentVersion version = store.read_version();
-  if (const auto cached = scenes_.find(&store); cached != scenes_.end()) {
-    if (cached->second.version == version) {
-      if (cached->second.has(needs)) {
-        cached->second.used = ++last_use_;
-        return cached->second.scene;
-      }
-      // Queries of different kinds alternate: one scene of all objects serves them all.
-      if (cached->second.others != needs.others) needs.others.reset();
+  }
+  const ContentVersion version = table.store->read_version();
+  if (const auto cached = scenes_.find(store); cached != scenes_.end()) {
+    const bool is_current = cached->second.version == version;
+    if (is_current && cached->second.has(needs)) {
+      cached->second.used = ++last_use_;
+      return cached->second.scene;
     }
+    // Queries of different kinds alternate: one scene of all objects serves them all.
+    if (is_current && cached->second.others != needs.others) needs.others.reset();
     scenes_.erase(cached);  // before the new one is decoded, so that memory holds only one
   }
-  auto scene = std::make_shared<Scene>();
-  scene->name = table.table, scene->layout = layout, scene->legs_during = needs.times;
-  std::optional<KindTest> wanted;
-  if (needs.others) wanted = KindTest::of_partners(*needs.others);
-  const FloatEnvironment environment;  // accelerations are computed on loading
-  bool complete = true;                // no object was left out by its kind
-  if (layout.has_plan) {
-    const auto add = [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
-      scene->add(id, record.data(), legs);
-    };
-    store.read_objects(needs.times.from, needs.times.until, add, interrupt_);
-  } else if (needs.with_levels) {
-    TreeScene tree = read_tree(*store.take_snapshot(), interrupt_, wanted);
-    scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
-    scene->levels = std::move(tree.levels);
-    complete = tree.complete;
-    if (complete) store.expect_objects(scene->ids.size());
-  } else {
-    complete = store.read_all(scene->ids, scene->rows, interrupt_, wanted);
-  }
-  scene->take_forms(store.forms(), interrupt_);
-  if (complete) needs.others.reset();
-  scenes_[&store] = {version, scene, ++last_use_, needs.others};
+  const ReadScene read = read_scene(table, needs, interrupt_);
+  if (read.is_complete) needs.others.reset();
+  scenes_[store] = {version, read.scene, ++last_use_, needs.others};
   evict_scenes();
-  return scene;
+  return read.scene;
 }
 
 std::shared_ptr<Scene> Connection::load_object(const OpenTable& table, std::int64_t id,
