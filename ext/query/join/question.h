@@ -52,7 +52,7 @@ enum class JoinOrder : std::uint8_t {
 struct Ownership;
 struct PairKinds;
 
-/// A join: its scenes, what the user asks, the resources that it may use, and what Join derives from these.
+/// A join: its scenes, the query, the resources that it may use, and what Join derives from these.
 struct JoinQuestion {
   std::shared_ptr<const Scene> a;
   std::shared_ptr<const Scene> b = nullptr;  ///< null: pairs within a, each once
