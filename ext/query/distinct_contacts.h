@@ -27,7 +27,8 @@ inline void join_equal_contacts(std::size_t first, std::vector<Pair>& pairs,
     pairs[kept] = pairs[i], times[kept] = times[i];
     ++kept;
   }
-  pairs.resize(kept), times.resize(kept);
+  pairs.resize(kept);
+  times.resize(kept);
 }
 
 }  // namespace foresee

@@ -36,8 +36,10 @@ void MemoryPlans::put(std::int64_t id, std::span<double> record, std::span<const
 
 void MemoryPlans::erase(std::span<const double> record) {
   const Numbers numbers = numbers_of(record);
-  for (std::int64_t number = numbers.first; number < numbers.first + numbers.count; ++number)
-    tree_->erase(number), chunks_.erase(number);
+  for (std::int64_t number = numbers.first; number < numbers.first + numbers.count; ++number) {
+    tree_->erase(number);
+    chunks_.erase(number);
+  }
 }
 
 void MemoryPlans::read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) {

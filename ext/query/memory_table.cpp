@@ -78,7 +78,9 @@ std::shared_ptr<const Scene> MemoryTable::read_objects(const LegTimes& times) {
   collect_objects(pages_, ids, records, never);
   const auto size = static_cast<std::size_t>(record_offsets(layout()).size);
   auto scene = std::make_shared<Scene>();
-  scene->name = name_, scene->layout = layout(), scene->legs_during = times;
+  scene->name = name_;
+  scene->layout = layout();
+  scene->legs_during = times;
   std::vector<Leg> legs;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const auto record = std::span(records).subspan(i * size, size);
@@ -98,7 +100,9 @@ const double* MemoryTable::find(std::int64_t id) {
 std::shared_ptr<const Scene> MemoryTable::objects(std::span<const std::int64_t> ids, const LegTimes& times) {
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = std::make_shared<Scene>();
-  scene->name = name_, scene->layout = layout(), scene->legs_during = times;
+  scene->name = name_;
+  scene->layout = layout();
+  scene->legs_during = times;
   std::vector<Leg> legs;
   for (const std::int64_t id : ids) {
     const double* record = find(id);

@@ -26,7 +26,10 @@ double typical_extent(std::span<const FloatBox<D>> sample, int axis) {
   const double limit = 4 * at_rank(extents, 0.5);
   double sum = 0, counted = 0;
   for (float extent : extents)
-    if (extent <= limit) sum += extent, ++counted;
+    if (extent <= limit) {
+      sum += extent;
+      ++counted;
+    }
   return counted > 0 ? std::min(sum / counted, limit) : limit;
 }
 

@@ -60,8 +60,10 @@ std::vector<std::size_t> Giants<D>::crossing_counts(const Partition<D>& partitio
   };
   constexpr std::size_t less = -1;  // unsigned counts wrap around and back
   for (const Place& giant : waiting_) {
-    add(giant.y.first, giant.z.first, 1), add(giant.y.last + 1, giant.z.last + 1, 1);
-    add(giant.y.last + 1, giant.z.first, less), add(giant.y.first, giant.z.last + 1, less);
+    add(giant.y.first, giant.z.first, 1);
+    add(giant.y.last + 1, giant.z.last + 1, 1);
+    add(giant.y.last + 1, giant.z.first, less);
+    add(giant.y.first, giant.z.last + 1, less);
   }
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (i % across > 0) counts[i] += counts[i - 1];
@@ -87,7 +89,10 @@ std::span<const Key> Giants<D>::crossing(const int (&stripe)[D]) {
   const int y = D > 1 ? stripe[D > 1 ? 1 : 0] : 0;
   if (y != stripe_y_) advance(y);
   crossing_.clear();
-  for (int axis = 0; axis < D; ++axis) cores_.lower[axis].clear(), cores_.upper[axis].clear();
+  for (int axis = 0; axis < D; ++axis) {
+    cores_.lower[axis].clear();
+    cores_.upper[axis].clear();
+  }
   for (const Place& giant : active_) {
     if (D == 3 && (stripe[D - 1] < giant.z.first || giant.z.last < stripe[D - 1])) continue;
     crossing_.push_back(giant.key);

@@ -29,7 +29,10 @@ float lower_x(Key key) {
 /// small.
 void full_sort(std::span<Key> keys, Interrupt& interrupt) {
   Steps steps(interrupt);
-  std::sort(keys.begin(), keys.end(), [&](Key a, Key b) { return steps(), a < b; });
+  std::sort(keys.begin(), keys.end(), [&](Key a, Key b) {
+    steps();
+    return a < b;
+  });
 }
 
 /// Sorts a few distinct keys: the rank of each is the number of smaller keys.

@@ -18,8 +18,11 @@ void write_rows(const float* const* columns, std::size_t count, float* out) {
 template <int D>
 void FloatRows<D>::write(std::size_t first, const FloatLanes<D>& lanes, std::size_t count) {
   const float* columns[3 * D + 2];
-  for (int k = 0; k < D; ++k)
-    columns[k] = lanes.lower[k], columns[D + k] = lanes.upper[k], columns[2 * D + k] = lanes.travel[k];
+  for (int k = 0; k < D; ++k) {
+    columns[k] = lanes.lower[k];
+    columns[D + k] = lanes.upper[k];
+    columns[2 * D + k] = lanes.travel[k];
+  }
   columns[3 * D] = lanes.begin, columns[3 * D + 1] = lanes.end;
   float* out = values_ + first * width_;
   if (columns_.life)

@@ -154,8 +154,14 @@ struct GridSpace {
   template <class Work>
   void for_each(Work work) {
     for (Side& side : sides) {
-      work(side.rows), work(side.stripes), work(side.keys);
-      for (Part& part : side.parts) work(part.keys), work(part.stripes), work(part.counts);
+      work(side.rows);
+      work(side.stripes);
+      work(side.keys);
+      for (Part& part : side.parts) {
+        work(part.keys);
+        work(part.stripes);
+        work(part.counts);
+      }
     }
     visits.for_each([&work](Visit& other) { for_each(other, work); });
   }

@@ -129,7 +129,10 @@ void PaperGrid<D>::enter(const Sides& sides, const Cuts& cuts) {
       for (Place cell = first;;) {
         entries_.push_back({number_of(cell), i, side});
         std::size_t k = 0;
-        while (k < D && cell[k] == last[k]) cell[k] = first[k], ++k;
+        while (k < D && cell[k] == last[k]) {
+          cell[k] = first[k];
+          ++k;
+        }
         if (k == D) break;
         ++cell[k];
       }

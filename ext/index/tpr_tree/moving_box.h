@@ -60,8 +60,11 @@ void pad_outward(MovingBox<D>& box, const Vec<D>& size) {
   if (bounded.all()) return;  // the usual case
   const double infinity = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < D; ++axis)
-    if (!bounded[axis])
-      box.lower[axis] = -infinity, box.upper[axis] = infinity, box.v_lower[axis] = box.v_upper[axis] = 0;
+    if (!bounded[axis]) {
+      box.lower[axis] = -infinity;
+      box.upper[axis] = infinity;
+      box.v_lower[axis] = box.v_upper[axis] = 0;
+    }
 }
 
 /// The moving box of all motions within `bounds` at `epoch`. Inline, because a walk calls it for every entry.

@@ -134,7 +134,9 @@ struct Entry {
   Kinds kinds = Kinds::none();  ///< of all objects beneath, or-ed; bits of others may be set too
 
   void include(const Entry& other) {
-    times.include(other.times), bounds.include(other.bounds), kinds.include(other.kinds);
+    times.include(other.times);
+    bounds.include(other.bounds);
+    kinds.include(other.kinds);
   }
   bool contains(const Entry& other) const {
     return times.contains(other.times) && bounds.contains(other.bounds) && kinds.contains(other.kinds);
@@ -256,7 +258,10 @@ inline void remove_slot(Node& node, std::size_t slot, std::size_t stride) {
   node.keys[slot] = node.keys.back();
   std::copy(node.values.end() - static_cast<std::ptrdiff_t>(stride), node.values.end(),
             node.values.begin() + static_cast<std::ptrdiff_t>(slot * stride));
-  if (!node.kinds.empty()) node.kinds[slot] = node.kinds.back(), node.kinds.pop_back();
+  if (!node.kinds.empty()) {
+    node.kinds[slot] = node.kinds.back();
+    node.kinds.pop_back();
+  }
   node.keys.pop_back();
   node.values.resize(node.values.size() - stride);
 }

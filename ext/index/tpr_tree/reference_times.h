@@ -45,7 +45,11 @@ class WriteClock {
     now_ = sorted[sorted.size() / 2];
   }
   /// Called when a whole table was written; `t` is its typical time.
-  void set(double t) { recent_.fill(t), now_ = t, count_ = recent_.size(); }
+  void set(double t) {
+    recent_.fill(t);
+    now_ = t;
+    count_ = recent_.size();
+  }
 
  private:
   std::array<double, memory> recent_{};
@@ -64,7 +68,11 @@ struct Lives {
   double middles = 0;  ///< their sum
   std::size_t children = 0;
 
-  void include(const Times& child) { all.include(child), middles += middle_of(child), ++children; }
+  void include(const Times& child) {
+    all.include(child);
+    middles += middle_of(child);
+    ++children;
+  }
 };
 
 class ReferenceTimes {

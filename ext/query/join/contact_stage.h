@@ -22,7 +22,11 @@ struct Hits {
   std::vector<ContactTimes> times;
   bool with_ends = false;  ///< else the times have no t_end and dt_end yet
 
-  void clear() { pairs.clear(), times.clear(), with_ends = false; }
+  void clear() {
+    pairs.clear();
+    times.clear();
+    with_ends = false;
+  }
 };
 
 /// What an index has proved of all pairs of a batch.

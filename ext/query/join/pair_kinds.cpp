@@ -30,9 +30,12 @@ std::shared_ptr<const Scene> some_of(const Scene& scene, const std::vector<Kinds
                                      Meets meets) {
   const auto row_size = static_cast<std::size_t>(row_offsets(scene.layout).size);
   auto some = std::make_shared<Scene>();
-  some->name = scene.name, some->layout = scene.layout, some->levels = scene.levels;
+  some->name = scene.name;
+  some->layout = scene.layout;
+  some->levels = scene.levels;
   some->legs_during = scene.legs_during;
-  some->ids.reserve(count), some->rows.reserve(count * row_size);
+  some->ids.reserve(count);
+  some->rows.reserve(count * row_size);
   const auto of_leaves = some->levels ? std::span(some->levels->starts.at(0)) : std::span<std::uint32_t>();
   auto start = of_leaves.begin();
   for (std::size_t i = 0; i <= scene.size(); ++i) {

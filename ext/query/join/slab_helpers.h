@@ -54,7 +54,10 @@ class SlabBatch {
            touching_.size() * sizeof(Pair);
   }
   void clear() {
-    hits.clear(), rows_.clear(), touching_.clear(), chunks_.clear();
+    hits.clear();
+    rows_.clear();
+    touching_.clear();
+    chunks_.clear();
     chunk_ = rows_read_ = touching_read_ = 0;
   }
 
@@ -74,7 +77,8 @@ class SlabBatch {
   }
   std::span<const JoinRow> rows_of(const Chunk& chunk) {
     const auto rows = std::span<const JoinRow>(rows_).subspan(rows_read_, chunk.size);
-    rows_read_ += chunk.size, ++chunk_;
+    rows_read_ += chunk.size;
+    ++chunk_;
     return rows;
   }
   /// A few rows at a time: they stay in the first-level cache until they are read.
@@ -83,7 +87,8 @@ class SlabBatch {
     const std::size_t count = std::min(chunk.size, few);
     written_.clear();
     stage.write_touching(std::span<const Pair>(touching_).subspan(touching_read_, count), written_);
-    touching_read_ += count, chunk.size -= count;
+    touching_read_ += count;
+    chunk.size -= count;
     if (chunk.size == 0) ++chunk_;
     return written_;
   }

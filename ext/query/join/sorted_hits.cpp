@@ -34,8 +34,10 @@ bool SortedHits::precedes(const Found& l, const Found& r) const {
 void SortedHits::keep_first(Interrupt& interrupt) {
   Steps steps(interrupt);
   const auto last = found_.begin() + static_cast<std::ptrdiff_t>(room_ - 1);
-  std::nth_element(found_.begin(), last, found_.end(),
-                   [&](const Found& l, const Found& r) { return steps(), precedes(l, r); });
+  std::nth_element(found_.begin(), last, found_.end(), [&](const Found& l, const Found& r) {
+    steps();
+    return precedes(l, r);
+  });
   last_ = *last;
   found_.resize(room_);
   cut_ = true;
@@ -44,8 +46,10 @@ void SortedHits::keep_first(Interrupt& interrupt) {
 void SortedHits::sort(Interrupt& interrupt) {
   if (found_.size() > room_) keep_first(interrupt);
   Steps steps(interrupt);
-  std::sort(found_.begin(), found_.end(),
-            [&](const Found& l, const Found& r) { return steps(), precedes(l, r); });
+  std::sort(found_.begin(), found_.end(), [&](const Found& l, const Found& r) {
+    steps();
+    return precedes(l, r);
+  });
   sorted_ = found_.size();
 }
 
@@ -64,7 +68,8 @@ void SortedHits::take(Hits& hits) {
     after_ = found_.back();
     room_ = room_ > found_.max_size() / growth ? found_.max_size() : room_ * growth;
   }
-  found_.clear(), sorted_ = given_ = 0;
+  found_.clear();
+  sorted_ = given_ = 0;
 }
 
 }  // namespace foresee

@@ -138,8 +138,11 @@ std::shared_ptr<const Scene> without_unneeded(std::shared_ptr<const Scene> scene
   if (scene->levels || scene->forms || unneeded * worth_a_copy <= marked.needed) return scene;
   const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
   auto needed = std::make_shared<Scene>();
-  needed->name = scene->name, needed->layout = scene->layout, needed->legs_during = scene->legs_during;
-  needed->ids.reserve(marked.needed), needed->rows.reserve(marked.needed * row_size);
+  needed->name = scene->name;
+  needed->layout = scene->layout;
+  needed->legs_during = scene->legs_during;
+  needed->ids.reserve(marked.needed);
+  needed->rows.reserve(marked.needed * row_size);
   for (std::size_t i = 0; i < scene->size(); ++i) {
     if (marked.marks[i] & Tile::unneeded) continue;
     marked.marks[needed->size()] = marked.marks[i];

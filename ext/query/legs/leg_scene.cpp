@@ -115,7 +115,10 @@ void for_each_object(ChunkSource& chunks, std::span<const std::int64_t> numbers,
     if (filter) filter->keep_near(chunk);
     if (chunk.legs.empty()) continue;
     if (chunk.object != object) use_legs();
-    if (legs.empty()) object = chunk.object, record.assign(chunk.record.begin(), chunk.record.end());
+    if (legs.empty()) {
+      object = chunk.object;
+      record.assign(chunk.record.begin(), chunk.record.end());
+    }
     legs.insert(legs.end(), chunk.legs.begin(), chunk.legs.end());
   }
   use_legs();
@@ -148,7 +151,9 @@ void for_each_plan(ChunkSource& chunks, const Layout& layout, const Horizon& hor
     const auto found = chunks_near<D>(chunks, {&box, 1}, horizon, zero, interrupt, {});
     for_each_object<D>(chunks, found, scene.legs_during, nullptr, interrupt,
                        [&](std::int64_t id, std::span<const double> record, std::span<const Leg> legs) {
-                         scene.ids.clear(), scene.rows.clear(), scene.first_rows.clear();
+                         scene.ids.clear();
+                         scene.rows.clear();
+                         scene.first_rows.clear();
                          scene.add(id, record.data(), legs);
                          if (scene.size() > 0) use(scene);
                        });
@@ -179,7 +184,9 @@ std::shared_ptr<const Scene> legs_near(const SearchTarget& objects, const Moving
                                        const Horizon& horizon, const Vec<D>& margin, Interrupt& interrupt,
                                        const std::optional<KindTest>& test) {
   auto scene = std::make_shared<Scene>();
-  scene->name = objects.name, scene->layout = objects.layout(), scene->legs_during = leg_times_of(horizon);
+  scene->name = objects.name;
+  scene->layout = objects.layout();
+  scene->legs_during = leg_times_of(horizon);
   add_legs_near<D>(
       objects, {&box, 1}, horizon, margin, interrupt, test, [](std::int64_t) { return true; }, *scene);
   scene->take_forms(objects.tree->forms(), interrupt);

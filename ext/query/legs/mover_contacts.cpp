@@ -19,11 +19,15 @@ void add_to(ContactTimes& joined, const ContactTimes& more) {
 /// Groups of contacts that are one contact each. Contacts are added in order of t.
 class ContactGroups {
  public:
-  explicit ContactGroups(std::size_t count) { parents_.reserve(count), times_.reserve(count); }
+  explicit ContactGroups(std::size_t count) {
+    parents_.reserve(count);
+    times_.reserve(count);
+  }
 
   void add(const LegContact& contact) {
     const std::size_t number = parents_.size();
-    parents_.push_back(number), times_.push_back(contact.times);
+    parents_.push_back(number);
+    times_.push_back(contact.times);
     std::erase_if(lasting_, [&](const Lasting& one) { return one.contact.times.t_end < contact.times.t; });
     for (const Lasting& one : lasting_)
       if (one.contact.leg_a != contact.leg_a || one.contact.leg_b != contact.leg_b) join(one.number, number);

@@ -42,7 +42,8 @@ MoverPair::MoverPair(const Movers& a, const Movers& b, Contact& contact, const H
 
 void MoverPair::test_legs() {
   interrupt_.check();
-  touching_.clear(), times_.clear();
+  touching_.clear();
+  times_.clear();
   if (all_)
     contact_.all_contacts(legs_, touching_, times_);
   else
@@ -80,7 +81,9 @@ void MoverPair::add_leg_ends(std::span<MoverHit> hits) {
   for (std::size_t first = 0; first < hits.size(); first += legs_at_once) {
     interrupt_.check();
     const auto some = hits.subspan(first, std::min(legs_at_once, hits.size() - first));
-    legs_.clear(), touching_.clear(), times_.clear();
+    legs_.clear();
+    touching_.clear();
+    times_.clear();
     for (const MoverHit& hit : some) legs_.push_back(hit.legs);
     contact_.first_contacts(legs_, TimesWanted::both, touching_, times_);
     for (std::size_t i = 0; i < some.size(); ++i)
@@ -117,7 +120,9 @@ void MoverPair::follow(std::span<MoverHit> hits) {
 void MoverPair::follow_a_leg() {
   interrupt_.check();
   std::size_t kept = 0;
-  legs_.clear(), touching_.clear(), times_.clear();
+  legs_.clear();
+  touching_.clear();
+  times_.clear();
   for (Followed& one : followed_) {
     if (!find_next(one) || start_of(one.legs) > one.hit->times.t_end) continue;
     legs_.push_back(one.legs);
@@ -146,7 +151,10 @@ void MoverPair::follow_a_leg() {
 /// The next pair in the order of for_leg_pairs(); false after the last.
 bool MoverPair::find_next(Followed& one) const {
   Pair& legs = one.legs;
-  if (legs.b + 1 < one.last_b && b_.t(legs.b + 1) <= a_.until(legs.a)) return ++legs.b, true;
+  if (legs.b + 1 < one.last_b && b_.t(legs.b + 1) <= a_.until(legs.a)) {
+    ++legs.b;
+    return true;
+  }
   while (++legs.a < one.last_a) {
     while (one.first_b < one.last_b && b_.until(one.first_b) < a_.t(legs.a)) ++one.first_b;
     if (one.first_b == one.last_b) return false;
@@ -163,7 +171,8 @@ bool MoverPair::touch_before(const MoverHit& hit) {
   bool before = false;
   const auto test = [&] {
     interrupt_.check();
-    touching_.clear(), times_.clear();
+    touching_.clear();
+    times_.clear();
     contact_.first_contacts(legs_, TimesWanted::starts, touching_, times_);
     before = std::any_of(times_.begin(), times_.end(), is_before);
     legs_.clear();

@@ -45,13 +45,18 @@ bool SlabLegs::takes_whole(const LegTimes& all, Slabs slabs) const {
 
 void SlabLegs::take(const LegTimes& times) {
   if (is_whole_) return;
-  scene_->ids.clear(), scene_->rows.clear(), scene_->kinds.reset(), legs_.clear(), numbers_.clear();
+  scene_->ids.clear();
+  scene_->rows.clear();
+  scene_->kinds.reset();
+  legs_.clear();
+  numbers_.clear();
   std::size_t kept = 0;
   for (Left& left : current_) {
     take_legs(left, times);
     if (left.first < left.last) current_[kept++] = left;
   }
-  current_.resize(kept), kept = 0;
+  current_.resize(kept);
+  kept = 0;
   for (Left& left : waiting_) {
     if (left.t > times.until) {
       waiting_[kept++] = left;

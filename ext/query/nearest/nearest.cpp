@@ -96,7 +96,9 @@ class Search {
       chunks.read_chunk(hits_.leaf->keys[hits_.slots[i]], legs_.legs_during, chunk_);
       std::erase_if(chunk_.legs, [&](const Leg& leg) { return !is_near(leg); });
       if (chunk_.legs.empty()) continue;
-      legs_.ids.clear(), legs_.rows.clear(), legs_.first_rows.clear();
+      legs_.ids.clear();
+      legs_.rows.clear();
+      legs_.first_rows.clear();
       legs_.add(chunk_.object, chunk_.record.data(), chunk_.legs);
       offer_legs(legs_, legs_.bodies(), {0, legs_.size()});
     }

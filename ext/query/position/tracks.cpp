@@ -28,8 +28,10 @@ std::vector<std::size_t> objects_by_id(const Scene& scene, Interrupt& interrupt)
   std::iota(objects.begin(), objects.end(), std::size_t{0});
   const auto id = [&](std::size_t object) { return scene.ids[scene.rows_of(object).first]; };
   Steps steps(interrupt);
-  std::sort(objects.begin(), objects.end(),
-            [&](std::size_t a, std::size_t b) { return steps(), id(a) < id(b); });
+  std::sort(objects.begin(), objects.end(), [&](std::size_t a, std::size_t b) {
+    steps();
+    return id(a) < id(b);
+  });
   return objects;
 }
 

@@ -46,7 +46,8 @@ void MoverWindow::take_pairs() {
 bool MoverWindow::next(std::vector<WindowRow>& rows) {
   take_pairs();
   if (pairs_.empty()) return false;
-  hits_.clear(), times_.clear();
+  hits_.clear();
+  times_.clear();
   for (std::size_t first = 0; first < pairs_.size(); first += pairs_at_once) {
     interrupt_.check();
     const auto pairs = std::span(pairs_).subspan(first, std::min(pairs_at_once, pairs_.size() - first));
@@ -94,7 +95,8 @@ void MoverWindow::take_contacts(std::size_t first, std::size_t last) {
   std::span<const Pair> hits = std::span(hits_).subspan(first, last - first);
   std::span<const ContactTimes> times = std::span(times_).subspan(first, last - first);
   if (!wants_.all_contacts && can_meet_again()) {
-    again_.clear(), times_again_.clear();
+    again_.clear();
+    times_again_.clear();
     contact_->all_contacts(hits, again_, times_again_);
     hits = again_, times = times_again_;
   }

@@ -254,7 +254,9 @@ bool Window::decide_batch() {
   if (!candidates_->next(batch_)) return false;
   if (!contact_) make_contact();
   interrupt_.check();
-  pairs_.clear(), hits_.clear(), times_.clear();
+  pairs_.clear();
+  hits_.clear();
+  times_.clear();
   for (const std::uint32_t row : batch_.doubtful) pairs_.push_back({0, row});
   take_inside();
   const WindowWants& wants = question_.wants;

@@ -34,7 +34,10 @@ struct CandidateBatch {
   std::vector<std::uint32_t> inside;    ///< exist at `now` and touch the window then
 
   bool empty() const { return doubtful.empty() && inside.empty(); }
-  void clear() { doubtful.clear(), inside.clear(); }
+  void clear() {
+    doubtful.clear();
+    inside.clear();
+  }
 };
 
 class ObjectCandidates {

@@ -51,7 +51,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const double at = call.required_number(in_at);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
-  call.reads_back_as(in_tbl, table.table), call.reads_back_as(in_schema, table.schema);
+  call.reads_back_as(in_tbl, table.table);
+  call.reads_back_as(in_schema, table.schema);
   auto scene = connection.load_queried(table, call.only(out_id), {at, at});
   return std::make_unique<PositionRows>(std::move(scene), at, table.store->frame(), connection.interrupt());
 }

@@ -62,8 +62,10 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   question.tree = table.store->take_snapshot();
   question.chunks = table.store->chunks();
   question.now = now ? *now : read_newest_t(*question.tree);
-  call.reads_back_as(in_tbl, table.table), call.reads_back_as(in_schema, table.schema);
-  call.reads_back_as(in_now, question.now), call.reads_back_as(in_within, question.within);
+  call.reads_back_as(in_tbl, table.table);
+  call.reads_back_as(in_schema, table.schema);
+  call.reads_back_as(in_now, question.now);
+  call.reads_back_as(in_within, question.within);
   question.queried = {queried_corners(call, 0), queried_corners(call, 1)};
   return std::make_unique<SweepRows>(std::move(question), connection.interrupt());
 }

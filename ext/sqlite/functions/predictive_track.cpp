@@ -48,7 +48,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
                             call.required_number(in_step)};
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
-  call.reads_back_as(in_tbl, table.table), call.reads_back_as(in_schema, table.schema);
+  call.reads_back_as(in_tbl, table.table);
+  call.reads_back_as(in_schema, table.schema);
   const auto scene = connection.load_queried(table, call.only(out_id), {instants.t0, instants.t1});
   return std::make_unique<TrackRows>(scene, instants, table.store->frame(), connection.interrupt());
 }

@@ -13,7 +13,8 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
   const auto now = call.number(inputs.now);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
-  call.reads_back_as(inputs.tbl, table.table), call.reads_back_as(inputs.schema, table.schema);
+  call.reads_back_as(inputs.tbl, table.table);
+  call.reads_back_as(inputs.schema, table.schema);
   call.reads_back_as(inputs.method, "auto");
   SearchedTable searched{{table.table, nullptr, nullptr}, now.value_or(0), table.store->frame()};
   if (method == "scan") {

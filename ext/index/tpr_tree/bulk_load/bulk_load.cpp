@@ -75,7 +75,10 @@ class TreeLoad {
   void number_nodes(std::vector<std::size_t> levels) {
     levels_ = std::move(levels);
     std::size_t nodes = 0;
-    for (const std::size_t level : levels_) firsts_.push_back(static_cast<NodeNumber>(nodes)), nodes += level;
+    for (const std::size_t level : levels_) {
+      firsts_.push_back(static_cast<NodeNumber>(nodes));
+      nodes += level;
+    }
     const NodeNumber first =
         state_.pages.reserve(nodes - old_leaves_.size()) - static_cast<NodeNumber>(old_leaves_.size());
     for (NodeNumber& number : firsts_) number += first;
@@ -168,7 +171,10 @@ void free_all(Pages& pages, Interrupt& interrupt) {
   }
   pages.set_root(0);
   Steps step(interrupt);
-  for (const Unread& node : all) step(), pages.free(node.number);
+  for (const Unread& node : all) {
+    step();
+    pages.free(node.number);
+  }
 }
 
 template <int D>

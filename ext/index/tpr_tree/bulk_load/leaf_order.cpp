@@ -57,8 +57,10 @@ class LeafOrder {
     std::nth_element(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2),
                      sample.end());
     const float limit = 16 * sample[sample.size() / 2];
-    const auto end = std::partition(items_.begin(), items_.end(),
-                                    [&](const Item& item) { return step_(), reach_[item.index] <= limit; });
+    const auto end = std::partition(items_.begin(), items_.end(), [&](const Item& item) {
+      step_();
+      return reach_[item.index] <= limit;
+    });
     return static_cast<std::size_t>(end - items_.begin());
   }
 
@@ -66,10 +68,15 @@ class LeafOrder {
   std::size_t move_inert_last(std::size_t count) {
     if (!state_.reader.has_kinds()) return count;
     Kinds all = Kinds::none();
-    for (const Item& item : items_) step_(), all.include(kinds_of_item(item));
+    for (const Item& item : items_) {
+      step_();
+      all.include(kinds_of_item(item));
+    }
     const auto begin = items_.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
-    const auto inert = std::partition(
-        begin, end, [&](const Item& item) { return step_(), may_meet(kinds_of_item(item), all); });
+    const auto inert = std::partition(begin, end, [&](const Item& item) {
+      step_();
+      return may_meet(kinds_of_item(item), all);
+    });
     return static_cast<std::size_t>(inert - begin);
   }
 
@@ -83,8 +90,10 @@ class LeafOrder {
     if constexpr (!timed) return before ? last : first;
     const auto begin = items_.begin() + static_cast<std::ptrdiff_t>(first),
                end = items_.begin() + static_cast<std::ptrdiff_t>(last);
-    const auto middle =
-        std::partition(begin, end, [&](const Item& item) { return step_(), is_endless(item) == before; });
+    const auto middle = std::partition(begin, end, [&](const Item& item) {
+      step_();
+      return is_endless(item) == before;
+    });
     return static_cast<std::size_t>(middle - items_.begin());
   }
 
@@ -118,8 +127,10 @@ class LeafOrder {
   /// one; they are those at one border of space, so that few queries visit it.
   LeafRange cut_in_time(std::size_t first, float time, std::size_t last) {
     const auto begin = items_.begin() + object(first), end = items_.begin() + object(last);
-    const auto later =
-        std::partition(begin, end, [&](const Item& item) { return step_(), item.place.back() < time; });
+    const auto later = std::partition(begin, end, [&](const Item& item) {
+      step_();
+      return item.place.back() < time;
+    });
     const std::ptrdiff_t at = later - items_.begin();
     std::size_t mixed = leaves_.first + static_cast<std::size_t>(at) * leaves_.count / items_.size();
     while (object(mixed) > at) --mixed;
@@ -136,7 +147,10 @@ class LeafOrder {
   template <class Before>
   void place_nth(std::ptrdiff_t first, std::ptrdiff_t nth, std::ptrdiff_t last, Before before) {
     std::nth_element(items_.begin() + first, items_.begin() + nth, items_.begin() + last,
-                     [&](const Item& a, const Item& b) { return step_(), before(a, b); });
+                     [&](const Item& a, const Item& b) {
+                       step_();
+                       return before(a, b);
+                     });
   }
 
   std::ptrdiff_t object(std::size_t leaf) const {

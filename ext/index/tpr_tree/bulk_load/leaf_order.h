@@ -38,7 +38,8 @@ inline std::span<const std::uint32_t> part_of(std::span<const std::uint32_t> ord
 inline Node objects_at(std::span<const std::uint32_t> places, std::span<const std::int64_t> ids,
                        std::span<const double> records, std::size_t size) {
   Node leaf;
-  leaf.keys.reserve(places.size()), leaf.values.reserve(places.size() * size);
+  leaf.keys.reserve(places.size());
+  leaf.values.reserve(places.size() * size);
   for (const std::uint32_t place : places) {
     const auto record = records.subspan(place * size, size);
     leaf.keys.push_back(ids[place]);

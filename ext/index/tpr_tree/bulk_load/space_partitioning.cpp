@@ -16,8 +16,10 @@ class Division final : public SpacePartitioning {
     const std::size_t size = state.reader.record_size();
     std::vector<Item> drawn(sample.size() / size);
     Steps step(interrupt);
-    for (std::size_t i = 0; i < drawn.size(); ++i)
-      step(), drawn[i] = items_.of(sample.data() + i * size, static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      step();
+      drawn[i] = items_.of(sample.data() + i * size, static_cast<std::uint32_t>(i));
+    }
     cut(0, partitions, drawn, step);
   }
 

@@ -113,7 +113,8 @@ NearestWalk<D>::NearestWalk(NodeSource& source, const Vec<D>& point, const Vec<D
 
 template <int D>
 bool NearestWalk<D>::next(double reach, LeafHits& hits) {
-  hits.slots.clear(), hits.distances.clear();
+  hits.slots.clear();
+  hits.distances.clear();
   while (!open_.empty() && open_.front().distance <= reach) {
     interrupt_.check();
     std::pop_heap(open_.begin(), open_.end());
@@ -169,12 +170,16 @@ template <int D>
 void NearestWalk<D>::find_in_leaf(const Node& leaf, double reach, LeafHits& hits) {
   near_.clear();
   const bool plain = !test_ && reader_.is_plain();
-  if (to_ == DistanceTo::centres)
-    plain ? find_near<true, true>(leaf, reach) : find_near<false, true>(leaf, reach);
-  else
-    plain ? find_near<true, false>(leaf, reach) : find_near<false, false>(leaf, reach);
+  const bool to_centres = to_ == DistanceTo::centres;
+  if (plain && to_centres) find_near<true, true>(leaf, reach);
+  if (plain && !to_centres) find_near<true, false>(leaf, reach);
+  if (!plain && to_centres) find_near<false, true>(leaf, reach);
+  if (!plain && !to_centres) find_near<false, false>(leaf, reach);
   std::sort(near_.begin(), near_.end());
-  for (const auto& [distance, slot] : near_) hits.slots.push_back(slot), hits.distances.push_back(distance);
+  for (const auto& [distance, slot] : near_) {
+    hits.slots.push_back(slot);
+    hits.distances.push_back(distance);
+  }
 }
 
 #define FORESEE_OF_AXES(D)                                                                          \

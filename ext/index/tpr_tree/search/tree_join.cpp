@@ -18,7 +18,10 @@ struct NearObjects {
 
   void clear() {
     rows.clear();
-    for (int axis = 0; axis < D; ++axis) lower[axis].clear(), upper[axis].clear();
+    for (int axis = 0; axis < D; ++axis) {
+      lower[axis].clear();
+      upper[axis].clear();
+    }
   }
 
   /// Faces are linear in time, so each is farthest out at an end of the span. The padding of moving_box.h
@@ -27,7 +30,10 @@ struct NearObjects {
     const Vec<D> low = (box.lower + box.v_lower * span.begin).min(box.lower + box.v_lower * span.end),
                  high = (box.upper + box.v_upper * span.begin).max(box.upper + box.v_upper * span.end);
     rows.push_back(row);
-    for (int axis = 0; axis < D; ++axis) lower[axis].push_back(low[axis]), upper[axis].push_back(high[axis]);
+    for (int axis = 0; axis < D; ++axis) {
+      lower[axis].push_back(low[axis]);
+      upper[axis].push_back(high[axis]);
+    }
   }
 
   /// Writes the positions, from `first` on, of the boxes that meet the box of others[i]; returns their

@@ -51,7 +51,9 @@ ChildChoice<D>::ChildChoice(const Node& inner, const VisitCost<D>& cost)
     for (std::size_t part = 0; part < faces * D; ++part) faces_[part * children_ + slot] = from[part];
   }
   if (any_ends_) {
-    times_.resize(times_size * children_), elapsed_.resize(3 * children_), weights_.resize(children_);
+    times_.resize(times_size * children_);
+    elapsed_.resize(3 * children_);
+    weights_.resize(children_);
     for (std::size_t slot = 0; slot < children_; ++slot)
       for (std::size_t part = 0; part < times_size; ++part)
         times_[part * children_ + slot] = inner.values[slot * entry_size(D) + part];
@@ -88,7 +90,9 @@ void ChildChoice<D>::set_windows(const Times& added) {
     Times times{t_min[slot], t_max[slot], until_max[slot]};
     times.include(added);
     const auto window = cost_.window_of(times, query_.duration);
-    start[slot] = window.elapsed[0], middle[slot] = window.elapsed[1], end[slot] = window.elapsed[2];
+    start[slot] = window.elapsed[0];
+    middle[slot] = window.elapsed[1];
+    end[slot] = window.elapsed[2];
     weights_[slot] = window.weight;
   }
 }
@@ -129,8 +133,11 @@ std::size_t ChildChoice<D>::choose(const Entry<D>& added) {
   double min_growth = std::numeric_limits<double>::infinity(), min_cost = min_growth;
   for (std::size_t slot = 0; slot < children_; ++slot) {
     const double growth = after_[slot] - before_[slot];
-    if (growth < min_growth || (growth == min_growth && before_[slot] < min_cost))
-      best = slot, min_growth = growth, min_cost = before_[slot];
+    if (growth < min_growth || (growth == min_growth && before_[slot] < min_cost)) {
+      best = slot;
+      min_growth = growth;
+      min_cost = before_[slot];
+    }
   }
   return best;
 }

@@ -118,7 +118,9 @@ NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_
   Node& node = state.pages.modify(number);
   Node& sibling = state.pages.modify(sibling_number);
   Node& parent = state.pages.modify(parent_number);
-  sibling.level = node.level, sibling.parent = parent_number, sibling.epoch = node.epoch;
+  sibling.level = node.level;
+  sibling.parent = parent_number;
+  sibling.epoch = node.epoch;
   const std::vector<Entry<D>> elements = entries_of<D>(node, parent.epoch);
   move_slots(node, choose_split<D>(elements, state.cost(parent.epoch)), sibling, state.stride(node.level));
 
@@ -150,7 +152,9 @@ void fit_upward(TreeState<D>& state, NodeNumber number, const Added& added) {
       node = std::move(parent), number = parent_number;
       continue;
     }
-    node.reset(), parent.reset();  // released before they change
+    // Released before they change.
+    node.reset();
+    parent.reset();
     if (parent_number == 0) parent_number = put_root_above(state, number);
     widen(state, parent_number, number, added);
     if (overfull && is_leaf) even_out_leaf(state, parent_number, number);

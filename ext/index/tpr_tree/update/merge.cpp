@@ -55,12 +55,17 @@ class Merge {
     Visit& root = batch_.root();
     for (std::uint32_t i = 0; i < ids_.size(); ++i) {
       batch_.step();
-      if (const auto leaf = state_.pages.find_leaf(ids_[i]))
-        found.emplace_back(*leaf, i), old_leaves_[i] = *leaf;
-      else
+      if (const auto leaf = state_.pages.find_leaf(ids_[i])) {
+        found.emplace_back(*leaf, i);
+        old_leaves_[i] = *leaf;
+      } else {
         root.objects.push_back(i);
+      }
     }
-    std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return batch_.step(), a < b; });
+    std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+      batch_.step();
+      return a < b;
+    });
     for (std::size_t first = 0, last; first < found.size(); first = last) {
       for (last = first; last < found.size() && found[last].first == found[first].first;) ++last;
       write_reports_of(found[first].first, std::span(found).subspan(first, last - first));
@@ -100,7 +105,8 @@ class Merge {
       const auto above = state_.pages.read(visit.parent);
       const Entry<D> entry = without_newest(entry_at<D>(*above, slot_of(*above, number)));
       const auto contained = [&](std::uint32_t i) {
-        return batch_.step(), entry.contains(batch_.object(i).entry(above->epoch));
+        batch_.step();
+        return entry.contains(batch_.object(i).entry(above->epoch));
       };
       const auto rising = std::stable_partition(visit.objects.begin(), visit.objects.end(), contained);
       auto& higher = batch_.at(level + 1).at(visit.parent).objects;

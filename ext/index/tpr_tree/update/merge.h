@@ -47,7 +47,10 @@ struct Remainder {
   std::vector<std::int64_t> ids;
   std::vector<double> records;
 
-  void clear() { ids.clear(), records.clear(); }
+  void clear() {
+    ids.clear();
+    records.clear();
+  }
   template <class Batch>
   void add(const Batch& batch, std::span<const std::uint32_t> objects) {
     for (const std::uint32_t i : objects) {

@@ -22,7 +22,8 @@ std::uint64_t PairTable::find_or_add(const Pair& pair, std::uint64_t number) {
 
 void PairTable::grow() {
   std::vector<Slot> smaller(2 * slots_.size());
-  smaller.swap(slots_), --shift_;
+  smaller.swap(slots_);
+  --shift_;
   for (const Slot& slot : smaller) {
     if (slot.number_plus_one == 0) continue;
     std::size_t i = slot.pair * 0x9e3779b97f4a7c15u >> shift_;
@@ -97,8 +98,10 @@ void FoundMovers::join_contacts(const TimeSlab& slab, Interrupt& interrupt) {
     return std::tuple(movers.a, movers.b, hit.times.t, hit.times.dt, hit.legs.a, hit.legs.b);
   };
   Steps steps(interrupt);
-  std::sort(found_.begin(), found_.end(),
-            [&](const MoverHit& l, const MoverHit& r) { return steps(), key(l) < key(r); });
+  std::sort(found_.begin(), found_.end(), [&](const MoverHit& l, const MoverHit& r) {
+    steps();
+    return key(l) < key(r);
+  });
   joined_.clear();
   for (std::size_t first = 0, last; first < found_.size(); first = last) {
     interrupt.check();
@@ -150,14 +153,18 @@ bool FoundMovers::precedes(const MoverHit& l, const MoverHit& r) const {
 
 void FoundMovers::sort_some(Interrupt& interrupt) {
   Steps steps(interrupt);
-  const auto before = [&](const MoverHit& l, const MoverHit& r) { return steps(), precedes(l, r); };
+  const auto before = [&](const MoverHit& l, const MoverHit& r) {
+    steps();
+    return precedes(l, r);
+  };
   const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(sorted_);
   const std::size_t count = std::min(room_, found_.size() - sorted_);
   const auto end = begin + static_cast<std::ptrdiff_t>(count);
   if (end != found_.end()) std::nth_element(begin, end, found_.end(), before);
   std::sort(begin, end, before);
   constexpr std::size_t growth = 8;
-  sorted_ += count, room_ = room_ > found_.max_size() / growth ? found_.max_size() : growth * room_;
+  sorted_ += count;
+  room_ = room_ > found_.max_size() / growth ? found_.max_size() : growth * room_;
 }
 
 void FoundMovers::take(std::vector<MoverHit>& hits, Interrupt& interrupt) {
@@ -167,8 +174,12 @@ void FoundMovers::take(std::vector<MoverHit>& hits, Interrupt& interrupt) {
   const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(given_);
   hits.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
   given_ += count;
-  if (question_.wants.contact && question_.wants.ends && !question_.all_contacts)
-    with_ends_ ? pair_.follow(hits) : pair_.add_ends(hits);
+  if (question_.wants.contact && question_.wants.ends && !question_.all_contacts) {
+    if (with_ends_)
+      pair_.follow(hits);
+    else
+      pair_.add_ends(hits);
+  }
   if (any()) return;
   found_.clear();
   given_ = sorted_ = 0;
