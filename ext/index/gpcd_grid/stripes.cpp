@@ -51,8 +51,8 @@ Stripes<D>::Stripes(const MovingSource<D>& source, const FloatFrame<D>& frame, c
   if (memory.parts.size() < parts.size()) memory.parts.resize(parts.size());
   const std::size_t count = source.count();
   run_together(helpers, interrupt, [&](std::size_t part, std::size_t of, Interrupt& own_interrupt) {
-    read(source, frame, part * count / of, (part + 1) * count / of, memory.parts[part], parts[part],
-         own_interrupt);
+    collect_entries(source, frame, part * count / of, (part + 1) * count / of, memory.parts[part],
+                    parts[part], own_interrupt);
   });
   add_up(parts);
   keys_ = memory.keys.room(entry_count_);
@@ -62,8 +62,8 @@ Stripes<D>::Stripes(const MovingSource<D>& source, const FloatFrame<D>& frame, c
 }
 
 template <int D>
-void Stripes<D>::read(const MovingSource<D>& source, const FloatFrame<D>& frame, std::size_t begin,
-                      std::size_t end, GridSpace::Part& memory, Part& part, Interrupt& interrupt) {
+void Stripes<D>::collect_entries(const MovingSource<D>& source, const FloatFrame<D>& frame, std::size_t begin,
+                                 std::size_t end, GridSpace::Part& memory, Part& part, Interrupt& interrupt) {
   part.counts = memory.counts.room(partition_.stripes());
   std::fill_n(part.counts, partition_.stripes(), 0);
   const FloatKernels<D>& kernels = float_kernels<D>();
@@ -77,14 +77,14 @@ void Stripes<D>::read(const MovingSource<D>& source, const FloatFrame<D>& frame,
     kernels.round_outward(beams, count, frame, rows_.columns(), lanes);
     kernels.find_stripes(lanes, count, partition_);
     rows_.write(first, lanes, count);
-    enter(lanes, first, count, memory, part);
+    add_entries(lanes, first, count, memory, part);
   }
 }
 
 // Most boxes meet one or two stripes along an axis; that case takes no branch.
 template <int D>
-void Stripes<D>::enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count,
-                       GridSpace::Part& memory, Part& part) const {
+void Stripes<D>::add_entries(const FloatLanes<D>& lanes, std::size_t first, std::size_t count,
+                             GridSpace::Part& memory, Part& part) const {
   // The branch-free case writes up to four entries, some of which are overwritten.
   std::size_t wanted = part.size + 4;
   std::uint32_t any_giant = 0;

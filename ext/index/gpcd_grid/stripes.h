@@ -107,12 +107,13 @@ class Stripes {
     std::vector<std::uint32_t> giants;
   };
 
-  /// Writes the rows [begin, end) and collects their entries, in the order of the rows.
-  void read(const MovingSource<D>& source, const FloatFrame<D>& frame, std::size_t begin, std::size_t end,
-            GridSpace::Part& memory, Part& part, Interrupt& interrupt);
-  /// Appends the entries of these lanes to the part: one entry per stripe of a box, or a giant.
-  void enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count, GridSpace::Part& memory,
-             Part& part) const;
+  /// Computes the boxes of the objects [begin, end), writes them as rows, and adds the entries of each.
+  void collect_entries(const MovingSource<D>& source, const FloatFrame<D>& frame, std::size_t begin,
+                       std::size_t end, GridSpace::Part& memory, Part& part, Interrupt& interrupt);
+  /// Adds the boxes in these lanes to the part, in their order: each with an entry per stripe that it meets, or as a
+  /// giant.
+  void add_entries(const FloatLanes<D>& lanes, std::size_t first, std::size_t count, GridSpace::Part& memory,
+                   Part& part) const;
   /// Computes where each stripe starts in keys_, and within it each part's entries, part after part.
   void add_up(std::span<Part> parts);
   /// Writes a part's entries where add_up() has computed; several threads may do so in parallel.
