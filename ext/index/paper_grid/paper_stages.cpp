@@ -4,13 +4,12 @@
 
 #include "base/float_environment.h"
 #include "contact/contact.h"
-#include "index/paper_grid/thread_clock.h"
 #include "index/paper_grid/trajectory.h"
 
 namespace foresee {
 namespace {
 
-/// The same objects as points at their centres.
+/// The objects as points at their centres.
 Bodies centres_of(Bodies bodies) {
   bodies.layout.shape = Shape::point;
   bodies.layout.has_growth = bodies.layout.has_growth_z = false;

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <ctime>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,13 @@ enum class PaperStage : std::uint8_t {
   trajectory_intersection
 };
 inline constexpr std::size_t paper_stage_count = 4;
+
+/// Processor time of the calling thread, by which stages are measured. One reading costs some hundred nanoseconds.
+inline double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
 
 struct StageCount {
   std::uint64_t before = 0, after = 0;

@@ -7,7 +7,6 @@
 #include "base/float_environment.h"
 #include "index/paper_grid/paper_grid.h"
 #include "index/paper_grid/paper_stages.h"
-#include "index/paper_grid/thread_clock.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
 #include "query/join/movers/found_movers.h"
@@ -167,7 +166,8 @@ class Explanation {
       interrupt_.check();
       const auto some = std::span(pairs).subspan(i, std::min(slice, pairs.size() - i));
       if (candidates_->touching()) {
-        exact_count_.after += some.size(), touching_ += some.size();
+        exact_count_.after += some.size();
+        touching_ += some.size();
         hits_.insert(hits_.end(), some.begin(), some.end());
         continue;
       }
