@@ -75,8 +75,8 @@ class MemoryTable final : public TableSource {
 
   /// Inserts the object, or replaces the one with this id. Requires: a valid record.
   void put(std::int64_t id, std::span<const double> record) { put(id, record, {}); }
-  /// The same with a plan; t, x, v, a of the record are set to those of its first leg. Requires: a layout with plans
-  /// and check_plan(), or no legs.
+  /// put() of an object with a plan; t, x, v, a of the record are set to those of its first leg. Requires: a layout
+  /// with plans and check_plan(), or no legs.
   void put(std::int64_t id, std::span<const double> record, std::span<const Leg> legs);
   bool erase(std::int64_t id);
   /// Ends a transaction: later changes count from here on.

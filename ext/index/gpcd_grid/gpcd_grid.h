@@ -45,7 +45,7 @@ template <int D>
 std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>& a, const MovingBoxes<D>* b,
                                            Interrupt& interrupt, std::shared_ptr<GridSpace> space = nullptr);
 
-/// The same grid for several threads. This thread and `helpers` others enter the objects; partitions of about
+/// make_gpcd_grid() for several threads. This thread and `helpers` others enter the objects; partitions of about
 /// equal work can then be visited in parallel. The concatenated partitions give the candidates in the order
 /// of make_gpcd_grid().
 template <int D>

@@ -35,7 +35,7 @@ class Buffer {
     }
     return values_.get();
   }
-  /// The same, but keeps the first `used` values.
+  /// room() that keeps the first `used` values.
   T* grown(std::size_t count, std::size_t used) {
     largest_request_ = std::max(largest_request_, count);
     if (count > capacity_) {

@@ -77,7 +77,7 @@ template <int D>
 Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double epoch,
                     double pad = rounding_pad);
 
-/// The same bounds for an object that grows by `growth` per unit of time, on every side, and has grown for
+/// Bounds of an object, made to hold it if it grows by `growth` per unit of time, on every side, and has grown for
 /// `age`. Its lower faces move like objects slower by `growth`, its upper faces like faster ones. Before its
 /// t an object has the size of its t.
 template <int D>

@@ -113,7 +113,7 @@ MovingBox<D> moving_box(const Motion<D>& motion, const Extents<D>& extents, cons
   return box;
 }
 
-/// The same for an object that grows by `growth` per unit of time, on every side, from `age` before now on.
+/// moving_box() of an object that grows by `growth` per unit of time, on every side, from `age` before now on.
 /// Outside its span the box may have lower > upper.
 template <int D>
 MovingBox<D> with_growth(MovingBox<D> box, const Vec<D>& growth, double age) {
@@ -126,7 +126,7 @@ MovingBox<D> with_growth(MovingBox<D> box, const Vec<D>& growth, double age) {
   return box;
 }
 
-/// The same for object i of `bodies`.
+/// moving_box() of object i of `bodies`, with its growth.
 template <int D>
 MovingBox<D> moving_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, const Vec<D>& margin) {
   const Motion<D> motion = motion_of<D>(bodies, i);

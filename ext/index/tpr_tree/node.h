@@ -84,7 +84,7 @@ struct Mover {
         grows(reader.grows()),
         kinds(reader.kinds(record)) {}
 
-  /// The same without tests of each record. Requires: reader.is_plain().
+  /// As the constructor, without tests of each record. Requires: reader.is_plain().
   static Mover plain(const LeafReader<D>& reader, const double* record) {
     return {reader.own_motion(record), reader.own_extents(record), reader.growth(record), reader.grows()};
   }
@@ -168,7 +168,7 @@ Entry<D> entry_at(const Node& inner, std::size_t slot) {
   return {times_at<D>(inner, slot), bounds_at<D>(inner, slot), kinds_at(inner, slot)};
 }
 
-/// The same entry with its bounds at another epoch.
+/// entry_at() with its bounds carried to another epoch.
 template <int D>
 Entry<D> entry_at(const Node& inner, std::size_t slot, double epoch) {
   Entry<D> entry = entry_at<D>(inner, slot);

@@ -77,7 +77,7 @@ class TprTree {
   /// object than insert() and update() (merge.h). Ids are unique.
   virtual void merge(std::span<const std::int64_t> ids, std::span<const double> records,
                      Interrupt& interrupt) = 0;
-  /// The same for objects that the tree does not have. Where they are many, they become packed nodes beside those
+  /// merge() of objects that the tree does not have. Where they are many, they become packed nodes beside those
   /// that are there, and parts of the tree are packed again from time to time (update/merge.h).
   virtual void merge_new(std::span<const std::int64_t> ids, std::span<const double> records,
                          Interrupt& interrupt) = 0;

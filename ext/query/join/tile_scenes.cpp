@@ -101,7 +101,7 @@ MarkedScene marked(const Scene& scene, const JoinQuestion& question, Interrupt& 
   return all;
 }
 
-/// The same of a scene with plans: legs have the marks of their mover, whose box contains all of its legs.
+/// marked() of a scene with plans: legs have the marks of their mover, whose box contains all of its legs.
 template <int D>
 MarkedScene marked_movers(const Scene& scene, const JoinQuestion& question, Interrupt& interrupt) {
   const Horizon horizon{question.now, question.h};

@@ -31,7 +31,7 @@ class MoverPair {
 
   /// Sets the end of contacts whose t and dt are known. Requires: each is the first contact of its movers.
   void add_ends(std::span<MoverHit> hits);
-  /// The same of hits whose times are those of the contact of their legs.
+  /// add_ends() for hits that have the end of the contact of their legs, which may continue on other legs.
   void follow(std::span<MoverHit> hits);
   /// Sets the ends of contacts of two legs, each the first one of these legs.
   void add_leg_ends(std::span<MoverHit> hits);

@@ -32,7 +32,7 @@ struct CallEstimate {
 CallEstimate estimate_positions(const CallSizes& sizes);
 /// The object of one id, by a look-up.
 CallEstimate estimate_object(const CallSizes& sizes, bool by_first);
-/// The same at several instants: of all objects, and of the object of one id.
+/// Positions at several instants: of all objects, and of the object of one id.
 CallEstimate estimate_tracks(const CallSizes& sizes);
 CallEstimate estimate_track(const CallSizes& sizes, bool by_first);
 /// A search that reads a few nodes of the tree, and some objects.

@@ -22,7 +22,7 @@ namespace foresee {
 template <int D>
 double min_distance(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span);
 
-/// The same for the centre of an object without extents and a moving point, during the object's span.
+/// min_distance() of the centre of an object without extents and a moving point, during the object's span.
 template <int D>
 double min_point_distance(const MovingBox<D>& point, const MovingBox<D>& query);
 

@@ -20,7 +20,7 @@ namespace foresee {
 template <int D>
 void even_out(TreeState<D>& state, NodeNumber parent, std::span<const NodeNumber> children);
 
-/// The same for one leaf that has lost objects, or is overfull: it shares with a sibling. Returns false, and
+/// even_out() for one leaf that has lost objects, or is overfull: it shares with a sibling. Returns false, and
 /// writes nothing, if no change is necessary. Requires: `parent` has a true entry for the leaf; afterwards
 /// the parent may be overfull or underfull.
 template <int D>
