@@ -1,7 +1,5 @@
-// Contact by one contact set for all pairs (set/set_traits.h), and of two tables of boxes. Pairs of boxes are decided
-// sixteen at a time in vector lanes (box_lanes.h). A pair that its lane leaves undecided, which is rare, is decided
-// alone like a pair of any other shapes. Both are in this file because boxes need the contact of sets too, which takes
-// long to compile.
+// Contact of two tables of boxes. Pairs are decided sixteen at a time in vector lanes (box_lanes.h). A pair that its
+// lane leaves undecided, which is rare, is decided alone like a pair of any other shapes (set/set_traits.h).
 #include <algorithm>
 
 #include "contact/boxes/box_lanes.h"
@@ -190,11 +188,6 @@ class BoxContact final : public SetContact<D, Degree> {
 };
 
 }  // namespace
-
-std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, int degree) {
-  const int highest = std::max(degree, set.degree());
-  return make_typed<SetContact>(setup.a.layout.axes, highest, setup, std::move(set));
-}
 
 std::unique_ptr<Contact> make_box_contact(const Setup& setup, int degree) {
   return make_typed<BoxContact>(setup.a.layout.axes, degree, setup);

@@ -67,4 +67,12 @@ struct SetTraits {
 template <int D, int Degree>
 using SetContact = UnionContact<SetTraits<D, Degree>>;
 
+// They take long to compile: set_contact.cpp does it for all.
+extern template class UnionContact<SetTraits<1, 1>>;
+extern template class UnionContact<SetTraits<1, 2>>;
+extern template class UnionContact<SetTraits<2, 1>>;
+extern template class UnionContact<SetTraits<2, 2>>;
+extern template class UnionContact<SetTraits<3, 1>>;
+extern template class UnionContact<SetTraits<3, 2>>;
+
 }  // namespace foresee
