@@ -28,13 +28,14 @@ class Stages {
 
   void count(std::size_t i, StageShares& shares) {
     const PairLifetime lifetime = pair_lifetime_of(setup_, a(i), b(i));
-    pieces_.take(set_, a(i), b(i));
-    const SetPairContext<3, 2> context(setup_, a(i), b(i), pieces_, none_, lifetime, any_time, steps_);
+    pieces_.load(set_, a(i), b(i));
+    const SetPairContext<3, 2> context(
+        {setup_, a(i), b(i), pieces_, pieces_, lifetime, any_time, true, steps_});
     const Chord<3> chord(context.relative, lifetime.dt_end);
     const Interval<double> near = chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()),
                                                 pieces_.lengths(), {lifetime.dt_start, lifetime.dt_end});
     const bool missed = near.begin > near.end;
-    const Verdict verdict = SetPair<3, 2>(context, false, space_).touches();
+    const Verdict verdict = SetPair<3, 2>(context, space_).touches();
     ++(missed ? shares.chord : verdict != Verdict::uncertain ? shares.certified : shares.exact);
     const bool hit =
         verdict == Verdict::uncertain ? exactly<bool>(i, exact_touches) : verdict == Verdict::yes;
@@ -50,9 +51,8 @@ class Stages {
 
   /// The start of the contact, as UnionContact computes it.
   std::size_t& time_stage(const SetPairContext<3, 2>& context, StageShares& shares) {
-    Instant begin;
-    SetPair<3, 2> pair(context, true, space_);
-    if (pair.first_contact(begin) != Verdict::yes) return shares.exact_time;
+    SetPair<3, 2> pair(context, space_);
+    if (pair.first_contact().touches != Verdict::yes) return shares.exact_time;
     return pair.contact_by() <= context.lifetime.dt_start ? shares.at_once : shares.double_double;
   }
 
@@ -61,7 +61,7 @@ class Stages {
 
   Setup setup_;
   ContactSet set_;
-  SetPieces pieces_, none_;
+  SetPieces pieces_;
   SetSpace space_;
   NeverInterrupt never_;
   Steps steps_{never_};

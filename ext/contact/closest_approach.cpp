@@ -189,11 +189,11 @@ class CertainApproach {
 
   std::optional<Nearness> at_start() const {
     const Spot spot = spot_at(begin_);
-    return Nearness{spot.square, spot.square_error, {lifetime_.dt_start, lifetime_.t_start}};
+    return Nearness{spot.square, spot.square_error, lifetime_.start()};
   }
   std::optional<Nearness> at_end() const {
     const Spot spot = spot_at(end_);
-    return Nearness{spot.square, spot.square_error, {lifetime_.dt_end, lifetime_.t_end}};
+    return Nearness{spot.square, spot.square_error, lifetime_.end()};
   }
 
   /// Squared distance and slope at a time in DoubleDouble; the derivative of the slope in double.

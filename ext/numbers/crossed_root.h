@@ -14,7 +14,7 @@ namespace foresee {
 /// A time relative to `now` and as an absolute one, each rounded once.
 struct Instant {
   double dt, t;
-  bool known() const { return dt == dt && t == t; }
+  bool known() const { return !__builtin_isnan(dt) && !__builtin_isnan(t); }
 };
 
 [[gnu::always_inline]] inline Instant unknown_instant() {

@@ -52,10 +52,10 @@ class StagesOfPair {
 
  private:
   void check_doubles(bool touches) {
-    SetPieces pieces, none;
-    pieces.take(set_, row_a_.data(), row_b_.data());
-    const SetPairContext<D, Degree> context(setup_, row_a_.data(), row_b_.data(), pieces, none, lifetime_,
-                                            any_time, steps_);
+    SetPieces pieces;
+    pieces.load(set_, row_a_.data(), row_b_.data());
+    const SetPairContext<D, Degree> context(
+        {setup_, row_a_.data(), row_b_.data(), pieces, pieces, lifetime_, any_time, true, steps_});
     const Chord<D> chord(context.relative, lifetime_.dt_end);
     const auto hull = set_.hull();
     const Interval<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), pieces.lengths(),
@@ -65,9 +65,8 @@ class StagesOfPair {
       EXPECT_FALSE(touches) << "chord: " << case_;
     }
     SetSpace space;
-    Instant begin;
-    for (const Verdict verdict : {SetPair<D, Degree>(context, false, space).touches(),
-                                  SetPair<D, Degree>(context, true, space).first_contact(begin)}) {
+    for (const Verdict verdict : {SetPair<D, Degree>(context, space).touches(),
+                                  SetPair<D, Degree>(context, space).first_contact().touches}) {
       if (verdict == Verdict::uncertain) continue;
       ++certain_.doubles;
       EXPECT_EQ(verdict == Verdict::yes, touches) << "certified double: " << case_;

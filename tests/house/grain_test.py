@@ -49,7 +49,6 @@ PRIVATE = {
     "contact/mesh/disc_tests.h": "node tests by bounding discs, which compile apart from mesh_contact.cpp",
     "contact/mesh/space_sum.h": "the Minkowski sum of two pieces in space; mesh_contact.cpp would have over 500 lines",
     "contact/mesh/triangle_filter.h": "a stage of its own, in plain doubles and not in bounded ones",
-    "contact/set/set_traits.h": "the traits of contact sets, a subject of their own beside that of boxes",
     "contact/set/advancement.h": "with set_pair.h it would have over 400 lines",
     "sqlite/functions/function_plan.h": "planning of a call, apart from the virtual table; both in one file exceed 300 lines",
     "sqlite/names/table_lookups.h": "the cache of table look-ups has a contract of its own, apart from the connection's state",

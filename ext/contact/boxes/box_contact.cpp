@@ -174,10 +174,7 @@ class BoxContact final : public SetContact<D, Degree> {
     m.side[l] = lanes_.side[l], m.time[l] = lanes_.time[l], m.room[l] = lanes_.room[l];
   }
 
-  const double* row_a(const Pair& pair) const { return setup_.a.row(pair.a); }
-  const double* row_b(const Pair& pair) const { return setup_.b.row(pair.b); }
-
-  using SetContact<D, Degree>::setup_;
+  using SetContact<D, Degree>::setup_, SetContact<D, Degree>::row_a, SetContact<D, Degree>::row_b;
   const BoxKernel<D, Degree>& kernel_ = box_kernel<D, Degree>();
   /// Lifetimes may end within the horizon, or the horizon is too long for the lanes.
   const bool own_ends_ = setup_.a.layout.has_until || setup_.b.layout.has_until || setup_.horizon.h > 0x1p39;

@@ -30,21 +30,20 @@ class EndpointRounding {
 
   /// The start. Requires: the interval is certain, and `ends` are its candidates.
   Instant begin(const UncertainInterval& interval, std::span<const EndpointCandidate<PieceConstraint>> ends) {
-    Instant begin{-UncertainInterval::inf, -UncertainInterval::inf};
-    if (context_.queried.begin.meets(interval.begin))
-      begin = {context_.lifetime.dt_start, context_.lifetime.t_start};
+    Instant begin{-unbounded, -unbounded};
+    if (context_.queried.begin.meets(interval.begin)) begin = context_.lifetime.start();
     for (const EndpointCandidate<PieceConstraint>& end : ends)
       if (end.direction == CrossingDirection::entering)
         begin = later(begin, instant<CrossingDirection::entering>(end));
-    return begin.dt > -UncertainInterval::inf ? begin : unknown_instant();
+    return begin.dt > -unbounded ? begin : unknown_instant();
   }
   Instant end(const UncertainInterval& interval, std::span<const EndpointCandidate<PieceConstraint>> ends) {
-    Instant last{UncertainInterval::inf, UncertainInterval::inf};
-    if (context_.queried.end.meets(interval.end)) last = {context_.lifetime.dt_end, context_.lifetime.t_end};
+    Instant last{unbounded, unbounded};
+    if (context_.queried.end.meets(interval.end)) last = context_.lifetime.end();
     for (const EndpointCandidate<PieceConstraint>& end : ends)
       if (end.direction == CrossingDirection::leaving)
         last = earlier(last, instant<CrossingDirection::leaving>(end));
-    return last.dt < UncertainInterval::inf ? last : unknown_instant();
+    return last.dt < unbounded ? last : unknown_instant();
   }
 
  private:

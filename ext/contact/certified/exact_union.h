@@ -1,8 +1,8 @@
 // The exact stage of two unions of pieces: exact numbers decide what doubles leave undecided, from the pieces
 // that may touch around a time.
 //
-//   ExactUnion<FlatTraits<2, 1>> exact(context, intervals);
-//   exact.touches();                                       // or contact(), with its times
+//   ExactUnion<FlatTraits<2, 1>> exact(pair);
+//   exact.touches();                                       // or first_contact(), with its times
 //
 // Pieces are taken some at a time, and those that do not matter are dropped. So the memory for a pair of objects
 // is bounded, whatever its number of pieces.
@@ -12,6 +12,7 @@
 
 #include "contact/certified/possible_intervals.h"
 #include "contact/certified/undecided_pieces.h"
+#include "contact/certified/union_pair.h"
 #include "contact/exact/exact_contact.h"
 
 namespace foresee {
@@ -20,11 +21,11 @@ namespace foresee {
 template <class Traits>
 class ExactUnion {
  public:
-  /// Both must outlive this.
-  ExactUnion(const PairContext<Traits>& context, PairIntervals<Traits>& intervals)
-      : context_(context),
-        intervals_(intervals),
-        queried_(exact_lifetime_of(context.setup, context.row_a, context.row_b)) {}
+  /// `pair` must outlive this.
+  explicit ExactUnion(UnionPair<Traits>& pair)
+      : context_(pair.context()),
+        pair_(pair),
+        queried_(exact_lifetime_of(context_.setup, context_.row_a, context_.row_b)) {}
 
   /// Whether they touch.
   [[gnu::noinline]] bool touches() {
@@ -36,7 +37,7 @@ class ExactUnion {
       return exact_touches(polynomials, queried_);
     };
     bool touches = false;
-    intervals_.possible_pairs({-UncertainInterval::inf, UncertainInterval::inf}, [&](const PiecePair& pair) {
+    pair_.possible_pairs({-unbounded, unbounded}, [&](const PiecePair& pair) {
       pairs.push_back(pair);
       if (pairs.size() < at_a_time()) return true;
       touches = any_touches();
@@ -46,31 +47,50 @@ class ExactUnion {
     return touches || any_touches();
   }
 
+  /// The first contact. If it lasts until the pair's contact_by(), then its end is unknown.
+  FirstContact first_contact() {
+    const auto times = contact(-unbounded, pair_.contact_by());
+    if (!times) return {};
+    const Instant begin{times->dt, times->t};
+    if (times->dt_end < unbounded) return {Verdict::yes, begin, {times->dt_end, times->t_end}};
+    pair_.set_lasts_until_contact_by();
+    return {Verdict::yes, begin};
+  }
+
+  /// The end of the first contact, which the pair's end_of_contact() has left unknown.
+  Instant end_of_contact() {
+    if (!pair_.last_certain_time()) {
+      const FirstContact first = first_contact();
+      const Instant end = first.end.known() ? first.end : pair_.end_of_contact();
+      if (end.known()) return end;
+    }
+    const auto times = contact(pair_.last_certain_time().value());
+    return {times.value().dt_end, times.value().t_end};
+  }
+
+ private:
   /// The first contact that ends at `from` or later, exactly. `from` is -infinity, before all contact, or
   /// a time within a contact or shortly before its end; its start is not computed then. If `contact_by` is
   /// finite, they touch at that time: the end of a contact that lasts until then is infinite.
-  [[gnu::noinline]] std::optional<ContactTimes> contact(double from,
-                                                        double contact_by = UncertainInterval::inf) {
+  [[gnu::noinline]] std::optional<ContactTimes> contact(double from, double contact_by = unbounded) {
     std::optional<ContactTimes> found;  // empty, unless a contact lasts until `from`
-    if (from == -UncertainInterval::inf)
-      from = intervals_.first_possible(from);
+    if (from == -unbounded)
+      from = pair_.first_possible(from);
     else
       found.emplace();
     // `until`: the end of the pieces that may touch from `from` on; `exact_until`: how far exact numbers have decided.
-    double until = -UncertainInterval::inf, exact_until = until;
-    while (from < UncertainInterval::inf && !(queried_.end < Dyadic(from))) {
-      if (exact_until == until)
-        until = contact_by < UncertainInterval::inf ? contact_by : intervals_.possible_until(from);
+    double until = -unbounded, exact_until = until;
+    while (from < unbounded && !(queried_.end < Dyadic(from))) {
+      if (exact_until == until) until = contact_by < unbounded ? contact_by : pair_.possible_until(from);
       exact_until = until;
       const auto times = times_between(from, exact_until);
       const bool is_all = exact_until == until;
       if (times) {
         if (!found) found = times;
         found->t_end = times->t_end, found->dt_end = times->dt_end;
-        if (times->dt_end < UncertainInterval::inf || (contact_by < UncertainInterval::inf && is_all))
-          return found;
+        if (times->dt_end < unbounded || (contact_by < unbounded && is_all)) return found;
       }
-      from = is_all ? intervals_.first_possible(until) : exact_until;
+      from = is_all ? pair_.first_possible(until) : exact_until;
       if (!is_all) continue;
       if (times && !is_inside_between(until, from)) return ended_at(*found, until);
     }
@@ -78,9 +98,8 @@ class ExactUnion {
     return found;
   }
 
- private:
   /// How many pairs of pieces the exact stage takes at a time: they fit into some megabytes.
-  std::size_t at_a_time() const { return intervals_.is_grown() ? 32 : 256; }
+  std::size_t at_a_time() const { return pair_.is_grown() ? 32 : 256; }
 
   /// The first contact of the pieces that may touch in [from, until]. Its end is infinite if it lasts until
   /// `until` and the queried time goes on. If too many pieces are needed, `until` becomes earlier.
@@ -91,7 +110,7 @@ class ExactUnion {
     std::vector<PiecePair> pairs;
     Interval<double> interval{from, until};
     std::size_t too_many = at_a_time();
-    intervals_.possible_pairs(interval, [&](const PiecePair& pair) {
+    pair_.possible_pairs(interval, [&](const PiecePair& pair) {
       pairs.push_back(pair);
       if (pairs.size() < too_many) return true;
       interval.end = std::min(interval.end, keep_needed(lifetime, pairs, too_many / 2));
@@ -104,7 +123,7 @@ class ExactUnion {
     polynomials.set_interrupt(context_.steps);
     if constexpr (Traits::has_solids)
       return exact_times(polynomials, lifetime,
-                         [this](const Dyadic& time) { return intervals_.is_inside_at(time); });
+                         [this](const Dyadic& time) { return pair_.is_inside_at(time); });
     return exact_times(polynomials, lifetime);
   }
 
@@ -136,14 +155,13 @@ class ExactUnion {
     const Dyadic end(until);
     if (!(end < lifetime.end)) return;
     lifetime.end = end;
-    lifetime.rounded.dt_end = lifetime.rounded.t_end = UncertainInterval::inf;
+    lifetime.rounded.dt_end = lifetime.rounded.t_end = unbounded;
   }
 
   /// Whether one object is inside the other from `until` to `next`, when further pieces may touch.
   bool is_inside_between(double until, double next) {
-    const Dyadic from(until),
-        to = next < UncertainInterval::inf ? std::min(Dyadic(next), queried_.end) : queried_.end;
-    return from < to && intervals_.is_inside_at(half_of(from + to));
+    const Dyadic from(until), to = next < unbounded ? std::min(Dyadic(next), queried_.end) : queried_.end;
+    return from < to && pair_.is_inside_at(half_of(from + to));
   }
 
   ContactTimes ended_at(ContactTimes found, double until) const {
@@ -155,11 +173,11 @@ class ExactUnion {
   Polynomials polynomials_of(std::span<const PiecePair> pairs) const {
     return {context_.setup, context_.row_a, context_.row_b,
             UndecidedPieces<Traits>(context_.setup, context_.row_a, context_.row_b, context_.a, context_.b,
-                                    pairs, intervals_.is_grown())};
+                                    pairs, pair_.is_grown())};
   }
 
   const PairContext<Traits>& context_;
-  PairIntervals<Traits>& intervals_;
+  UnionPair<Traits>& pair_;
   const ExactLifetime queried_;
 };
 

@@ -1,7 +1,7 @@
 // A pair of moving objects that are unions of pieces: relative motion, sizes, queried time and the walk over
 // their trees. All stages of the contact test read it.
 //
-//   const PairContext<FlatTraits<2, 1>> context(setup, row_a, row_b, a, b, lifetime, any_time, steps);
+//   const PairContext<FlatTraits<2, 1>> context({setup, row_a, row_b, a, b, lifetime, any_time, true, steps});
 //   if (context.walk.near().begin > context.walk.near().end) …              // they never touch
 //
 // A traits type says what the pieces are. It has `axes` and `degree` of the motion. If `has_solids`, an object
@@ -14,6 +14,7 @@
 #include "contact/certified/certain_motion.h"
 #include "contact/certified/tree_walk.h"
 #include "contact/certified/uncertain_interval.h"
+#include "numbers/crossed_root.h"
 #include "numbers/dyadic.h"
 
 namespace foresee {
@@ -29,16 +30,25 @@ struct FilterAnswer {
   bool all_along = false;  ///< they surely touch during all of the queried time
 };
 
+/// What a stage has found of the first contact of a pair.
+struct FirstContact {
+  Verdict touches = Verdict::no;
+  Instant begin = unknown_instant(), end = unknown_instant();  ///< if they touch, `begin` is known
+};
+
+/// Which certain contact a filter of many pairs reports.
+enum class CertainContact : std::uint8_t { at_any_time, at_start };
+
 /// The filter of many pairs that rejects none.
 struct EachPair {
   template <class Tables>
   EachPair(const Setup& /*setup*/, const Tables& /*tables*/) {}
 
   /// Calls `visit` with each pair that is not certainly apart, in order. Its other arguments are the time
-  /// outside of which they do not touch, and whether they certainly touch. That is about the start of the queried
-  /// time if times are wanted, else about any time.
+  /// outside of which they do not touch, and whether they certainly touch: at any time, or when the queried time
+  /// starts.
   template <class Visit>
-  void for_each(std::span<const Pair> pairs, bool /*times_wanted*/, Visit&& visit) const {
+  void for_each(std::span<const Pair> pairs, CertainContact /*certain*/, Visit&& visit) const {
     for (const Pair& pair : pairs) visit(pair, any_time, false);
   }
 };
@@ -52,35 +62,34 @@ struct NoContainment {
   static constexpr bool at(const Dyadic& /*time*/) { return false; }
 };
 
-template <class Traits>
-struct PairContext {
-  using Pieces = typename Traits::Pieces;
+/// A pair of objects, and what is queried of it. All that it refers to must outlive its use.
+template <class PiecesOfObject>
+struct PairInput {
+  const Setup& setup;
+  const double *row_a, *row_b;
+  const PiecesOfObject &a, &b;
+  const PairLifetime& lifetime;  ///< not empty
+  Interval<double> near;         ///< they touch at no other times
+  bool times_wanted;             ///< the query wants more than whether they touch
+  Steps& steps;                  ///< each polls the interrupt
+};
 
-  /// `near`: they touch at no other times. Requires: the lifetime is not empty; all arguments outlive this.
-  /// Each of the `steps` polls the interrupt.
-  PairContext(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a, const Pieces& b,
-              const PairLifetime& lifetime, const Interval<double>& near, Steps& steps)
-      : setup(setup),
-        row_a(row_a),
-        row_b(row_b),
-        a(a),
-        b(b),
-        lifetime(lifetime),
-        steps(steps),
-        relative(certain_motion_of<Traits::axes, Traits::degree>(setup, row_a, row_b)),
-        queried(queried_of(lifetime)),
-        sizes(Traits::template sizes_of<Bounded>(setup, row_a, row_b, a)),
-        walk(a, b, relative, {std::max(queried.begin.low, near.begin), std::min(queried.end.high, near.end)},
-             sizes, steps) {}
+template <class Traits>
+struct PairContext : PairInput<typename Traits::Pieces> {
+  using Input = PairInput<typename Traits::Pieces>;
+
+  explicit PairContext(const Input& input)
+      : Input(input),
+        relative(certain_motion_of<Traits::axes, Traits::degree>(input.setup, input.row_a, input.row_b)),
+        queried(queried_of(input.lifetime)),
+        sizes(Traits::template sizes_of<Bounded>(input.setup, input.row_a, input.row_b, input.a)),
+        walk(input.a, input.b, relative,
+             {std::max(queried.begin.low, input.near.begin), std::min(queried.end.high, input.near.end)},
+             sizes, input.steps) {}
 
   PairContext(const PairContext&) = delete;
   PairContext& operator=(const PairContext&) = delete;
 
-  const Setup& setup;
-  const double *const row_a, *const row_b;
-  const Pieces &a, &b;
-  const PairLifetime& lifetime;
-  Steps& steps;
   const CertainMotion<Traits::axes> relative;
   const UncertainInterval queried;  ///< the queried time, enclosed
   const typename Traits::template Sizes<Bounded> sizes;

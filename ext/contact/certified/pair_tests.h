@@ -116,7 +116,7 @@ class PairTests {
  public:
   /// The intervals in which two pieces touch; valid until the next call. Those that start later than `by` may
   /// be missing.
-  std::span<const PieceInterval> of(std::size_t a, std::size_t b, double by = UncertainInterval::inf) {
+  std::span<const PieceInterval> of(std::size_t a, std::size_t b, double by = unbounded) {
     const PiecePair pair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)};
     if (!times_wanted_ || is_full()) space_.clear();
     if (!times_wanted_) return test_of(pair, by).intervals;  // decide() tests each pair once
@@ -146,8 +146,10 @@ class PairTests {
   }
 
  protected:
-  PairTests(const UncertainInterval& queried, bool times_wanted, PieceWorkspace<PieceConstraint>& space)
-      : queried_(queried), times_wanted_(times_wanted), space_(space) {
+  /// `Context`: a PairContext, which must outlive this like the space.
+  template <class Context>
+  PairTests(const Context& context, PieceWorkspace<PieceConstraint>& space)
+      : queried_(context.queried), times_wanted_(context.times_wanted), space_(space) {
     space.clear();
   }
 
@@ -177,9 +179,9 @@ class PairTests {
     if (!times_wanted_) return;
     for (int i = 0; i < inside.count; ++i) {
       const UncertainInterval& interval = inside.list[static_cast<std::size_t>(i)];
-      if (interval.begin.high > -UncertainInterval::inf)
+      if (interval.begin.high > -unbounded)
         space_.all_ends.push_back({constraint, CrossingDirection::entering, interval.begin});
-      if (interval.end.low < UncertainInterval::inf)
+      if (interval.end.low < unbounded)
         space_.all_ends.push_back({constraint, CrossingDirection::leaving, interval.end});
     }
   }

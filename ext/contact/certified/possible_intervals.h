@@ -16,25 +16,25 @@ namespace foresee {
 template <class Traits>
 class PairIntervals {
  public:
-  /// `times_wanted`: the query wants more than whether they touch.
-  PairIntervals(const PairContext<Traits>& context, bool times_wanted, typename Traits::Space& space)
-      : context_(context), containment_(context), tests_(context, times_wanted, space) {}
+  /// Both must outlive this.
+  PairIntervals(const PairContext<Traits>& context, typename Traits::Space& space)
+      : context_(context), containment_(context), tests_(context, space) {}
 
   PairIntervals(const PairIntervals&) = delete;
   PairIntervals& operator=(const PairIntervals&) = delete;
 
+  const PairContext<Traits>& context() const { return context_; }
+
   /// A lower bound on the start of the first contact that starts later than `after`; infinite if no contact
   /// can.
   double first_possible(double after) {
-    double first = UncertainInterval::inf;
-    context_.walk.visit(
+    double first = unbounded;
+    for_each_interval(
         Order::earlier_first,
         [&](const Interval<double>& near) { return near.end > after && near.begin < first; },
-        [&](std::size_t a, std::size_t b, const Interval<double>& near) {
-          for (const PieceInterval& interval : tests_.of(a, b)) {
-            const auto [begin, end] = possible(interval, near);
-            if (begin <= end && begin > after) first = std::min(first, begin);
-          }
+        [&](const PieceInterval& interval, const Interval<double>& near) {
+          const auto [begin, end] = possible(interval, near);
+          if (begin <= end && begin > after) first = std::min(first, begin);
         });
     return first;
   }
@@ -42,19 +42,17 @@ class PairIntervals {
   double possible_until(double from) {
     double until = from, passed_by = from;
     while (passed_by <= until) {
-      passed_by = UncertainInterval::inf;
+      passed_by = unbounded;
       const auto starts_by_then = [&](double begin) {
         if (begin > until) passed_by = std::min(passed_by, begin);
         return begin <= until;
       };
-      context_.walk.visit(
+      for_each_interval(
           Order::earlier_first,
           [&](const Interval<double>& near) { return near.end >= from && starts_by_then(near.begin); },
-          [&](std::size_t a, std::size_t b, const Interval<double>& near) {
-            for (const PieceInterval& interval : tests_.of(a, b)) {
-              const auto [begin, end] = possible(interval, near);
-              if (begin <= end && end >= from && starts_by_then(begin)) until = std::max(until, end);
-            }
+          [&](const PieceInterval& interval, const Interval<double>& near) {
+            const auto [begin, end] = possible(interval, near);
+            if (begin <= end && end >= from && starts_by_then(begin)) until = std::max(until, end);
           });
     }
     return until;
@@ -94,6 +92,14 @@ class PairIntervals {
   /// The times at which they may touch; no time if the end is before the start.
   static Interval<double> possible(const PieceInterval& interval, const Interval<double>& near) {
     return {std::max(interval.begin.low, near.begin), std::min(interval.end.high, near.end)};
+  }
+
+  /// Calls `use` with the intervals of each pair of pieces that the walk visits.
+  template <class Wanted, class Use>
+  void for_each_interval(Order order, Wanted&& wanted, Use&& use) {
+    context_.walk.visit(order, wanted, [&](std::size_t a, std::size_t b, const Interval<double>& near) {
+      for (const PieceInterval& interval : tests_.of(a, b)) use(interval, near);
+    });
   }
 
   const PairContext<Traits>& context_;

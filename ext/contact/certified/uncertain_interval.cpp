@@ -5,14 +5,12 @@
 namespace foresee {
 namespace {
 
-constexpr double inf = UncertainInterval::inf;
-
 /// At most one short interval around the turning point, for a convex polynomial whose discriminant has no
 /// certain sign.
 SublevelIntervals near_turn(const Bounded& p1, const Bounded& p2, const Bounded& discriminant) {
   const double half = std::sqrt(std::abs(discriminant.value) + discriminant.error);
   const Enclosure time = enclosure_of(Bounded{-p1.value, p1.error + half * (1 + 0x1p-40)} / twice(p2));
-  return SublevelIntervals::one({{time.low, inf}, {-inf, time.high}});
+  return SublevelIntervals::one({{time.low, unbounded}, {-unbounded, time.high}});
 }
 
 }  // namespace
@@ -38,7 +36,9 @@ SublevelIntervals sublevel_intervals(const Coefficients<Bounded, 2>& p, double l
   if (other.low < one.low) std::swap(one, other);
   if (one.meets(other)) return SublevelIntervals::one(UncertainInterval::in_doubt());
   if (lead > 0) return SublevelIntervals::one({one, other});
-  return {{UncertainInterval{{-inf, -inf}, one}, UncertainInterval{other, {inf, inf}}}, 2};
+  return {
+      {UncertainInterval{{-unbounded, -unbounded}, one}, UncertainInterval{other, {unbounded, unbounded}}},
+      2};
 }
 
 void IntervalUnion::keep_each(const SublevelIntervals& other) {

@@ -13,7 +13,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "contact/certified/root_bracketing.h"
@@ -25,6 +24,7 @@ namespace foresee {
 struct Enclosure {
   double low, high;
 
+  friend bool operator==(const Enclosure&, const Enclosure&) = default;
   bool meets(const Enclosure& other) const { return low <= other.high && other.low <= high; }
 };
 
@@ -35,10 +35,9 @@ struct UncertainInterval {
   bool is_possible() const { return begin.low <= end.high; }
   bool is_certain() const { return begin.high <= end.low; }
 
-  static constexpr double inf = std::numeric_limits<double>::infinity();
-  static constexpr UncertainInterval always() { return {{-inf, -inf}, {inf, inf}}; }
+  static constexpr UncertainInterval always() { return {{-unbounded, -unbounded}, {unbounded, unbounded}}; }
   /// Possibly all times, certainly none.
-  static constexpr UncertainInterval in_doubt() { return {{-inf, inf}, {-inf, inf}}; }
+  static constexpr UncertainInterval in_doubt() { return {{-unbounded, unbounded}, {-unbounded, unbounded}}; }
 };
 
 /// The coefficient with its full error bound, from which a sign can be read. `lost`: what underflow takes.
@@ -52,8 +51,7 @@ inline int certain_sign(const Bounded& c) {
 /// An enclosure of the root; infinite if the root may be beyond all doubles.
 inline Enclosure enclosure_of(const Bounded& root) {
   const double error = root.error_bound(0x1p-1060) + 4 * unit_roundoff * std::abs(root.value);
-  if (!(std::abs(root.value) + error < UncertainInterval::inf))
-    return {-UncertainInterval::inf, UncertainInterval::inf};
+  if (!(std::abs(root.value) + error < unbounded)) return {-unbounded, unbounded};
   return {root.value - error, root.value + error};
 }
 
@@ -143,12 +141,12 @@ SublevelIntervals sublevel_by_steps(PolynomialAt&& polynomial_at, double lost,
     in.before = leap(lasts(1), tau, last);
     if (in.before == unbounded) break;
     UncertainInterval& interval = found.list[static_cast<std::size_t>(found.count++)];
-    interval = {{in.before, UncertainInterval::inf}, {-UncertainInterval::inf, UncertainInterval::inf}};
+    interval = {{in.before, unbounded}, {-unbounded, unbounded}};
     if (!witness(is_certain(-1), in, in.before, last)) break;
     interval.begin =
         in.after > queried.begin.low ? Enclosure{in.before, in.after} : UncertainInterval::always().begin;
     out.before = leap(lasts(-1), in.after, last);
-    interval.end.low = std::min(out.before, UncertainInterval::inf);
+    interval.end.low = std::min(out.before, unbounded);
     if (out.before == unbounded || !witness(is_certain(1), out, out.before, last)) break;
     interval.end.high = tau = out.after;
   }

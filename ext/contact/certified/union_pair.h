@@ -10,6 +10,8 @@
 // not touch, so it is tested at one instant of each such gap (Containment).
 #pragma once
 
+#include <optional>
+
 #include "contact/certified/endpoint_rounding.h"
 #include "contact/certified/possible_intervals.h"
 
@@ -23,57 +25,60 @@ class UnionPair : public PairIntervals<Traits> {
 
  public:
   /// See PairIntervals.
-  UnionPair(const PairContext<Traits>& context, bool times_wanted, typename Traits::Space& space)
-      : Base(context, times_wanted, space), instants_(context), seen_(space.seen) {}
+  UnionPair(const PairContext<Traits>& context, typename Traits::Space& space)
+      : Base(context, space), instants_(context), seen_(space.seen) {}
 
   /// Whether they touch. Stops at the first certain interval. After `uncertain`, the exact stage needs the
   /// pieces only: no object is inside the other at the start.
   Verdict touches() {
     if (Base::is_inside_at_start()) return Verdict::yes;
     Verdict touches = Verdict::no;
-    context_.walk.visit(
+    Base::for_each_interval(
         Order::earlier_first, [&](const Interval<double>&) { return touches != Verdict::yes; },
-        [&](std::size_t a, std::size_t b, const Interval<double>&) {
-          for (const PieceInterval& interval : tests_.of(a, b))
-            if (touches != Verdict::yes) touches = interval.is_certain() ? Verdict::yes : Verdict::uncertain;
+        [&](const PieceInterval& interval, const Interval<double>&) {
+          if (touches != Verdict::yes) touches = interval.is_certain() ? Verdict::yes : Verdict::uncertain;
         });
     return touches;
   }
 
-  /// Whether they touch, and when contact starts. After `yes`, `begin` is known.
-  Verdict first_contact(Instant& begin) {
+  /// Whether they touch, and when contact starts. Its end is not searched.
+  FirstContact first_contact() {
     starts_inside_ = Base::is_inside_at_start();
     if (starts_inside_) {
-      contact_by_ = context_.queried.begin.high,
-      begin = {context_.lifetime.dt_start, context_.lifetime.t_start};
-      return Verdict::yes;
+      contact_by_ = context_.queried.begin.high;
+      return {Verdict::yes, context_.lifetime.start()};
     }
     bool possible = false;
     context_.walk.visit(
         Order::earlier_first,
         [this](const Interval<double>& near) { return near.begin <= contact_by_ && !touches_at_start(); },
         [&](std::size_t a, std::size_t b, const Interval<double>&) {
-          if (tests_.is_full()) take_starts();
+          if (tests_.is_full()) read_starts();
           for (const PieceInterval& interval : tests_.of(a, b, contact_by_)) {
             possible = true;
             if (interval.is_certain()) contact_by_ = std::min(contact_by_, interval.begin.high);
           }
         });
-    if (!possible) return Verdict::no;
-    begin = earliest_start();
-    return begin.known() ? Verdict::yes : Verdict::uncertain;
+    if (!possible) return {};
+    if (touches_at_start()) return {Verdict::yes, context_.lifetime.start()};
+    read_starts();
+    if (unknown_from_ <= contact_by_) return {Verdict::uncertain};
+    return {Verdict::yes, earliest_};
   }
 
   /// A time by which contact has certainly started; infinite if unknown. Call first_contact() before.
   double contact_by() const { return contact_by_; }
 
-  /// Requires: the start is known. `lasts_until_contact_by`: contact is known to last until contact_by().
-  Instant end_of_contact(bool lasts_until_contact_by) {
+  /// The exact stage has found that the first contact lasts until contact_by().
+  void set_lasts_until_contact_by() { lasts_until_contact_by_ = true; }
+
+  /// When the first contact ends, or unknown. Requires: its start is known.
+  Instant end_of_contact() {
     if (starts_inside_)
       last_ = context_.queried.begin;
-    else if (lasts_until_contact_by || !Traits::has_solids)  // areas touch for some time
+    else if (lasts_until_contact_by_ || !Traits::has_solids)  // areas touch for some time
       continue_from_contact_by();
-    else if (!enter(-UncertainInterval::inf))
+    else if (!enter(-unbounded))
       return unknown_instant();
     do follow();
     while (!lasts_to_the_end() && (continues_across_a_cut() || continues_inside()));
@@ -81,15 +86,17 @@ class UnionPair : public PairIntervals<Traits> {
   }
 
   /// After end_of_contact(): the last time that certainly belongs to this contact, or a time shortly
-  /// before its end, with no other contact in between; -infinity if none is known.
-  double last_certain_time() const { return last_.low; }
+  /// before its end, with no other contact in between. No value: none is known.
+  std::optional<double> last_certain_time() const {
+    return last_.low > -unbounded ? std::optional(last_.low) : std::nullopt;
+  }
 
  private:
   /// They certainly touch when the queried time starts.
   bool touches_at_start() const { return contact_by_ <= context_.queried.begin.low; }
 
   /// Reads the starts of all intervals found so far that may be the first.
-  void take_starts() {
+  void read_starts() {
     for (const PieceInterval& interval : tests_.all()) {
       if (interval.begin.low > contact_by_) continue;
       const Instant begin =
@@ -101,12 +108,6 @@ class UnionPair : public PairIntervals<Traits> {
     }
   }
 
-  Instant earliest_start() {
-    if (touches_at_start()) return {context_.lifetime.dt_start, context_.lifetime.t_start};
-    take_starts();
-    return unknown_from_ <= contact_by_ ? unknown_instant() : earliest_;
-  }
-
   void continue_from_contact_by() {
     last_ = {contact_by_, contact_by_};
     for (const PieceInterval& interval : tests_.all())
@@ -116,17 +117,16 @@ class UnionPair : public PairIntervals<Traits> {
   /// Enters the first of the intervals that start later than `after`: contact then lasts until last_.
   /// False if the first interval is uncertain.
   bool enter(double after) {
-    double contact_by = UncertainInterval::inf;
-    seen_.clear(), all_seen_ = last_is_instant_ = false;
-    context_.walk.visit(
+    double contact_by = unbounded;
+    seen_.clear();
+    all_seen_ = last_is_instant_ = false;
+    Base::for_each_interval(
         Order::earlier_first,
         [&](const Interval<double>& near) { return near.end > after && near.begin <= contact_by; },
-        [&](std::size_t a, std::size_t b, const Interval<double>&) {
-          for (const PieceInterval& interval : tests_.of(a, b)) {
-            if (!(interval.begin.low > after)) continue;
-            seen_.push_back(interval);
-            if (interval.is_certain()) contact_by = std::min(contact_by, interval.begin.high);
-          }
+        [&](const PieceInterval& interval, const Interval<double>&) {
+          if (!(interval.begin.low > after)) return;
+          seen_.push_back(interval);
+          if (interval.is_certain()) contact_by = std::min(contact_by, interval.begin.high);
         });
     std::erase_if(seen_,
                   [contact_by](const PieceInterval& interval) { return interval.begin.low > contact_by; });
@@ -134,7 +134,8 @@ class UnionPair : public PairIntervals<Traits> {
     const auto are_all = [this](auto&& what) { return std::all_of(seen_.begin(), seen_.end(), what); };
     if (!are_all([](const PieceInterval& interval) { return interval.is_certain(); })) return false;
     if (seen_.size() == 1) {
-      last_ = seen_[0].end, last_is_instant_ = seen_[0].is_instant;
+      last_ = seen_[0].end;
+      last_is_instant_ = seen_[0].is_instant;
       return true;
     }
     if (!are_all([](const PieceInterval& interval) { return !interval.is_instant; })) return false;
@@ -154,8 +155,10 @@ class UnionPair : public PairIntervals<Traits> {
     const double between = last_.high + (until - last_.high) / 2;
     end_in_doubt_ = !(last_.high < between && between < until);
     if (end_in_doubt_ || !containment_.at(Dyadic(between))) return false;
-    if (next == UncertainInterval::inf)
-      return last_ = {context_.queried.end.high, context_.queried.end.high}, true;
+    if (next == unbounded) {
+      last_ = {context_.queried.end.high, context_.queried.end.high};
+      return true;
+    }
     end_in_doubt_ = !enter(last_.high);
     if (end_in_doubt_) last_ = {between, between};
     return !end_in_doubt_;
@@ -166,11 +169,11 @@ class UnionPair : public PairIntervals<Traits> {
   /// Extends the contact by intervals that surely start before its end so far. Each walk visits those that
   /// end last first. A further walk follows for nodes that were skipped, as they start after the end so far.
   void follow() {
-    double passed_by = UncertainInterval::inf,
-           forgotten = UncertainInterval::inf;  // the earliest start of nodes, of intervals
+    double passed_by, forgotten;  // the earliest start of nodes, of intervals
     do {
-      passed_by = forgotten = UncertainInterval::inf;
-      seen_.clear(), all_seen_ = true;
+      passed_by = forgotten = unbounded;
+      seen_.clear();
+      all_seen_ = true;
       const auto wanted = [this, &passed_by](const Interval<double>& near) {
         if (near.end < last_.low || lasts_to_the_end()) return false;
         if (near.begin > last_.high) passed_by = std::min(passed_by, near.begin);
@@ -190,10 +193,11 @@ class UnionPair : public PairIntervals<Traits> {
 
   /// Discards the intervals seen. Returns the earliest start of those that are not part of the contact.
   double forget_seen() {
-    double first = UncertainInterval::inf;
+    double first = unbounded;
     for (const PieceInterval& interval : seen_)
       if (interval.is_certain() && !is_joined(interval)) first = std::min(first, interval.begin.high);
-    seen_.clear(), all_seen_ = false;
+    seen_.clear();
+    all_seen_ = false;
     return first;
   }
 
@@ -211,9 +215,7 @@ class UnionPair : public PairIntervals<Traits> {
   bool lasts_to_the_end() const { return last_.low >= context_.queried.end.high; }
 
   bool is_joined(const PieceInterval& interval) const {
-    if (interval.is_instant && last_is_instant_ && interval.end.low == last_.low &&
-        interval.end.high == last_.high)
-      return true;
+    if (interval.is_instant && last_is_instant_ && interval.end == last_) return true;
     return interval.is_certain() && interval.begin.high <= last_.low;
   }
   bool may_end_it(const PieceInterval& interval) const {
@@ -228,12 +230,10 @@ class UnionPair : public PairIntervals<Traits> {
   template <class Use>
   void at_the_end(Use&& use) {
     if (all_seen_) return static_cast<void>(std::for_each(seen_.begin(), seen_.end(), use));
-    context_.walk.visit(
+    Base::for_each_interval(
         Order::later_first,
         [this](const Interval<double>& near) { return near.begin <= last_.high && near.end >= last_.low; },
-        [this, &use](std::size_t a, std::size_t b, const Interval<double>&) {
-          for (const PieceInterval& interval : tests_.of(a, b)) use(interval);
-        });
+        [&use](const PieceInterval& interval, const Interval<double>&) { use(interval); });
   }
 
   /// A point that leaves a piece across a cut of its outline, and nowhere else, enters a neighbouring
@@ -242,11 +242,12 @@ class UnionPair : public PairIntervals<Traits> {
     if constexpr (!Traits::has_cuts) return false;
     int ending = 0;
     bool at_a_cut = false;
-    double latest_start = -UncertainInterval::inf, earliest_end = UncertainInterval::inf;
+    double latest_start = -unbounded, earliest_end = unbounded;
     Enclosure reached = last_;
     at_the_end([&](const PieceInterval& interval) {
       if (may_end_it(interval)) {
-        ++ending, at_a_cut = ends_at_a_cut(interval);
+        ++ending;
+        at_a_cut = ends_at_a_cut(interval);
       } else if (may_continue_it(interval)) {
         latest_start = std::max(latest_start, interval.begin.high);
         earliest_end = std::min(earliest_end, interval.end.low);
@@ -272,9 +273,9 @@ class UnionPair : public PairIntervals<Traits> {
   }
 
   Instant latest_end() {
-    if (lasts_to_the_end()) return {context_.lifetime.dt_end, context_.lifetime.t_end};
+    if (lasts_to_the_end()) return context_.lifetime.end();
     if (end_in_doubt_) return unknown_instant();
-    Instant latest{-UncertainInterval::inf, -UncertainInterval::inf};
+    Instant latest{-unbounded, -unbounded};
     at_the_end([this, &latest](const PieceInterval& interval) {
       if (may_continue_it(interval)) latest = unknown_instant();
       if (latest.known() && may_end_it(interval))
@@ -287,12 +288,13 @@ class UnionPair : public PairIntervals<Traits> {
   std::vector<PieceInterval>& seen_;  ///< in the last walk of follow()
   bool all_seen_ = false;             ///< seen_ is complete
   bool starts_inside_ = false;        ///< one object is inside the other
+  bool lasts_until_contact_by_ = false;
   bool end_in_doubt_ = false;
-  bool last_is_instant_ = false;                ///< contact was entered by one instant alone
-  double contact_by_ = UncertainInterval::inf;  ///< contact has certainly started by then
-  Instant earliest_{UncertainInterval::inf, UncertainInterval::inf};  ///< of the known starts
-  double unknown_from_ = UncertainInterval::inf;                      ///< the earliest unknown start
-  Enclosure last_{-UncertainInterval::inf, -UncertainInterval::inf};  ///< the end of the contact so far
+  bool last_is_instant_ = false;            ///< contact was entered by one instant alone
+  double contact_by_ = unbounded;           ///< contact has certainly started by then
+  Instant earliest_{unbounded, unbounded};  ///< of the known starts
+  double unknown_from_ = unbounded;         ///< the earliest unknown start
+  Enclosure last_{-unbounded, -unbounded};  ///< the end of the contact so far
 };
 
 }  // namespace foresee

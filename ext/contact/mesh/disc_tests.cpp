@@ -47,7 +47,7 @@ Interval<double> DiscTests::cut(const BoundingDisc& a, const BoundingDisc& b, In
     const double swing = std::abs(dot(n, swing_)), at = dot(n, place_), speed = dot(n, speed_);
     const double extent = reach * (1 + 0x1p-20) + swing + slack_, middle = dot(n, gap) - at;
     if (!(std::abs(speed) * end_ > slack_)) {
-      if (std::abs(middle) > extent + 4 * slack_) near.end = -std::numeric_limits<double>::infinity();
+      if (std::abs(middle) > extent + 4 * slack_) near.end = -unbounded;
       return;
     }
     const double steep = 1 / speed, one = (middle - extent) * steep, other_one = (middle + extent) * steep;

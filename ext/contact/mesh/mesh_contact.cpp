@@ -25,10 +25,10 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceConstraint> {
   using Base = PairTests<SpaceTests, SpaceConstraint>;
 
  public:
-  /// `Context`: a PairContext, which must outlive this like the space.
+  /// As PairTests.
   template <class Context>
-  SpaceTests(const Context& context, bool times_wanted, PieceWorkspace<SpaceConstraint>& space)
-      : Base(context.queried, times_wanted, space),
+  SpaceTests(const Context& context, PieceWorkspace<SpaceConstraint>& space)
+      : Base(context, space),
         a_(context.a),
         b_(context.b),
         relative_(context.relative),
@@ -93,9 +93,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceConstraint> {
     space_.outer.start(space_.clipped);
     keep(flat);
     for (const UncertainInterval& interval : space_.clipped) {
-      const bool is_one_root = interval.begin.low == interval.end.low &&
-                               interval.begin.high == interval.end.high &&
-                               interval.begin.low > -UncertainInterval::inf;
+      const bool is_one_root = interval.begin == interval.end && interval.begin.low > -unbounded;
       const bool is_within =
           std::any_of(space_.outer.begin(), space_.outer.end(), [&](const UncertainInterval& within) {
             return within.begin.high <= interval.begin.low && interval.end.high <= within.end.low;
@@ -211,8 +209,6 @@ struct SpaceTraits {
     if constexpr (std::is_same_v<T, Bounded>) sizes.steady = steady_axes_of(setup, row_a, row_b);
     return sizes;
   }
-  /// Nothing: the filter of meshes tests single pairs of triangles (triangle_filter.h).
-  static FilterAnswer filter_answer(const PairContext<SpaceTraits>&, bool) { return {}; }
   static std::vector<SpaceConstraint> shared_constraints(const Setup&) { return {}; }
   /// Adds the parts of the sum of two pieces, for the exact stage.
   static void add_pair(UndecidedPieces<SpaceTraits>& out, const SpacePiece& a, const SpacePiece& b,
@@ -235,7 +231,7 @@ struct SpaceTraits {
     });
   }
   /// Reads the pieces of a pair of rows.
-  static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair) {
+  static void load(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair) {
     take_pair(a, b, setup, tables, pair);
   }
 };

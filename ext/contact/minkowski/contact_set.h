@@ -194,7 +194,7 @@ class AllLengths {
   }
 
   /// Computes the lengths of this pair.
-  void take(const ContactSet& set, const double* row_a, const double* row_b) {
+  void compute(const ContactSet& set, const double* row_a, const double* row_b) {
     T* const out = lengths_.data();
     const TwoRows<T> rows{row_a, row_b};
     for (const int i : set.varying())

@@ -13,6 +13,7 @@
 
 #include "contact/pair_rule.h"
 #include "motion/law.h"
+#include "numbers/crossed_root.h"
 #include "numbers/exact_conversion.h"
 #include "shape/bodies.h"
 
@@ -62,6 +63,9 @@ struct PairLifetime {
   bool start_exact, end_exact;  ///< dt_start, dt_end are the exact values
   bool ends_with_horizon;       ///< the end is now + h, not that of an object
   bool none;                    ///< the two objects never exist together during the horizon
+
+  Instant start() const { return {dt_start, t_start}; }
+  Instant end() const { return {dt_end, t_end}; }
 };
 
 /// The lifetime of a pair. `none` is decided exactly.

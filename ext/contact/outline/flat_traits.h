@@ -1,7 +1,7 @@
 // Traits of contact between outlines (certified/pair_context.h): convex pieces in the plane, prisms over them,
 // and the test of two such pieces in doubles with error bounds.
 //
-//   PieceTests<2, 1> tests(context, true, space);
+//   PieceTests<2, 1> tests(context, space);
 //   for (const PieceInterval& interval : tests.of(piece_a, piece_b)) best = std::min(best, interval.begin.high);
 //
 // A test takes all constraints of the Minkowski sum (flat_constraint.h). Differences of corners, and of the two
@@ -33,10 +33,10 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, FlatConstraint> {
   using Base = PairTests<PieceTests, FlatConstraint>;
 
  public:
-  /// `Context`: a PairContext, which must outlive this like the space.
+  /// As PairTests.
   template <class Context>
-  PieceTests(const Context& context, bool times_wanted, FlatSpace& space)
-      : Base(context.queried, times_wanted, space),
+  PieceTests(const Context& context, FlatSpace& space)
+      : Base(context, space),
         a_(context.a),
         b_(context.b),
         relative_(context.relative),
@@ -103,14 +103,14 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, FlatConstraint> {
   }
 
   static Interval<double> reached(const IntervalUnion& intervals) {
-    Interval<double> reached{UncertainInterval::inf, -UncertainInterval::inf};
+    Interval<double> reached{unbounded, -unbounded};
     for (const UncertainInterval& interval : intervals)
       reached = {std::min(reached.begin, interval.begin.low), std::max(reached.end, interval.end.high)};
     return reached;
   }
   /// An interval during which they surely touch.
   static Interval<double> surely_held(const IntervalUnion& intervals) {
-    Interval<double> held{UncertainInterval::inf, -UncertainInterval::inf};
+    Interval<double> held{unbounded, -unbounded};
     for (const UncertainInterval& interval : intervals)
       if (interval.is_certain()) held = {interval.begin.high, interval.end.low};
     return held;
@@ -225,14 +225,14 @@ struct FlatTraits {
     return foresee::sizes_of<T>(setup, row_a, row_b);
   }
   /// For prisms it decides only that their outlines are apart.
-  static FilterAnswer filter_answer(const PairContext<FlatTraits>& context, bool times_wanted);
+  static FilterAnswer filter_answer(const PairContext<FlatTraits>& context);
   /// Whether a point that leaves a piece there enters its neighbour. Not around a corner: there the part that
   /// grows by R ends beside the cut that starts at the corner, not beyond it.
   static bool is_cut(const FlatConstraint& constraint) {
     return constraint.kind != ConstraintKind::ball && constraint.feature.edge.inner;
   }
   /// Reads the pieces of a pair of rows.
-  static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair) {
+  static void load(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair) {
     take_pair(a, b, setup, tables, pair);
     if (a.is_point() && b.is_point()) a.take_box(0, 0);  // a sum needs edges
   }

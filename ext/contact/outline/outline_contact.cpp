@@ -7,7 +7,7 @@
 namespace foresee {
 
 template <int D, int Degree>
-FilterAnswer FlatTraits<D, Degree>::filter_answer(const PairContext<FlatTraits>& context, bool times_wanted) {
+FilterAnswer FlatTraits<D, Degree>::filter_answer(const PairContext<FlatTraits>& context) {
   constexpr std::size_t few = 8, some = 16;
   if (context.a.count() * context.b.count() > some) return {};
   const double first = context.lifetime.dt_start, last = context.lifetime.dt_end, length = last - first;
@@ -40,7 +40,7 @@ FilterAnswer FlatTraits<D, Degree>::filter_answer(const PairContext<FlatTraits>&
     radius = radius + more, radius.error += more.value * (1 + 0x1p-40) + more.error;
   }
   const FilterAnswer answer = filter_outlines(plain, context.a, context.b, std::span(pairs).first(count),
-                                              radius, D == 2 && times_wanted);
+                                              radius, D == 2 && context.times_wanted);
   return D == 2 || answer.touches == Verdict::no ? answer : FilterAnswer{};
 }
 

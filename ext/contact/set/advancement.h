@@ -16,7 +16,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -66,22 +66,12 @@ class CertainSet {
 
   /// Whether the pair is certainly inside the set at tau.
   bool now_within(double tau) {
-    expand_at(tau);
-    forget();
-    return std::any_of(set_.pieces().begin(), set_.pieces().end(), [this](const ContactSet::Piece& piece) {
-      const auto all = set_.members(piece.all);
-      return std::all_of(all.begin(), all.end(), [this](int i) { return value_now(i) < 0; });
-    });
+    return has_piece_of(tau, [](double side) { return side < 0; });
   }
 
   /// Whether the pair is certainly outside the set at tau.
   bool now_apart(double tau) {
-    expand_at(tau);
-    forget();
-    return std::all_of(set_.pieces().begin(), set_.pieces().end(), [this](const ContactSet::Piece& piece) {
-      const auto all = set_.members(piece.all);
-      return std::any_of(all.begin(), all.end(), [this](int i) { return value_now(i) > 0; });
-    });
+    return !has_piece_of(tau, [](double side) { return side <= 0; });
   }
 
   /// Expands the motion at tau, for the functions about single primitives that follow.
@@ -114,6 +104,17 @@ class CertainSet {
  private:
   void forget() { std::fill(known_.begin(), known_.end(), std::numeric_limits<double>::quiet_NaN()); }
 
+  /// Whether all primitives of a piece have such a side at tau, as value_now() says.
+  template <class IsSuch>
+  bool has_piece_of(double tau, IsSuch&& is_such) {
+    expand_at(tau);
+    forget();
+    return std::any_of(set_.pieces().begin(), set_.pieces().end(), [&](const ContactSet::Piece& piece) {
+      const auto all = set_.members(piece.all);
+      return std::all_of(all.begin(), all.end(), [&](int i) { return is_such(value_now(i)); });
+    });
+  }
+
   /// For how long one of these primitives is certainly positive, or not_certain; exact only below `enough`.
   double longest_apart(const ContactSet::Part& part, double enough, double room) {
     double longest = not_certain;
@@ -138,7 +139,7 @@ class CertainSet {
   [[gnu::flatten]] double lasts(int i, double side, double room) {
     const auto place = static_cast<std::size_t>(i);
     double& known = known_[place];
-    if (known == known) return known;
+    if (!std::isnan(known)) return known;
     const Primitive& primitive = set_.primitives()[place];
     const double lost = this->lost(primitive);
     const auto wanted = [side, lost](const Bounded& now) { return side * now.value > now.error_bound(lost); };
@@ -150,7 +151,7 @@ class CertainSet {
   [[gnu::flatten]] double value_now(int i) {
     const auto place = static_cast<std::size_t>(i);
     double& known = known_[place];
-    if (known == known) return known;
+    if (!std::isnan(known)) return known;
     const Primitive& primitive = set_.primitives()[place];
     Coefficients<Bounded, 0> x[D];
     for (int j = 0; j < D; ++j) x[j] = {x_[j][0]};

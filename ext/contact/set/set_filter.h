@@ -1,7 +1,7 @@
 // Filter of many pairs for contact of one contact set: the lanes (set_lanes.h) discard most pairs.
 //
 //   SetFilter<2, 1> filter(setup, set);
-//   filter.for_each(pairs, true, [&](const Pair& pair, const Interval<double>& near, bool) { … });
+//   filter.for_each(pairs, CertainContact::at_start, [&](const Pair& pair, const Interval<double>& near, bool) { … });
 //
 // Cost: some twenty nanoseconds per pair.
 #pragma once
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/pair.h"
+#include "contact/certified/pair_context.h"
 #include "contact/certified/root_bracketing.h"
 #include "contact/minkowski/relative_motion.h"
 #include "contact/set/set_lanes.h"
@@ -48,13 +49,11 @@ class SetFilter {
                   .times_wanted = false,
                   .space = reinterpret_cast<double*>(space_.data())} {}
 
-  /// Calls `visit` with each pair that is not certainly apart, in order. Its other arguments are the time
-  /// outside of which they do not touch, and whether they certainly touch. That is about the start of the queried
-  /// time if times are wanted, else about any time.
+  /// As EachPair::for_each().
   template <class Visit>
-  void for_each(std::span<const Pair> pairs, bool times_wanted, Visit&& visit) {
+  void for_each(std::span<const Pair> pairs, CertainContact certain, Visit&& visit) {
     constexpr std::size_t width = SetLanes::width;
-    question_.times_wanted = times_wanted;
+    question_.times_wanted = certain == CertainContact::at_start;
     for (std::size_t begin = 0; begin < pairs.size(); begin += width) {
       const auto some = pairs.subspan(begin, std::min(width, pairs.size() - begin));
       for (std::size_t l = 0; l < width; ++l) {

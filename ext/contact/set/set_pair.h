@@ -1,8 +1,8 @@
 // First contact of a pair by one contact set, as far as doubles and DoubleDouble certify it. It works as
 // certified/union_pair.h, for a set instead of pieces under trees, with the early exits of conservative advancement.
 //
-//   SetPair<2, 1> pair(context, true, space);
-//   if (pair.first_contact(begin) == Verdict::yes) end = pair.end_of_contact(false);
+//   SetPair<2, 1> pair(context, space);
+//   if (pair.first_contact().touches == Verdict::yes) end = pair.end_of_contact();
 //
 // The pieces of a set are few and share primitives, so all are evaluated at one time after another
 // (advancement.h). Only the primitives that may be 0 in a bracket so found have a root to round.
@@ -16,9 +16,12 @@ namespace foresee {
 /// A set and its lengths for one pair after another.
 class SetPieces {
  public:
-  void take(const ContactSet& set, const double* row_a, const double* row_b) {
-    if (!lengths_) set_ = &set, lengths_.emplace(set);
-    lengths_->take(set, row_a, row_b);
+  void load(const ContactSet& set, const double* row_a, const double* row_b) {
+    if (!lengths_) {
+      set_ = &set;
+      lengths_.emplace(set);
+    }
+    lengths_->compute(set, row_a, row_b);
   }
 
   const ContactSet& set() const { return *set_; }
@@ -30,26 +33,12 @@ class SetPieces {
   std::optional<AllLengths<Bounded>> lengths_;
 };
 
-/// The input of all stages for a pair, as PairContext is for pieces under trees.
+/// The input of all stages for a pair, as PairContext is for pieces under trees. The set is that of `a`.
 template <int D, int Degree>
-struct SetPairContext {
-  /// `near`: they touch at no other times. All arguments but the second pieces must outlive this.
-  [[gnu::flatten]] SetPairContext(const Setup& setup, const double* row_a, const double* row_b,
-                                  const SetPieces& a, const SetPieces& /*b*/, const PairLifetime& lifetime,
-                                  const Interval<double>& near, Steps& /*steps*/)
-      : setup(setup),
-        row_a(row_a),
-        row_b(row_b),
-        a(a),
-        lifetime(lifetime),
-        near(near),
-        relative(certain_motion_of<D, Degree>(setup, row_a, row_b)) {}
+struct SetPairContext : PairInput<SetPieces> {
+  [[gnu::flatten]] explicit SetPairContext(const PairInput<SetPieces>& input)
+      : PairInput(input), relative(certain_motion_of<D, Degree>(setup, row_a, row_b)) {}
 
-  const Setup& setup;
-  const double *const row_a, *const row_b;
-  const SetPieces& a;
-  const PairLifetime& lifetime;
-  const Interval<double> near;
   const CertainMotion<D> relative;
 };
 
@@ -80,7 +69,8 @@ class SetCrossing {
     space.tested.assign(space.crossings.size(), false);
   }
 
-  /// When the pair enters or leaves the set, or unknown.
+  /// When the pair enters or leaves the set, or unknown. The set is the union of its pieces: the pair enters it with
+  /// the first piece that it enters, and leaves it with the last.
   Instant instant() {
     Instant whole = outside;
     for (const ContactSet::Piece& piece : certain_.set().pieces()) whole = any(whole, of_piece(piece));
@@ -88,11 +78,8 @@ class SetCrossing {
   }
 
  private:
-  static constexpr double inf = std::numeric_limits<double>::infinity();
-  static constexpr Instant inside =
-      direction == CrossingDirection::entering ? Instant{-inf, -inf} : Instant{inf, inf};
-  static constexpr Instant outside =
-      direction == CrossingDirection::entering ? Instant{inf, inf} : Instant{-inf, -inf};
+  static constexpr double crossed = direction == CrossingDirection::entering ? -unbounded : unbounded;
+  static constexpr Instant inside{crossed, crossed}, outside{-crossed, -crossed};
 
   static Instant all(const Instant& a, const Instant& b) {
     return direction == CrossingDirection::entering ? later(a, b) : earlier(a, b);
@@ -156,7 +143,7 @@ class SetPair {
  public:
   using Context = SetPairContext<D, Degree>;
 
-  SetPair(const Context& context, bool /*times_wanted*/, SetSpace& space)
+  SetPair(const Context& context, SetSpace& space)
       : context_(context),
         space_(space),
         advancement_({context.a.set(), context.relative, context.a.lengths().data(), space.known},
@@ -165,13 +152,13 @@ class SetPair {
   /// Whether they touch. Stops at the first time at which they certainly do.
   Verdict touches() { return advancement_.touches(); }
 
-  /// Whether they touch, and when contact starts. After `yes`, `begin` is known.
-  Verdict first_contact(Instant& begin) {
+  /// Whether they touch, and when contact starts. Its end is not searched.
+  FirstContact first_contact() {
     const Verdict touches = advancement_.first_contact(first_);
-    if (touches != Verdict::yes) return touches;
-    begin = {context_.lifetime.dt_start, context_.lifetime.t_start};
+    if (touches != Verdict::yes) return {touches};
+    Instant begin = context_.lifetime.start();
     if (first_.after > begin.dt) begin = later(crossing<CrossingDirection::entering>(first_), begin);
-    return begin.known() ? Verdict::yes : Verdict::uncertain;
+    return {begin.known() ? Verdict::yes : Verdict::uncertain, begin};
   }
 
   /// After `yes`: a time by which contact has certainly started.
@@ -180,15 +167,15 @@ class SetPair {
   void start_at(double time) { first_.after = time; }
 
   /// When the contact ends that first_contact() or start_at() has found, or unknown.
-  Instant end_of_contact(bool /*lasts_until_contact_by*/) {
+  Instant end_of_contact() {
     Bracket last;
     const Verdict leaves = advancement_.end_of_contact(first_.after, last);
     if (leaves == Verdict::uncertain) return unknown_instant();
-    const Instant end{context_.lifetime.dt_end, context_.lifetime.t_end};
+    const Instant end = context_.lifetime.end();
     return leaves == Verdict::no ? end : earlier(crossing<CrossingDirection::leaving>(last), end);
   }
 
-  double last_certain_time() const { return first_.after; }
+  const Context& context() const { return context_; }
 
  private:
   /// The time in the bracket at which the pair enters or leaves the set, rounded once, or unknown.

@@ -17,26 +17,31 @@ namespace foresee {
 /// The exact stage. It takes all pieces at once.
 class ExactSet {
  public:
-  template <class Context, class Staged>
-  ExactSet(const Context& context, const Staged& /*staged*/)
-      : polynomials_(context.a.set(), context.setup, context.row_a, context.row_b),
-        lifetime_(exact_lifetime_of(context.setup, context.row_a, context.row_b)) {}
+  template <int D, int Degree>
+  explicit ExactSet(const SetPair<D, Degree>& pair) : ExactSet(pair.context()) {}
+
+  // Each function answers alone: the polynomials can be used for one answer only.
 
   bool touches() { return exact_touches(polynomials_, lifetime_); }
-  /// The first contact, whatever is known of it.
-  std::optional<ContactTimes> contact(double /*from*/, double /*contact_by*/ = 0) {
-    return exact_times(polynomials_, lifetime_);
+  FirstContact first_contact() {
+    const auto times = exact_times(polynomials_, lifetime_);
+    if (!times) return {};
+    return {Verdict::yes, {times->dt, times->t}, {times->dt_end, times->t_end}};
   }
+  Instant end_of_contact() { return first_contact().end; }
   std::vector<ContactTimes> contacts() { return exact_contacts(polynomials_, lifetime_); }
 
  private:
+  explicit ExactSet(const PairInput<SetPieces>& pair)
+      : polynomials_(pair.a.set(), pair.setup, pair.row_a, pair.row_b),
+        lifetime_(exact_lifetime_of(pair.setup, pair.row_a, pair.row_b)) {}
+
   PairPolynomials polynomials_;
   const ExactLifetime lifetime_;
 };
 
 /// D: the number of axes. Degree: 1 or 2, the highest power of time in the relative motion and in the sizes
-/// of the set. The engine passes some arguments that only pieces under trees need: their parameters have no name here
-/// and in set_pair.h.
+/// of the set.
 template <int D, int Degree>
 struct SetTraits {
   static constexpr int axes = D;
@@ -49,11 +54,10 @@ struct SetTraits {
   using Staged = SetPair<D, Degree>;
   using Exact = ExactSet;
 
-  static void take(Pieces& pieces, Pieces&, const Setup& setup, const Tables& set, const Pair& pair) {
-    pieces.take(set, setup.a.row(pair.a), setup.b.row(pair.b));
+  /// The first pieces are those of the pair.
+  static void load(Pieces& pieces, Pieces&, const Setup& setup, const Tables& set, const Pair& pair) {
+    pieces.load(set, setup.a.row(pair.a), setup.b.row(pair.b));
   }
-  /// The lanes have filtered already.
-  static FilterAnswer filter_answer(const Context&, bool) { return {}; }
   /// Whether the relative motion has no acceleration. Sizes grow linearly.
   static bool is_straight(const Setup& setup, const double* row_a, const double* row_b) {
     if (Degree < 2) return true;

@@ -89,11 +89,11 @@ TEST(IntervalUnion, FoundInLeapsHoldWhereTheSignSays) {
 TEST(IntervalUnion, WhatIsKeptIsInBoth) {
   IntervalUnion intervals;
   intervals.start({{0, 0}, {8, 8}});
-  intervals.keep({{UncertainInterval{{-UncertainInterval::inf, -UncertainInterval::inf}, {3, 4}},
-                   UncertainInterval{{5, 6}, {UncertainInterval::inf, UncertainInterval::inf}}},
+  intervals.keep({{UncertainInterval{{-unbounded, -unbounded}, {3, 4}},
+                   UncertainInterval{{5, 6}, {unbounded, unbounded}}},
                   2});
   ASSERT_EQ(intervals.end() - intervals.begin(), 2);
-  intervals.keep(SublevelIntervals::one({{3.5, 3.75}, {UncertainInterval::inf, UncertainInterval::inf}}));
+  intervals.keep(SublevelIntervals::one({{3.5, 3.75}, {unbounded, unbounded}}));
   EXPECT_FALSE(intervals.begin()->is_certain());  // it may end before it starts
   EXPECT_TRUE((intervals.begin() + 1)->is_certain());
   intervals.keep(SublevelIntervals::one({{4.5, 4.5}, {5.5, 5.5}}));

@@ -105,11 +105,9 @@ TEST(OutlineContact, OfRandomPairsIsDecidedByDoubles) {
   for (int seed = 0; seed < 1000; ++seed) {
     StagedScene staged(draw_scene(any, OutlinePairing::outlines, static_cast<std::uint64_t>(seed)));
     UnionPair<FlatTraits<2, 1>> pair = staged.pair(true);
-    Instant begin;
-    const Verdict touches = pair.first_contact(begin);
+    const Verdict touches = pair.first_contact().touches;
     contacts += touches == Verdict::yes;
-    in_doubt +=
-        touches == Verdict::uncertain || (touches == Verdict::yes && !pair.end_of_contact(false).known());
+    in_doubt += touches == Verdict::uncertain || (touches == Verdict::yes && !pair.end_of_contact().known());
   }
   EXPECT_GT(contacts, 200);
   EXPECT_LE(in_doubt, 2);

@@ -26,8 +26,9 @@ struct StagedScene {
   StagedScene(const StagedScene&) = delete;
 
   UnionPair<FlatTraits<2, 1>> pair(bool times_wanted) {
-    context.emplace(setup, row_a.data(), row_b.data(), a, b, lifetime, any_time, steps);
-    return {*context, times_wanted, space};
+    context.emplace(PairInput<ObjectPieces>{setup, row_a.data(), row_b.data(), a, b, lifetime, any_time,
+                                            times_wanted, steps});
+    return {*context, space};
   }
 
   const std::vector<double> row_a, row_b;
