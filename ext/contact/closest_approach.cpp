@@ -103,11 +103,7 @@ class CertainApproach {
     return true;
   }
 
-  Slope slope_at(double tau) const {
-    AxisView<> view[D];
-    view_from<D, 2>(relative_, tau, view);
-    return slope_of(view);
-  }
+  Slope slope_at(double tau) const { return slope_of(view_from<2>(relative_, tau)); }
 
   /// Isolates all minima, the rising roots of the slope, in order; false if that fails.
   bool find_valleys(double low, const Slope& at_low, double high, const Slope& at_high, int& budget) {
@@ -205,8 +201,7 @@ class CertainApproach {
   };
 
   Spot spot_at(const DoubleDouble& tau) const {
-    AxisView<> view[D];
-    view_from<D, 2>(relative_, tau.high, view);
+    const CertainMotion<D> view = view_from<2>(relative_, tau.high);
     Spot spot;
     spot.rough = slope_of(view);
     double squares = 0, products = 0;
@@ -216,9 +211,9 @@ class CertainApproach {
       spot.square = spot.square + place * place;
       spot.slope = spot.slope + place * (motion_.v[j] + (turn + turn));
 
-      const AxisView<>& w = view[j];
-      const double p = std::abs(w.p) + w.ep, q = std::abs(w.q) + w.eq, a = std::abs(w.a) + w.ea;
-      const double ep = fine * w.ep + relative_.underflow, eq = fine * w.eq + relative_.underflow;
+      const CertainAxisMotion<double>& w = view.axis[j];
+      const double p = std::abs(w.x) + w.ex, q = std::abs(w.v) + w.ev, a = std::abs(w.a) + w.ea;
+      const double ep = fine * w.ex + relative_.underflow, eq = fine * w.ev + relative_.underflow;
       squares += p * p, products += p * q;
       spot.square_error += ep * (2 * p + ep);
       spot.slope_error += p * eq + q * ep + ep * eq;

@@ -35,13 +35,6 @@ struct CertainMotion {
   Real underflow;  ///< bound on the underflow of an evaluation at any tau of the horizon
 };
 
-/// Motion on one axis, expanded at a time: p + q s + a s^2 for the time s after it.
-template <class Real = double>
-struct AxisView {
-  Real p, q, a;
-  Real ep, eq, ea;
-};
-
 /// Relative motion on one axis for any two reference times, `s_a` and `s_b` before now.
 template <int Degree, class Real>
 CertainAxisMotion<Real> axis_of_any_age(const AxisMotion<Real>& a, const AxisMotion<Real>& b, const Real& s_a,
@@ -66,9 +59,9 @@ CertainAxisMotion<Real> axis_of_any_age(const AxisMotion<Real>& a, const AxisMot
           u * abs(half) + underflow};
 }
 
-/// The motion on one axis, expanded at tau. Requires: 0 <= tau <= h.
+/// The motion on one axis by powers of the time after tau. Requires: 0 <= tau <= h.
 template <int Degree, class Real>
-AxisView<Real> view_from(const CertainAxisMotion<Real>& r, const Real& tau, const Real& underflow) {
+CertainAxisMotion<Real> view_from(const CertainAxisMotion<Real>& r, const Real& tau, const Real& underflow) {
   using std::abs;
   constexpr double u = unit_roundoff;
   if constexpr (Degree < 2)
@@ -87,10 +80,12 @@ AxisView<Real> view_from(const CertainAxisMotion<Real>& r, const Real& tau, cons
           r.ea};
 }
 
-/// The same on all axes.
-template <int D, int Degree, class Real>
-void view_from(const CertainMotion<D, Real>& r, const Real& tau, AxisView<Real> (&view)[D]) {
-  for (int j = 0; j < D; ++j) view[j] = view_from<Degree>(r.axis[j], tau, r.underflow);
+/// The motion on all axes by powers of the time after tau.
+template <int Degree, int D, class Real>
+CertainMotion<D, Real> view_from(const CertainMotion<D, Real>& r, const Real& tau) {
+  CertainMotion<D, Real> view{{}, r.underflow};
+  for (int j = 0; j < D; ++j) view.axis[j] = view_from<Degree>(r.axis[j], tau, r.underflow);
+  return view;
 }
 
 }  // namespace foresee

@@ -46,11 +46,12 @@ CertainMotion<D> certain_motion_of(const Setup& setup, const double* row_a, cons
 
 /// The relative motion, by powers of the time after tau.
 template <int Degree, int D>
-std::array<Coefficients<Bounded, Degree>, D> expanded_at(const CertainMotion<D>& relative, double tau) {
+[[gnu::always_inline]] inline std::array<Coefficients<Bounded, Degree>, D> expanded_at(
+    const CertainMotion<D>& relative, double tau) {
   std::array<Coefficients<Bounded, Degree>, D> x;
   for (std::size_t j = 0; j < D; ++j) {
-    const AxisView<> view = view_from<Degree>(relative.axis[j], tau, relative.underflow);
-    x[j][0] = {view.p, view.ep}, x[j][1] = {view.q, view.eq};
+    const CertainAxisMotion<double> view = view_from<Degree>(relative.axis[j], tau, relative.underflow);
+    x[j][0] = {view.x, view.ex}, x[j][1] = {view.v, view.ev};
     if constexpr (Degree > 1) x[j][2] = {view.a, view.ea};
   }
   return x;

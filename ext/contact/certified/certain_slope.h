@@ -23,16 +23,16 @@ struct Slope {
 };
 
 template <int D>
-Slope slope_of(const AxisView<> (&view)[D]) {
+Slope slope_of(const CertainMotion<D>& motion) {
   constexpr double u = unit_roundoff;
   Slope s;
-  for (const AxisView<>& w : view) {
-    const double p = std::abs(w.p), q = std::abs(w.q), a = std::abs(w.a);
-    s.value += w.p * w.q;
-    s.value_error += p * w.eq + q * w.ep + w.ep * w.eq + 8 * u * (p * q);
-    s.growth += w.q * w.q + 2 * (w.a * w.p);
+  for (const CertainAxisMotion<double>& w : motion.axis) {
+    const double x = std::abs(w.x), v = std::abs(w.v), a = std::abs(w.a);
+    s.value += w.x * w.v;
+    s.value_error += x * w.ev + v * w.ex + w.ex * w.ev + 8 * u * (x * v);
+    s.growth += w.v * w.v + 2 * (w.a * w.x);
     s.growth_error +=
-        w.eq * (2 * q + w.eq) + 2 * (a * w.ep + p * w.ea + w.ea * w.ep) + 8 * u * (q * q + 2 * (a * p));
+        w.ev * (2 * v + w.ev) + 2 * (a * w.ex + x * w.ea + w.ea * w.ex) + 8 * u * (v * v + 2 * (a * x));
   }
   // Increased by more than the rounding errors of these sums and their underflow.
   constexpr double more = 1 + 0x1p-40, underflow = 0x1p-1060;

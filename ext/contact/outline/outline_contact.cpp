@@ -23,11 +23,11 @@ FilterAnswer FlatTraits<D, Degree>::filter_answer(const PairContext<FlatTraits>&
   if (count > few) return {};
   LinearPath plain{};
   const auto take_axis = [&](const CertainAxisMotion<double>& d, double& begin, double& end) {
-    const AxisView<double> from = view_from<Degree>(d, first, context.relative.underflow);
-    const AxisView<double> to = view_from<Degree>(d, last, context.relative.underflow);
-    begin = from.p, end = to.p;
+    const CertainAxisMotion<double> from = view_from<Degree>(d, first, context.relative.underflow);
+    const CertainAxisMotion<double> to = view_from<Degree>(d, last, context.relative.underflow);
+    begin = from.x, end = to.x;
     // The slack also covers times that doubles round.
-    plain.slack += std::max(from.ep, to.ep) + 0x1p-45 * (last * (std::abs(d.v) + last * std::abs(d.a)));
+    plain.slack += std::max(from.ex, to.ex) + 0x1p-45 * (last * (std::abs(d.v) + last * std::abs(d.a)));
     plain.bend += 0.3 * (length * (length * (std::abs(d.a) + d.ea)));
   };
   take_axis(context.relative.axis[0], plain.begin.x, plain.end.x);

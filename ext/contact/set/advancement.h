@@ -16,6 +16,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -77,19 +78,14 @@ class CertainSet {
   /// Expands the motion at tau, for the functions about single primitives that follow.
   [[gnu::always_inline]] void expand_at(double tau) {
     tau_ = tau;
-    for (int j = 0; j < D; ++j) {
-      const AxisView<> view = view_from<Degree>(relative_.axis[j], tau, relative_.underflow);
-      x_[j][0] = {view.p, view.ep};
-      x_[j][1] = {view.q, view.eq};
-      if constexpr (Degree > 1) x_[j][2] = {view.a, view.ea};
-    }
+    x_ = expanded_at<Degree>(relative_, tau);
   }
 
   /// Calls `take` with the polynomial of a primitive.
   template <class Take>
   auto with_polynomial(const Primitive& primitive, Take&& take) const {
     const auto wanted = [](const Bounded&) { return true; };
-    return foresee::with_polynomial<Degree>(primitive, x_, lengths_, tau_, wanted, take);
+    return foresee::with_polynomial<Degree>(primitive, x_.data(), lengths_, tau_, wanted, take);
   }
 
   /// Bound on the underflow of a coefficient: 0 if it has no products.
@@ -144,7 +140,7 @@ class CertainSet {
     const double lost = this->lost(primitive);
     const auto wanted = [side, lost](const Bounded& now) { return side * now.value > now.error_bound(lost); };
     const auto take = [side, lost, room](const auto& p) { return positive_during(p, side, lost, room); };
-    return known = foresee::with_polynomial<Degree>(primitive, x_, lengths_, tau_, wanted, take);
+    return known = foresee::with_polynomial<Degree>(primitive, x_.data(), lengths_, tau_, wanted, take);
   }
 
   /// Primitive i at tau: 1: certainly outside, -1: certainly inside, 0: undecided.
@@ -154,7 +150,7 @@ class CertainSet {
     if (!std::isnan(known)) return known;
     const Primitive& primitive = set_.primitives()[place];
     Coefficients<Bounded, 0> x[D];
-    for (int j = 0; j < D; ++j) x[j] = {x_[j][0]};
+    for (std::size_t j = 0; j < D; ++j) x[j] = {x_[j][0]};
     const Bounded value = polynomial_of<0>(primitive, x, lengths_, tau_)[0];
     const double error = value.error_bound(lost(primitive));
     return known = value.value - error > 0 ? 1 : -value.value - error > 0 ? -1 : 0;
@@ -164,7 +160,7 @@ class CertainSet {
   const CertainMotion<D>& relative_;
   const Bounded* const lengths_;
   std::vector<double>& known_;  ///< the result of each primitive for the current test; NaN: not evaluated
-  Coefficients<Bounded, Degree> x_[D];
+  std::array<Coefficients<Bounded, Degree>, D> x_;
   double tau_ = 0;
 };
 

@@ -93,8 +93,8 @@ class PairRegister {
   DoublesMask touches(const Doubles& time) const {
     Coefficients<BoundedDoubles, 0> x[D];
     for (int j = 0; j < D; ++j) {
-      const AxisView<Doubles> view = view_from<Degree>(relative_.axis[j], time, relative_.underflow);
-      x[j][0] = {view.p, view.ep};
+      const CertainAxisMotion<Doubles> view = view_from<Degree>(relative_.axis[j], time, relative_.underflow);
+      x[j][0] = {view.x, view.ex};
     }
     for (int i = 0; i < q_.set.primitive_count; ++i) {
       const BoundedDoubles p = polynomial_of<0>(q_.set.primitives[i], x, lengths_, time)[0];
