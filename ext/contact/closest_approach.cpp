@@ -9,6 +9,7 @@
 
 #include "contact/certified/certain_motion.h"
 #include "contact/certified/certain_slope.h"
+#include "contact/constraint/constraint.h"
 #include "contact/contact.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/minkowski/relative_motion.h"
@@ -205,11 +206,11 @@ class CertainApproach {
     Spot spot;
     spot.rough = slope_of(view);
     double squares = 0, products = 0;
-    for (int j = 0; j < D; ++j) {
-      const DoubleDouble turn = tau * motion_.a[j];
-      const DoubleDouble place = motion_.x[j] + tau * (motion_.v[j] + turn);
+    for (std::size_t j = 0; j < D; ++j) {
+      const auto& [at_now, speed, half_a] = motion_[j];
+      const DoubleDouble turn = tau * half_a, place = at_now + tau * (speed + turn);
       spot.square = spot.square + place * place;
-      spot.slope = spot.slope + place * (motion_.v[j] + (turn + turn));
+      spot.slope = spot.slope + place * (speed + (turn + turn));
 
       const CertainAxisMotion<double>& w = view.axis[j];
       const double p = std::abs(w.x) + w.ex, q = std::abs(w.v) + w.ev, a = std::abs(w.a) + w.ea;
@@ -236,8 +237,9 @@ class CertainApproach {
 
 template <int D>
 [[gnu::noinline]] ClosestApproach exact_answer(const Setup& setup, const double* row_a, const double* row_b) {
-  return exact_approach(squared_distance(relative_motion_of<Dyadic, D>(setup, row_a, row_b)),
-                        exact_lifetime_of(setup, row_a, row_b));
+  const auto motion = relative_motion_of<Dyadic, D>(setup, row_a, row_b);
+  const auto square = ball_polynomial<2>(motion, MovingSize<Dyadic>{}, [](const Dyadic&) { return true; });
+  return exact_approach(square, exact_lifetime_of(setup, row_a, row_b));
 }
 
 }  // namespace

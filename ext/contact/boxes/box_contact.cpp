@@ -164,12 +164,11 @@ class BoxContact final : public SetContact<D, Degree> {
 
   [[gnu::flatten]] void put_meeting(const double* a, const double* b, int l) {
     const int j = static_cast<int>(lanes_.axis[l]);
-    const auto relative = relative_axis_motion_of<DoubleDouble>(setup_, a, b, j);
+    const auto [x, v, half_a] = relative_axis_motion_of<DoubleDouble>(setup_, a, b, j);
     const auto half = size_as_of_t<DoubleDouble>(setup_.rule.extent[j], a, b);
     MeetingLanes& m = meetings_;
-    m.x[l] = relative.x.high, m.v[l] = relative.v.high, m.a[l] = relative.a.high, m.half[l] = half.high;
-    m.x_low[l] = relative.x.low, m.v_low[l] = relative.v.low, m.a_low[l] = relative.a.low,
-    m.half_low[l] = half.low;
+    m.x[l] = x.high, m.v[l] = v.high, m.a[l] = half_a.high, m.half[l] = half.high;
+    m.x_low[l] = x.low, m.v_low[l] = v.low, m.a_low[l] = half_a.low, m.half_low[l] = half.low;
     m.ex[l] = lanes_.ex[j][l], m.ev[l] = lanes_.ev[j][l];
     m.side[l] = lanes_.side[l], m.time[l] = lanes_.time[l], m.room[l] = lanes_.room[l];
   }

@@ -71,7 +71,7 @@ class EndpointRounding {
     std::array<Coefficients<DoubleDouble, 0>, D> place;
     const DoubleDouble t{tau, 0};
     for (std::size_t j = 0; j < D; ++j)
-      place[j][0] = relative_.x[j] + t * (relative_.v[j] + t * relative_.a[j]);
+      place[j][0] = relative_[j][0] + t * (relative_[j][1] + t * relative_[j][2]);
     return place;
   }
 

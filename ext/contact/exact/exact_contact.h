@@ -35,24 +35,10 @@ namespace foresee {
 //
 // Each is computed in 128 bits first, and exactly only where those decide nothing.
 
-/// The relative motion by powers of the time from `now` on; 0 on axes that do not exist.
-template <class T>
-using MotionCoefficients = std::array<Coefficients<T, 2>, 3>;
-
-template <class T>
-MotionCoefficients<T> motion_coefficients(const Setup& setup, const double* row_a, const double* row_b) {
-  MotionCoefficients<T> x;
-  for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
-    const RelativeAxisMotion<T> one = relative_axis_motion_of<T>(setup, row_a, row_b, axis);
-    x[static_cast<std::size_t>(axis)] = {one.x, one.v, one.a};
-  }
-  return x;
-}
-
 /// The constraints of one pair, by number, and the pieces that name them.
 template <class C>
-concept ConstraintsOfPair = requires(const C& constraints, int i, const MotionCoefficients<Midrad128>& rough,
-                                     const MotionCoefficients<Dyadic>& exact) {
+concept ConstraintsOfPair = requires(const C& constraints, int i, const RelativeMotion<Midrad128, 3>& rough,
+                                     const RelativeMotion<Dyadic, 3>& exact) {
   { constraints.set() } -> std::same_as<const ConstraintUnion&>;
   { constraints.constraint_count() } -> std::convertible_to<std::size_t>;
   { constraints.polynomial(i, rough) } -> std::same_as<Coefficients<Midrad128, 4>>;
@@ -91,7 +77,7 @@ class PolynomialsOf : public PiecePolynomials {
         setup_(setup),
         row_a_(row_a),
         row_b_(row_b),
-        rough_motion_(motion_coefficients<Midrad128>(setup, row_a, row_b)),
+        rough_motion_(motion_of<Midrad128>()),
         number_of_(constraints_.constraint_count(), -1) {}
   PolynomialsOf(const PolynomialsOf&) = delete;
   PolynomialsOf& operator=(const PolynomialsOf&) = delete;
@@ -117,16 +103,21 @@ class PolynomialsOf : public PiecePolynomials {
   }
 
   Polynomial exact_polynomial(int constraint) const override {
-    if (!exact_motion_) exact_motion_ = motion_coefficients<Dyadic>(setup_, row_a_, row_b_);
+    if (!exact_motion_) exact_motion_ = motion_of<Dyadic>();
     return Polynomial(constraints_.polynomial(constraint, *exact_motion_));
   }
 
  private:
+  template <class T>
+  RelativeMotion<T, 3> motion_of() const {
+    return relative_motion_of<T, 3>(setup_, row_a_, row_b_, setup_.a.layout.axes);
+  }
+
   const Constraints constraints_;
   const Setup& setup_;
   const double *row_a_, *row_b_;
-  const MotionCoefficients<Midrad128> rough_motion_;
-  mutable std::optional<MotionCoefficients<Dyadic>> exact_motion_;  ///< computed at its first use
+  const RelativeMotion<Midrad128, 3> rough_motion_;
+  mutable std::optional<RelativeMotion<Dyadic, 3>> exact_motion_;  ///< computed at its first use
   std::vector<int> number_of_;  ///< of each constraint's polynomial; -1: not made
   std::vector<int> compared_;   ///< the constraints with a polynomial that others may equal
 };
@@ -140,7 +131,7 @@ class SetConstraints {
   const ConstraintUnion& set() const { return set_; }
   std::size_t constraint_count() const { return set_.primitives().size(); }
   template <class T>
-  Coefficients<T, 4> polynomial(int i, const MotionCoefficients<T>& x) const {
+  Coefficients<T, 4> polynomial(int i, const RelativeMotion<T, 3>& x) const {
     return polynomial_of<2>(primitive(i), x.data(), PairLengths<T>{set_, row_a_, row_b_}, 0.0);
   }
 
@@ -215,21 +206,7 @@ struct NeededPieces {
 NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactLifetime& lifetime, std::size_t limit);
 
 /// |x + v tau + a tau^2|^2 by powers of tau.
-using SquaredDistance = std::array<Dyadic, Polynomial::max_degree + 1>;
-
-template <int D>
-SquaredDistance squared_distance(const RelativeMotion<Dyadic, D>& relative) {
-  SquaredDistance sum;
-  for (int j = 0; j < D; ++j) {
-    const Dyadic &x = relative.x[j], &v = relative.v[j], &a = relative.a[j];
-    sum[0] = sum[0] + x * x;
-    sum[1] = sum[1] + (x * v).scaled(1);
-    sum[2] = sum[2] + v * v + (x * a).scaled(1);
-    sum[3] = sum[3] + (v * a).scaled(1);
-    sum[4] = sum[4] + a * a;
-  }
-  return sum;
-}
+using SquaredDistance = Coefficients<Dyadic, Polynomial::max_degree>;
 
 /// The closest approach. Requires: lifetime.begin <= lifetime.end.
 ClosestApproach exact_approach(const SquaredDistance& square, const ExactLifetime& lifetime);

@@ -29,7 +29,7 @@ class Displacement {
   const Components<Bounded>& near() const { return near_; }
   const Components<Dyadic>& exact() {
     if (exact_) return *exact_;
-    const auto x = motion_coefficients<Dyadic>(setup_, row_a_, row_b_);
+    const auto x = relative_motion_of<Dyadic, 3>(setup_, row_a_, row_b_);
     exact_.emplace();
     for (std::size_t j = 0; j < 3; ++j) (*exact_)[j] = x[j][0] + time_ * (x[j][1] + time_ * x[j][2]);
     return *exact_;

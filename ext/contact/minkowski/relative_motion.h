@@ -13,6 +13,7 @@
 
 #include "contact/pair_rule.h"
 #include "motion/law.h"
+#include "numbers/coefficients.h"
 #include "numbers/crossed_root.h"
 #include "numbers/exact_conversion.h"
 #include "shape/bodies.h"
@@ -44,17 +45,9 @@ struct Setup {
   const WindowFaces* window = nullptr;
 };
 
-/// Centre of b minus centre of a: x + v tau + a tau^2 on each axis, so `a` is half the relative acceleration.
-template <class T, int D>
-struct RelativeMotion {
-  T x[D], v[D], a[D];
-};
-
-/// Relative motion on one axis.
-template <class T>
-struct RelativeAxisMotion {
-  T x, v, a;
-};
+/// Centre of b minus centre of a, on each axis by powers of tau. The last coefficient is half the relative acceleration.
+template <class T, std::size_t D>
+using RelativeMotion = std::array<Coefficients<T, 2>, D>;
 
 /// When both objects exist within the horizon, measured from now and absolute; each rounded once.
 struct PairLifetime {
@@ -98,8 +91,8 @@ inline AxisMotion<double> axis_motion(const Bodies& bodies, const double* row, i
 }
 
 template <class T>
-RelativeAxisMotion<T> relative_axis_motion_of(const Setup& setup, const double* row_a, const double* row_b,
-                                              int axis) {
+Coefficients<T, 2> relative_axis_motion_of(const Setup& setup, const double* row_a, const double* row_b,
+                                           int axis) {
   using E = Exactly<T>;
   const double now = setup.horizon.now;
   const double t_a = value_or(row_a, setup.a.at.t, 0), t_b = value_or(row_b, setup.b.at.t, 0);
@@ -115,14 +108,13 @@ RelativeAxisMotion<T> relative_axis_motion_of(const Setup& setup, const double* 
           v + (turn_b - turn_a), half_acceleration};
 }
 
-/// The relative motion on all axes, from `now` on, in the precision of T.
-template <class T, int D>
-RelativeMotion<T, D> relative_motion_of(const Setup& setup, const double* row_a, const double* row_b) {
+/// The relative motion from `now` on in the precision of T, on so many axes; 0 on the others.
+template <class T, std::size_t D>
+RelativeMotion<T, D> relative_motion_of(const Setup& setup, const double* row_a, const double* row_b,
+                                        int axes = D) {
   RelativeMotion<T, D> relative;
-  for (int axis = 0; axis < D; ++axis) {
-    const RelativeAxisMotion<T> one = relative_axis_motion_of<T>(setup, row_a, row_b, axis);
-    relative.x[axis] = one.x, relative.v[axis] = one.v, relative.a[axis] = one.a;
-  }
+  for (int axis = 0; axis < axes; ++axis)
+    relative[static_cast<std::size_t>(axis)] = relative_axis_motion_of<T>(setup, row_a, row_b, axis);
   return relative;
 }
 

@@ -62,9 +62,10 @@ class SetCrossing {
     width_ = (bracket.after - bracket.before) * (1 + 4 * unit_roundoff);
     certain.expand_at(base_);
     const DoubleDouble tau{base_, 0};
-    for (int j = 0; j < D; ++j)
-      place_[j][0] = Degree < 2 ? relative.x[j] + tau * relative.v[j]
-                                : relative.x[j] + tau * (relative.v[j] + tau * relative.a[j]);
+    for (std::size_t j = 0; j < D; ++j) {
+      const auto& [x, v, half_a] = relative[j];
+      place_[j][0] = Degree < 2 ? x + tau * v : x + tau * (v + tau * half_a);
+    }
     space.crossings.resize(certain.set().primitives().size());
     space.tested.assign(space.crossings.size(), false);
   }

@@ -19,7 +19,7 @@ template <int D>
 bool separates_exactly(const Setup& setup, const double* own, const double* other) {
   const auto relative = relative_motion_of<Dyadic, D>(setup, own, other);
   Dyadic slope;
-  for (int axis = 0; axis < D; ++axis) slope = slope + relative.x[axis] * relative.v[axis];
+  for (const auto& [x, v, half_a] : relative) slope = slope + x * v;
   return slope.sign() >= 0;
 }
 
@@ -64,10 +64,11 @@ ExactAvoidance::InitialState ExactAvoidance::initial_state(const Records& legs, 
   with_axes(own.layout.axes, [&]<int D>(Axes<D>) {
     const auto relative = relative_motion_of<Dyadic, D>({own, others, {start_, 0}}, own_row, row);
     for (std::size_t axis = 0; axis < D; ++axis) {
-      split_nearest(relative.x[axis], state.x[axis], state.ex[axis]);
+      const auto& [x, v, half_a] = relative[axis];
+      split_nearest(x, state.x[axis], state.ex[axis]);
       const AxisMotion<double> mine = axis_motion(own, own_row, static_cast<int>(axis));
-      split_nearest(relative.v[axis] + Dyadic(mine.v), state.v[axis], state.ev[axis]);
-      if (!upright || axis < 2) gap = gap + relative.x[axis] * relative.x[axis];
+      split_nearest(v + Dyadic(mine.v), state.v[axis], state.ev[axis]);
+      if (!upright || axis < 2) gap = gap + x * x;
     }
   });
   if (round && gap.sign() > 0) state.square_gap = rounded(gap) * (1 - 0x1p-50);
