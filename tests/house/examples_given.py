@@ -71,8 +71,6 @@ GIVEN = {
     "trajectory_family.h": {"rule": "const PairRule&"},
     "constraint.h": {"edge": "const SumEdge&", "x": "const std::array<Coefficients<Bounded, 1>, 2>&", "sizes": "const PairSizes<Bounded>&"},
     "exact_contact.h": {"set": "const ContactSet&", "row_a": "const double*", "row_b": "const double*"},
-    "undecided_pieces.h": {"a": "const ObjectPieces&", "b": "const ObjectPieces&", "pairs": "std::span<const PiecePair>",
-                           "row_a": "const double*", "row_b": "const double*"},
     "pair_rule.h": {"ships": "const Layout&", "quays": "const Layout&"},
     "pair_extents.h": {"ships": "const Bodies&"},
     "piece_sum.h": {"hull": "const ObjectPieces&", "quay": "const ObjectPieces&"},

@@ -8,14 +8,70 @@
 // is bounded, whatever its number of pieces.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "contact/certified/possible_intervals.h"
-#include "contact/certified/undecided_pieces.h"
 #include "contact/certified/union_pair.h"
 #include "contact/exact/exact_contact.h"
 
 namespace foresee {
+
+/// The constraints of the pairs of pieces that doubles leave undecided. The parts of the Minkowski sum of each pair are
+/// pieces of the union, in the order of the pairs. `Traits`: what the pieces are (pair_context.h). Its function
+/// add_pair() adds the parts of one pair, after `shared`, the numbers of the constraints of shared_constraints(), which
+/// all of them have.
+template <class Traits>
+class UndecidedPieces : public ConstraintUnion {
+ public:
+  using PieceConstraint = typename Traits::PieceConstraint;
+
+  /// `grown`: the contact distance of these objects is more than 0. Rows, pieces and setup must outlive this.
+  UndecidedPieces(const Setup& setup, const double* row_a, const double* row_b,
+                  const typename Traits::Pieces& a, const typename Traits::Pieces& b,
+                  std::span<const PiecePair> pairs, bool grown)
+      : setup_(setup), row_a_(row_a), row_b_(row_b), a_(a) {
+    std::vector<int> shared;
+    for (const PieceConstraint& constraint : Traits::shared_constraints(setup))
+      shared.push_back(add(constraint));
+    for (const PiecePair& pair : pairs) {
+      Traits::add_pair(*this, a.piece(pair.a), b.piece(pair.b), grown, shared);
+      ends_.push_back(static_cast<std::uint32_t>(pieces().size()));
+    }
+  }
+
+  /// Its number.
+  int add(const PieceConstraint& constraint) {
+    constraints_.push_back(constraint);
+    return static_cast<int>(constraints_.size()) - 1;
+  }
+
+  const ConstraintUnion& set() const { return *this; }
+  /// For each pair, the number of pieces up to and with it.
+  std::span<const std::uint32_t> ends() const { return ends_; }
+  std::size_t constraint_count() const { return constraints_.size(); }
+
+  /// The polynomial of a constraint, padded with zeros. `x`: the relative motion from now on.
+  template <class T>
+  Coefficients<T, 4> polynomial(int constraint, const std::array<Coefficients<T, 2>, 3>& x) const {
+    Coefficients<T, 4> all{};
+    with_polynomial<2>(constraints_[static_cast<std::size_t>(constraint)], x,
+                       Traits::template sizes_of<T>(setup_, row_a_, row_b_, a_),
+                       [&all](const auto& p) { std::copy(p.begin(), p.end(), all.begin()); });
+    return all;
+  }
+
+  /// Equal constraints are not searched for.
+  static constexpr bool is_compared(int) { return false; }
+  static constexpr bool are_equal(int, int) { return false; }
+
+ private:
+  const Setup& setup_;
+  const double *row_a_, *row_b_;
+  const typename Traits::Pieces& a_;
+  std::vector<PieceConstraint> constraints_;
+  std::vector<std::uint32_t> ends_;
+};
 
 /// `Traits`: what the pieces are (pair_context.h).
 template <class Traits>
@@ -33,7 +89,6 @@ class ExactUnion {
     const auto any_touches = [&] {
       if (pairs.empty()) return false;
       Polynomials polynomials = polynomials_of(pairs);
-      polynomials.set_interrupt(context_.steps);
       return exact_touches(polynomials, queried_);
     };
     bool touches = false;
@@ -120,7 +175,6 @@ class ExactUnion {
     });
     until = interval.end;
     Polynomials polynomials = polynomials_of(pairs);
-    polynomials.set_interrupt(context_.steps);
     if constexpr (Traits::has_solids)
       return exact_times(polynomials, lifetime,
                          [this](const Dyadic& time) { return pair_.is_inside_at(time); });
@@ -131,7 +185,6 @@ class ExactUnion {
   /// unless more start within one ulp.
   double keep_needed(const ExactLifetime& lifetime, std::vector<PiecePair>& pairs, std::size_t limit) {
     Polynomials polynomials = polynomials_of(pairs);
-    polynomials.set_interrupt(context_.steps);
     const NeededPieces needed = needed_pieces(polynomials, lifetime, limit);
     const std::span<const std::uint32_t> ends = polynomials.constraints().ends();
     std::size_t kept = 0;
@@ -173,7 +226,8 @@ class ExactUnion {
   Polynomials polynomials_of(std::span<const PiecePair> pairs) const {
     return {context_.setup, context_.row_a, context_.row_b,
             UndecidedPieces<Traits>(context_.setup, context_.row_a, context_.row_b, context_.a, context_.b,
-                                    pairs, pair_.is_grown())};
+                                    pairs, pair_.is_grown()),
+            &context_.steps};
   }
 
   const PairContext<Traits>& context_;

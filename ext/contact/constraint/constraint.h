@@ -17,6 +17,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "numbers/coefficients.h"
 
@@ -34,6 +36,56 @@ struct Constraint {
   ConstraintKind kind = ConstraintKind::half_space;
   int sign = 1;
   Feature feature = {};
+};
+
+// Unions of pieces.
+
+/// One piece: the intersection in which the constraints `all` are at most 0. `around` and `beyond` save work;
+/// they do not change the union. Where the piece holds, the constraints `around` it hold too. The piece may
+/// be restricted to where `beyond` is at least 0, because another piece covers the rest. `ball` is a
+/// quadratic constraint of `all` that no other piece has. Its roots are costly: the exact stage computes them
+/// last, and only while the rest holds.
+struct Conditions {
+  std::vector<int> all, around = {}, beyond = {};
+  int ball = -1;  ///< -1: no such constraint
+};
+
+/// A union of pieces, each the intersection of constraints, which are named by number: what the exact stage reads of any
+/// contact set.
+///
+///   ConstraintUnion pieces;
+///   pieces.add_piece({.all = {0, 1, 2}});                       // constraints 0, 1 and 2 hold
+class ConstraintUnion {
+ public:
+  /// A range of the list of members.
+  struct Part {
+    std::uint32_t begin, end;
+  };
+  struct Piece {
+    Part all, around, beyond;
+    int ball;
+  };
+
+  void add_piece(const Conditions& conditions) {
+    const Part all = add(conditions.all), around = add(conditions.around), beyond = add(conditions.beyond);
+    pieces_.push_back({all, around, beyond, conditions.ball});
+  }
+
+  std::span<const Piece> pieces() const { return pieces_; }
+  std::span<const int> members(const Part& part) const {
+    return {members_.data() + part.begin, members_.data() + part.end};
+  }
+
+ protected:
+  std::vector<Piece> pieces_;
+  std::vector<int> members_;
+
+ private:
+  Part add(const std::vector<int>& members) {
+    const auto begin = static_cast<std::uint32_t>(members_.size());
+    members_.insert(members_.end(), members.begin(), members.end());
+    return {begin, static_cast<std::uint32_t>(members_.size())};
+  }
 };
 
 // Sizes.
@@ -214,14 +266,8 @@ Coefficients<T, K> half_space_polynomial(const Constraint<Feature>& constraint,
 template <int K, class Feature, class T, std::size_t D, class Sizes, class Take>
 auto with_polynomial(const Constraint<Feature>& constraint, const std::array<Coefficients<T, K>, D>& x,
                      const Sizes& sizes, Take&& take) {
-  switch (constraint.kind) {
-    case ConstraintKind::half_space:
-      return take(half_space_polynomial<K>(constraint, x, sizes));
-    case ConstraintKind::slab:
-    case ConstraintKind::tube:
-    case ConstraintKind::ball:
-      break;
-  }
+  if (constraint.kind == ConstraintKind::half_space)
+    return take(half_space_polynomial<K>(constraint, x, sizes));
   return take(round_polynomial<K>(constraint, x, sizes.radius));
 }
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "base/interrupt_steps.h"
-#include "contact/constraint/constraint_union.h"
+#include "contact/constraint/constraint.h"
 #include "contact/contact.h"
 #include "contact/minkowski/contact_set.h"
 #include "contact/minkowski/relative_motion.h"
@@ -55,25 +55,28 @@ class PiecePolynomials : public PolynomialSource {
   virtual std::size_t number_of(int constraint) = 0;
   LazyPolynomial& polynomial(std::size_t number) { return polynomials_[number]; }
 
-  /// Counts the work of each piece, some microseconds, as steps, which are polled for an interrupt. `steps`
-  /// must outlive this.
-  void set_interrupt(Steps& steps) { steps_ = &steps; }
+  /// Counts the work of each piece, some microseconds, as steps, which are polled for an interrupt.
   void step() {
     if (steps_) steps_->costly(256);  // microseconds; a usual step is some nanoseconds
   }
 
  protected:
+  explicit PiecePolynomials(Steps* steps) : steps_(steps) {}
+
   std::deque<LazyPolynomial> polynomials_;
 
  private:
-  Steps* steps_ = nullptr;
+  Steps* const steps_;
 };
 
 template <ConstraintsOfPair Constraints>
 class PolynomialsOf : public PiecePolynomials {
  public:
-  PolynomialsOf(const Setup& setup, const double* row_a, const double* row_b, Constraints constraints)
-      : constraints_(std::move(constraints)),
+  /// `steps`, unless they are null, must outlive this like the setup and the rows.
+  PolynomialsOf(const Setup& setup, const double* row_a, const double* row_b, Constraints constraints,
+                Steps* steps = nullptr)
+      : PiecePolynomials(steps),
+        constraints_(std::move(constraints)),
         setup_(setup),
         row_a_(row_a),
         row_b_(row_b),

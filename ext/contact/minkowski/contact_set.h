@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/constraint/constraint_union.h"
+#include "contact/constraint/constraint.h"
 #include "contact/minkowski/primitive.h"
 #include "shape/row_layout.h"
 

@@ -1,8 +1,7 @@
 // The constraints that the exact stage reads of two pieces in the plane.
-#include "contact/certified/undecided_pieces.h"
-
 #include <gtest/gtest.h>
 
+#include "contact/certified/exact_union.h"
 #include "contact/outline/flat_traits.h"
 #include "contact/pair_by_hand.h"
 
