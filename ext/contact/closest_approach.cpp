@@ -109,16 +109,12 @@ class CertainApproach {
   /// Isolates all minima, the rising roots of the slope, in order; false if that fails.
   bool find_valleys(double low, const Slope& at_low, double high, const Slope& at_high, int& budget) {
     const double length = high - low;
-    switch (slope_sign_between(at_low, at_high, length)) {
-      case SlopeSign::valley:
-        if (valley_count_ == 2) return false;
-        valleys_[valley_count_++] = {low, high};
-        return true;
-      case SlopeSign::unclear:
-        break;
-      default:
-        return true;
+    const Verdict falls_and_rises = has_valley(at_low, at_high, length);
+    if (falls_and_rises == Verdict::yes) {
+      if (valley_count_ == 2) return false;
+      valleys_[valley_count_++] = {low, high};
     }
+    if (falls_and_rises != Verdict::uncertain) return true;
     if (--budget < 0) return false;
     const double middle = low + 0.5 * length;
     const Slope at_middle = slope_at(middle);
@@ -127,7 +123,7 @@ class CertainApproach {
   }
 
   /// An approximate root: Newton's steps, kept in the interval by bisection. Its error affects no guarantee.
-  double rough_root(const FallingInterval& valley) const {
+  double rough_root(const Interval<double>& valley) const {
     double low = valley.begin, high = valley.end, tau = low + 0.5 * (high - low);
     for (int i = 0; i < 60; ++i) {
       double value = 0, growth = 0;
@@ -152,7 +148,7 @@ class CertainApproach {
   ///
   /// With g the slope and s its derivative at tau, the root is tau - g / s and the minimum of the square is
   /// |x|^2 - g^2 / s, up to the relative change of s between tau and the root.
-  std::optional<Nearness> bottom(const FallingInterval& valley) const {
+  std::optional<Nearness> bottom(const Interval<double>& valley) const {
     const double tau = rough_root(valley);
     const Spot spot = spot_at({tau, 0});
     const double growth = spot.rough.growth, value = spot.slope.high;
@@ -231,7 +227,7 @@ class CertainApproach {
   RelativeMotion<DoubleDouble, D> motion_;
   DoubleDouble begin_, end_;
   bool still_;
-  FallingInterval valleys_[2];
+  Interval<double> valleys_[2];
   int valley_count_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "contact/certified/certain_motion.h"
+#include "contact/certified/root_bracketing.h"
 
 namespace foresee {
 
@@ -41,17 +42,11 @@ Slope slope_of(const CertainMotion<D>& motion) {
   return s;
 }
 
-/// An interval in which the slope has exactly one root and changes from negative to positive: a minimum.
-struct FallingInterval {
-  double begin, end;
-};
-
-/// The roots of the slope in an interval: no root, a minimum, a maximum, or unknown.
-enum class SlopeSign : std::uint8_t { no_turn, valley, ridge, unclear };
-
-inline SlopeSign slope_sign_between(const Slope& a, const Slope& b, double length) {
+/// Whether an interval of the given length has a minimum: the slope has exactly one root, and changes there from
+/// negative to positive. `a` and `b`: the slope at its ends.
+inline Verdict has_valley(const Slope& a, const Slope& b, double length) {
   const int first = a.sign(), last = b.sign();
-  if (first == 0 || last == 0) return SlopeSign::unclear;
+  if (first == 0 || last == 0) return Verdict::uncertain;
   auto inner = [length](const Slope& s, double side) {
     const double third = length / 3;
     const double rise = third * std::abs(s.growth);
@@ -61,9 +56,9 @@ inline SlopeSign slope_sign_between(const Slope& a, const Slope& b, double lengt
         .sign();
   };
   const int second = inner(a, 1), third = inner(b, -1);
-  if (first == last) return second == first && third == first ? SlopeSign::no_turn : SlopeSign::unclear;
-  if (second != first && third != last) return SlopeSign::unclear;
-  return first < 0 ? SlopeSign::valley : SlopeSign::ridge;
+  if (first == last) return second == first && third == first ? Verdict::no : Verdict::uncertain;
+  if (second != first && third != last) return Verdict::uncertain;
+  return first < 0 ? Verdict::yes : Verdict::no;
 }
 
 }  // namespace foresee

@@ -19,8 +19,6 @@
 
 namespace foresee {
 
-enum class Verdict : std::uint8_t { no, yes, uncertain };
-
 constexpr Interval<double> any_time{0, unbounded};
 
 /// The result of a filter in plain doubles, which finds no intervals.

@@ -10,12 +10,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "numbers/coefficients.h"
 #include "numbers/crossed_root.h"
 
 namespace foresee {
+
+/// What arithmetic with error bounds says of a question.
+enum class Verdict : std::uint8_t { no, yes, uncertain };
 
 constexpr double not_certain = -1;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
