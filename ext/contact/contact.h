@@ -83,7 +83,7 @@ class Contact {
   /// call.
   virtual void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) = 0;
 
-  /// The same, and appends the times of each hit to `times`: each is the exact time, rounded once. End times
+  /// As decide(), and appends the times of each hit to `times`: each is the exact time, rounded once. End times
   /// are unspecified unless requested. Costs more than decide(), which searches any time of contact.
   virtual void first_contacts(std::span<const Pair> pairs, TimesWanted wanted, std::vector<Pair>& hits,
                               std::vector<ContactTimes>& times) = 0;

@@ -176,8 +176,7 @@ void require_distance_from_zone(const Layout& objects, bool zone_has_z) {
   if (objects.shape == Shape::mesh)
     throw Error(
         "no distance is defined between meshes and a zone, which is flat: write x0 to z1, or declare hz in "
-        "the "
-        "table to make prisms");
+        "the table to make prisms");
   if (objects.shape == Shape::ball && objects.axes == 3 && zone_has_z)
     throw Error(
         "no distance is defined between balls and a zone with z0 or z1: leave z0 and z1 out, or declare hz "
@@ -185,8 +184,7 @@ void require_distance_from_zone(const Layout& objects, bool zone_has_z) {
   if (objects.shape == Shape::box && grows(objects))
     throw Error(
         "no distance is defined between a zone and boxes that grow: write x0 to y1, or declare r in the "
-        "table "
-        "in place of hx and hy");
+        "table in place of hx and hy");
 }
 
 }  // namespace foresee

@@ -86,7 +86,7 @@ class Midrad128 {
  private:
   /// (+-bits +- error) 2^exponent, normalized.
   static Midrad128 of(bool negative, Uint128 bits, std::uint64_t error, int exponent);
-  /// The same for an error bound of any size, also one beyond 64 bits.
+  /// of() with an error bound of any size, also one beyond 64 bits.
   static Midrad128 with_error(bool negative, Uint128 bits, double error, int exponent);
   /// The product if neither has its highest bit set: both errors are large, and the error is multiplied out.
   static Midrad128 coarse_product(const Midrad128& a, const Midrad128& b);

@@ -21,7 +21,7 @@ struct SineCosine {
 /// Requires: |degrees| <= 45. Cost: less than a microsecond.
 SineCosine<Midrad128> sine_cosine(double degrees);
 
-/// The same in `bits` bits. Cost: tens of microseconds for 512.
+/// Sine and cosine in `bits` bits. Cost: tens of microseconds for 512.
 SineCosine<Midrad> sine_cosine(double degrees, int bits);
 
 }  // namespace foresee

@@ -30,7 +30,7 @@ Extents<D> extents_of(const Bodies& bodies, std::size_t i) {
   return extents_of<D>(bodies.layout.shape, bodies.row(i), bodies.at);
 }
 
-/// The same at the last time of the horizon at which the object exists, when it is largest; rounded outward.
+/// extents_of() the object at its last time within the horizon, when it is largest; rounded outward.
 template <int D>
 Extents<D> largest_extents(const Bodies& bodies, std::size_t i, const Horizon& horizon) {
   const Extents<D> extents = extents_of<D>(bodies, i);

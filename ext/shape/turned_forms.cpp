@@ -21,7 +21,8 @@ std::shared_ptr<const Form> read_form(Shape shape, std::string_view text) {
 template <class KindOfForm>
 void TurnedForms<KindOfForm>::assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
   turned_.reset();
-  kept_.clear(), kept_bytes_ = 0;
+  kept_.clear();
+  kept_bytes_ = 0;
   known_.clear();
   bodies_ = bodies;
   forms_.assign(bodies.count, nullptr);

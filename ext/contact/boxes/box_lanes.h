@@ -86,14 +86,14 @@ template <int D, int Degree>
 struct BoxKernel {
   /// Fills in the results.
   void (*settle)(BoxLanes<D, Degree>& lanes);
-  /// The same for pairs whose reference time is `now`; lanes.end is given. True if all lanes touch now and no
-  /// motions are requested: then no other result is filled in.
+  /// settle() of pairs whose reference time is `now`, from their rows; lanes.end is given. True if all lanes touch now
+  /// and no motions are requested: then no other result is filled in.
   bool (*settle_rows)(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree>& lanes);
   /// Takes the motions of lanes that settle_rows() has settled.
   void (*take_meetings)(const RowLanes<D>& rows, const BoxLanes<D, Degree>& lanes, MeetingLanes& meetings);
   /// Fills in dt and t.
   void (*find_meetings)(MeetingLanes& lanes, double now);
-  /// The same three for ends, of lanes that settle_rows() has settled.
+  /// As settle(), take_meetings() and find_meetings(), for ends of lanes that settle_rows() has settled.
   void (*settle_ends)(const BoxLanes<D, Degree>& lanes, EndLanes& ends);
   void (*take_ends)(const RowLanes<D>& rows, const EndLanes& ends, MeetingLanes& meetings);
   void (*find_ends)(MeetingLanes& lanes, double now);

@@ -166,7 +166,8 @@ bool settle_rows_here(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree
     for (int l = 0; l < lanes_width; l += register_width) {
       const Register x = load(rows.b.x[j] + l) - load(rows.a.x[j] + l);
       const Register half = load(rows.a.half[j] + l) + load(rows.b.half[j] + l) + rows.within;
-      store(lanes.x[j] + l, x), store(lanes.half[j] + l, half);
+      store(lanes.x[j] + l, x);
+      store(lanes.half[j] + l, half);
       // The test of settle_here() for touches_now. False if half extents may overflow, or for NaN.
       const Register size = x < 0.0 ? -x : x, room = half - size - 0x1p-48 * (size + half) - underflow;
       touching = half < huge ? touching : -1.0 + Register{};
@@ -181,7 +182,8 @@ bool settle_rows_here(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree
     for (int l = 0; l < lanes_width; l += register_width) {
       store(lanes.v[j] + l, load(rows.b.v[j] + l) - load(rows.a.v[j] + l));
       if constexpr (Degree == 2) store(lanes.a[j] + l, 0.5 * (load(rows.b.a[j] + l) - load(rows.a.a[j] + l)));
-      store(lanes.ev[j] + l, Register{}), store(lanes.ex[j] + l, Register{});
+      store(lanes.ev[j] + l, Register{});
+      store(lanes.ex[j] + l, Register{});
     }
   settle_here(lanes);
   return false;

@@ -31,7 +31,10 @@ struct PiecePair {
 /// empties in constant time.
 class TestedPairs {
  public:
-  void clear() { ++round_, count_ = 0; }
+  void clear() {
+    ++round_;
+    count_ = 0;
+  }
   std::uint32_t size() const { return count_; }
 
   /// The number of a pair, counted from 0, and whether the pair is new.
@@ -108,7 +111,12 @@ struct PieceWorkspace {
 
   std::uint64_t tests = 0;  ///< of two pieces, in all pairs of objects so far
 
-  void clear() { numbers.clear(), tested.clear(), intervals.clear(), ends.clear(); }
+  void clear() {
+    numbers.clear();
+    tested.clear();
+    intervals.clear();
+    ends.clear();
+  }
 };
 
 template <class Test, class PieceConstraint>

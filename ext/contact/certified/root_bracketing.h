@@ -44,7 +44,7 @@ inline double positive_for(double p0, double p1, double p2) {
   return less * (p0 / (0.5 * (std::sqrt(raised) - p1)));
 }
 
-/// The same for p0 + p1 t.
+/// positive_for() of p0 + p1 t.
 inline double linear_positive_for(double p0, double p1) {
   if (p1 >= 0) return unbounded;
   const double root = (1 - 32 * unit_roundoff) * (p0 / -p1);

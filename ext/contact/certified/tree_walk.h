@@ -171,7 +171,8 @@ class TreeWalk {
       one.a = Pieces::left(nodes.a), other.a = Pieces::right(nodes.a);
     else
       one.b = Pieces::left(nodes.b), other.b = Pieces::right(nodes.b);
-    steps_(), steps_();
+    steps_();
+    steps_();
     one.near = tests_.near(one.a, one.b, near), other.near = tests_.near(other.a, other.b, near);
     const bool has_one = one.near.begin <= one.near.end, has_other = other.near.begin <= other.near.end;
     if (has_one && has_other) {

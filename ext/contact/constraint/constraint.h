@@ -209,7 +209,7 @@ Coefficients<T, K> beyond(const Constraint<Feature>& constraint,
   return p;
 }
 
-/// The same by the direction of the feature.
+/// beyond() along the direction of the feature.
 template <int K, class Feature, class T, std::size_t D>
 Coefficients<T, K> beyond(const Constraint<Feature>& constraint, const std::array<Coefficients<T, K>, D>& x) {
   return beyond<K>(constraint, constraint.feature.template direction<T>(), x);

@@ -40,7 +40,8 @@ class ExactPair {
     std::size_t joined = join_first(intervals);
     while (between && goes_on_after(intervals, joined, between)) {
       if (joined == intervals.size()) {
-        intervals.push_back({intervals[0].first, &end_}), ++joined;
+        intervals.push_back({intervals[0].first, &end_});
+        ++joined;
         break;
       }
       intervals[0].last = first_after(intervals, joined)->first;

@@ -54,7 +54,8 @@ Interval<double> DiscTests::cut(const BoundingDisc& a, const BoundingDisc& b, In
     near.begin = std::max(near.begin, std::min(one, other_one));
     near.end = std::min(near.end, std::max(one, other_one));
   };
-  across(a, b), across(b, a);
+  across(a, b);
+  across(b, a);
   return near;
 }
 

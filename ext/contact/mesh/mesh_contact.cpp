@@ -215,7 +215,8 @@ struct SpaceTraits {
                        bool grown, const std::vector<int>&) {
     Conditions core;
     SpaceHull(a, b).for_each([&](const SpacePlanes& planes) {
-      core.all.push_back(out.add(planes.before)), core.all.push_back(out.add(planes.beyond));
+      core.all.push_back(out.add(planes.before));
+      core.all.push_back(out.add(planes.beyond));
       return true;
     });
     out.add_piece(core);

@@ -181,7 +181,7 @@ Components<T> direction_of(const SpaceAxis& axis) {
   if (axis.factors == 2) return normal;
   return cross_product<T>(normal, gap_between<T>(*axis.w.to, *axis.w.from));
 }
-/// The same in doubles, rounded from twice the digits. For nearly parallel edge vectors a product of doubles
+/// direction_of() in doubles, rounded from twice the digits. For nearly parallel edge vectors a product of doubles
 /// would consist of errors alone.
 Components<Bounded> close_direction_of(const SpaceAxis& axis);
 

@@ -113,7 +113,7 @@ template <int Count, int K, class T, class Lengths, class TimePoint, class Wante
   return foresee::ball_polynomial<K>(gaps, radius, wanted);
 }
 
-/// The same, over the axes of the ball.
+/// ball_over() the axes of the ball.
 template <int K, class T, class Lengths, class TimePoint, class Wanted>
 Coefficients<T, 2 * K> ball_polynomial_of(const Primitive& ball, const Coefficients<T, K>* x,
                                           const Lengths& lengths, const TimePoint& tau, Wanted&& wanted) {

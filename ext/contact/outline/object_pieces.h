@@ -77,7 +77,10 @@ class ConvexSum {
     int next() const { return corner + 1 == static_cast<int>(piece.corners.size()) ? 0 : corner + 1; }
     const Corner* at(int i) const { return &piece.corners[static_cast<std::size_t>(i)]; }
     const Corner* along(int i) const { return piece.along + i; }
-    void step() { corner = next(), --left; }
+    void step() {
+      corner = next();
+      --left;
+    }
   };
 
   bool a_turns_first() const;

@@ -26,7 +26,8 @@ struct LengthLanes {
     return {Doubles(load(place(i))), Doubles(load(place(i) + register_width))};
   }
   void put(int i, const BoundedDoubles& length) const {
-    store(place(i), length.value.of), store(place(i) + register_width, length.error.of);
+    store(place(i), length.value.of);
+    store(place(i) + register_width, length.error.of);
   }
   double* place(int i) const { return at + 2 * register_width * i; }
 };
@@ -156,7 +157,8 @@ void classify_lanes(const LanesQuestion& q, SetLanes& lanes) {
   for (int l = 0; l < lanes.width; l += register_width) {
     const PairRegister<D, Degree> pairs(q, Rows{lanes.a + l}, Rows{lanes.b + l});
     const Interval<Doubles> interval = pairs.interval();
-    store(lanes.begin + l, interval.begin.of), store(lanes.end + l, interval.end.of);
+    store(lanes.begin + l, interval.begin.of);
+    store(lanes.end + l, interval.end.of);
     DoublesMask found = interval.begin <= interval.end;
     if (any(found))
       found = found & (q.times_wanted ? pairs.touches_at_start()

@@ -87,7 +87,10 @@ std::vector<ChunkRange> cut_into_chunks(std::span<const Leg> legs) {
     const Leg& leg = legs[i];
     const bool starts = i == 0 || chunks.back().count == legs_per_chunk || leg.until == no_end ||
                         leg.t - legs[i - 1].until > duration || distance(end_of(legs[i - 1]), leg.x) > length;
-    if (starts) chunks.push_back({i, 0}), length = duration = 0;
+    if (starts) {
+      chunks.push_back({i, 0});
+      length = duration = 0;
+    }
     ++chunks.back().count;
     if (leg.until == no_end) continue;  // the last one
     length += distance(leg.x, end_of(leg));

@@ -121,7 +121,10 @@ PlanKind checked_kind(std::span<const std::byte> blob) {
 std::vector<std::byte> encode_plan(const Plan& plan, Interrupt& interrupt) {
   if (plan.kind == PlanKind::knots && plan.parts() == 1) {
     Writer writer(plan.kind, plan.axes, plan.knots.size(), interrupt);
-    for (const Knot& knot : plan.knots) writer.put(knot.t), writer.put(knot.x);
+    for (const Knot& knot : plan.knots) {
+      writer.put(knot.t);
+      writer.put(knot.x);
+    }
     return writer.finish();
   }
   const PlanKind kind = plan.kind == PlanKind::accelerated ? plan.kind : PlanKind::uniform;
@@ -129,7 +132,10 @@ std::vector<std::byte> encode_plan(const Plan& plan, Interrupt& interrupt) {
   const std::vector<Leg>& legs = plan.kind == PlanKind::knots ? own : plan.legs;
   Writer writer(kind, plan.axes, legs.size(), interrupt);
   for (const Leg& leg : legs) {
-    writer.put(leg.t), writer.put(leg.until), writer.put(leg.x), writer.put(leg.v);
+    writer.put(leg.t);
+    writer.put(leg.until);
+    writer.put(leg.x);
+    writer.put(leg.v);
     if (kind == PlanKind::accelerated) writer.put(leg.a);
   }
   return writer.finish();

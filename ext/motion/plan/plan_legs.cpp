@@ -183,7 +183,10 @@ Plan shifted_plan(const Plan& plan, double seconds) {
                   ": no double holds a time of the shifted plan; write less");
   };
   for (Knot& knot : shifted.knots) shift(knot.t);
-  for (Leg& leg : shifted.legs) shift(leg.t), shift(leg.until);
+  for (Leg& leg : shifted.legs) {
+    shift(leg.t);
+    shift(leg.until);
+  }
   check_plan(shifted);
   return shifted;
 }

@@ -29,8 +29,10 @@ std::vector<std::uint8_t> owned_of(std::span<const Triangle> triangles, std::siz
   const auto own = [&](std::size_t t, std::size_t bit) { owned[t] |= static_cast<std::uint8_t>(1 << bit); };
   std::vector<bool> is_owned(corners);
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!is_owned[triangles[t][i]]) own(t, i), is_owned[triangles[t][i]] = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!is_owned[triangles[t][i]]) own(t, i);
+      is_owned[triangles[t][i]] = true;
+    }
   const std::vector<NamedEdge> edges = sorted_edges(triangles);
   for (std::size_t i = 0; i < edges.size(); ++i)
     if (i == 0 || !edges[i].joins_same(edges[i - 1])) own(edges[i].place / 3, 3 + edges[i].place % 3);
@@ -39,8 +41,10 @@ std::vector<std::uint8_t> owned_of(std::span<const Triangle> triangles, std::siz
 
 std::vector<std::uint32_t> part_corners_of(std::span<const Triangle> triangles, std::size_t corners) {
   Parts parts(corners);
-  for (const Triangle& triangle : triangles)
-    parts.join(triangle[0], triangle[1]), parts.join(triangle[0], triangle[2]);
+  for (const Triangle& triangle : triangles) {
+    parts.join(triangle[0], triangle[1]);
+    parts.join(triangle[0], triangle[2]);
+  }
   std::vector<std::uint32_t> firsts;
   for (std::uint32_t corner = 0; corner < corners; ++corner)
     if (parts.first_of(corner) == corner) firsts.push_back(corner);
@@ -163,7 +167,8 @@ BoundingDiscs::BoundingDiscs(const BoundingDiscs& known, std::span<const SpaceCo
   slack_ = known.slack_;
   discs_ = known.discs_;
   for (BoundingDisc& disc : discs_) {
-    turn(disc.middle), turn(disc.normal);
+    turn(disc.middle);
+    turn(disc.normal);
     disc.half = static_cast<float>(disc.half + slack_);
     disc.radius = static_cast<float>(disc.radius + slack_);
   }

@@ -91,7 +91,7 @@ class TriangleTree {
   }
 
  private:
-  /// The same for all headings of a mesh.
+  /// What all headings of a mesh share.
   struct Links {
     std::vector<Triangle> triangles;
     std::vector<std::uint8_t> owned;  ///< a bit for each corner, then for each edge

@@ -48,7 +48,10 @@ class SideRings {
       if (next_[first] == removed || seen[first]) continue;
       firsts.push_back(first);
       boxes.push_back(Box<2>::empty());
-      for_ring(first, [&](std::uint32_t side) { seen[side] = true, grow(boxes.back(), corner(side)); });
+      for_ring(first, [&](std::uint32_t side) {
+        seen[side] = true;
+        grow(boxes.back(), corner(side));
+      });
     }
     ConvexPieces::Cut made;
     for (const std::uint32_t ring : tree_order<2>(boxes)) {

@@ -13,7 +13,8 @@ namespace {
 /// together along x.
 int pairs_of_squares(double apart, double height) {
   ObjectPieces a, b;
-  a.take_box(1, 1), b.take_box(1, 1);
+  a.take_box(1, 1);
+  b.take_box(1, 1);
   CertainMotion<3> relative{};
   relative.axis[2].x = apart;
   NeverInterrupt never;

@@ -20,7 +20,8 @@ std::pair<std::size_t, std::size_t> counts(Shape shape, bool grown) {
                              {0, 10},
                              PairRule(object.layout, object.layout)};
   ObjectPieces a, b;
-  a.take_box(1, 1), b.take_point();
+  a.take_box(1, 1);
+  b.take_point();
   const PiecePair pair{0, 0};
   const UndecidedPieces<FlatTraits<D, 1>> all(setup, row.data(), row.data(), a, b, {&pair, 1}, grown);
   EXPECT_EQ(all.ends().back(), all.pieces().size());

@@ -42,7 +42,8 @@ TEST(ConvexSum, HoldsAllDifferencesOfCorners) {
       const OutlineScene scene = draw_scene(family, OutlinePairing::outlines, seed);
       const ConvexPieces cut_a = convex_pieces(scene.a.outline), cut_b = convex_pieces(scene.b.outline);
       ObjectPieces a, b;
-      a.take(cut_a), b.take(cut_b);
+      a.take(cut_a);
+      b.take(cut_b);
       for (std::size_t i = 0; i < cut_a.count(); ++i)
         for (std::size_t j = 0; j < cut_b.count(); ++j)
           ASSERT_NO_FATAL_FAILURE(expect_sum(a.piece(i), b.piece(j))) << family.name << ' ' << seed;

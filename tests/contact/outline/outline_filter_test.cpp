@@ -72,7 +72,8 @@ TEST(OutlineFilter, DecidesNothingBeyondTheRangeOfDoubles) {
   EXPECT_EQ(filter_outlines({{30, 0}, {40, 0}, 0, 0}, a, b, only_pair, Bounded{inf, inf}, true).touches,
             Verdict::uncertain);
   for (const double scale : {0x1p-600, 0x1p600}) {
-    a.take_box(scale, scale), b.take_box(scale, scale);
+    a.take_box(scale, scale);
+    b.take_box(scale, scale);
     for (const double x : {1.0, 3.0})
       EXPECT_EQ(filter_outlines({{x * scale, 0}, {x * scale, 0}, 0, 0}, a, b, only_pair, Bounded{0.0}, true)
                     .touches,

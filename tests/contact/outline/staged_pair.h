@@ -21,7 +21,8 @@ struct StagedScene {
         lifetime(pair_lifetime_of(setup, row_a.data(), row_b.data())),
         cut_a(convex_pieces(scene.a.outline)),
         cut_b(convex_pieces(scene.b.outline)) {
-    a.take(cut_a), b.take(cut_b);
+    a.take(cut_a);
+    b.take(cut_b);
   }
   StagedScene(const StagedScene&) = delete;
 
