@@ -45,7 +45,7 @@ class Stages {
  private:
   template <class Answer>
   Answer exactly(std::size_t i, Answer (*decide)(PiecePolynomials&, const ExactLifetime&)) const {
-    PairPolynomials polynomials(set_, setup_, a(i), b(i));
+    PairPolynomials polynomials(setup_, a(i), b(i), {set_, a(i), b(i)});
     return decide(polynomials, exact_lifetime_of(setup_, a(i), b(i)));
   }
 

@@ -32,7 +32,7 @@ std::optional<ContactTimes> exactly(const Object& a, const Object& b, const Cont
   const ContactSet set = contact_set(setup);
   const ExactLifetime lifetime = exact_lifetime_of(setup, row_a.data(), row_b.data());
   if (lifetime.rounded.none) return std::nullopt;
-  PairPolynomials polynomials(set, setup, row_a.data(), row_b.data());
+  PairPolynomials polynomials(setup, row_a.data(), row_b.data(), {set, row_a.data(), row_b.data()});
   return exact_times(polynomials, lifetime);
 }
 

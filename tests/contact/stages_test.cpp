@@ -41,7 +41,7 @@ class StagesOfPair {
 
   void check() {
     if (lifetime_.none) return;
-    PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
+    PairPolynomials polynomials(setup_, row_a_.data(), row_b_.data(), {set_, row_a_.data(), row_b_.data()});
     const ExactLifetime exact = exact_lifetime_of(setup_, row_a_.data(), row_b_.data());
     const bool touches = exact_touches(polynomials, exact);
     check_doubles(touches);
@@ -102,7 +102,7 @@ class StagesOfPair {
     certain_.lanes_start += at_start;
     EXPECT_TRUE(touches || !at_start) << "side by side: " << case_;
     if (!touches) return;
-    PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
+    PairPolynomials polynomials(setup_, row_a_.data(), row_b_.data(), {set_, row_a_.data(), row_b_.data()});
     const auto times = exact_times(polynomials, exact);
     ASSERT_TRUE(times) << case_;
     EXPECT_TRUE(!at_start || times->dt == 0) << "side by side: " << case_;
@@ -130,7 +130,7 @@ class StagesOfPair {
   }
 
   void check_times(const ExactLifetime& exact) {
-    PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
+    PairPolynomials polynomials(setup_, row_a_.data(), row_b_.data(), {set_, row_a_.data(), row_b_.data()});
     const auto times = exact_times(polynomials, exact);
     ASSERT_TRUE(times) << case_;
     const auto answer = contact(case_.a, case_.b, case_.question);

@@ -94,33 +94,6 @@ SublevelIntervals sublevel_intervals(const Coefficients<Bounded, 2>& p, double l
 /// queried.end.high]. polynomial_at(tau): the coefficients by powers of the time after tau.
 template <class PolynomialAt>
 SublevelIntervals sublevel_by_steps(PolynomialAt&& polynomial_at, double lost,
-                                    const UncertainInterval& queried);
-
-/// Disjoint uncertain intervals in ascending order: what is left of a time after each intersection.
-class IntervalUnion {
- public:
-  /// Replaces the contents by one interval or by those of another union.
-  void start(const UncertainInterval& interval) { list_.assign(1, interval); }
-  void start(const IntervalUnion& other) { list_ = other.list_; }
-  /// Intersects with the sublevel set of a polynomial.
-  void keep(const SublevelIntervals& other) {
-    if (list_.size() != 1 || other.count != 1) return keep_each(other);
-    list_[0] = overlap(list_[0], other.list[0]);
-    if (!list_[0].is_possible()) list_.clear();
-  }
-
-  bool empty() const { return list_.empty(); }
-  auto begin() const { return list_.begin(); }
-  auto end() const { return list_.end(); }
-
- private:
-  void keep_each(const SublevelIntervals& other);
-
-  std::vector<UncertainInterval> list_, kept_;
-};
-
-template <class PolynomialAt>
-SublevelIntervals sublevel_by_steps(PolynomialAt&& polynomial_at, double lost,
                                     const UncertainInterval& queried) {
   const double last = queried.end.high;
   const auto lasts = [&](double side) {
@@ -152,5 +125,28 @@ SublevelIntervals sublevel_by_steps(PolynomialAt&& polynomial_at, double lost,
   }
   return found;
 }
+
+/// Disjoint uncertain intervals in ascending order: what is left of a time after each intersection.
+class IntervalUnion {
+ public:
+  /// Replaces the contents by one interval or by those of another union.
+  void start(const UncertainInterval& interval) { list_.assign(1, interval); }
+  void start(const IntervalUnion& other) { list_ = other.list_; }
+  /// Intersects with the sublevel set of a polynomial.
+  void keep(const SublevelIntervals& other) {
+    if (list_.size() != 1 || other.count != 1) return keep_each(other);
+    list_[0] = overlap(list_[0], other.list[0]);
+    if (!list_[0].is_possible()) list_.clear();
+  }
+
+  bool empty() const { return list_.empty(); }
+  auto begin() const { return list_.begin(); }
+  auto end() const { return list_.end(); }
+
+ private:
+  void keep_each(const SublevelIntervals& other);
+
+  std::vector<UncertainInterval> list_, kept_;
+};
 
 }  // namespace foresee

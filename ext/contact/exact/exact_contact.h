@@ -30,7 +30,7 @@ namespace foresee {
 // The polynomials of one pair of objects, made lazily: those of the constraints that the pieces of any set name by
 // number.
 //
-//   PairPolynomials polynomials(set, setup, row_a, row_b);          // of a contact set
+//   PairPolynomials polynomials(setup, row_a, row_b, {set, row_a, row_b});          // of a contact set
 //   polynomials.polynomial(polynomials.number_of(3));               // of its primitive number 3
 //
 // Each is computed in 128 bits first, and exactly only where those decide nothing.
@@ -128,6 +128,7 @@ class PolynomialsOf : public PiecePolynomials {
 /// The primitives of a contact set, for one pair.
 class SetConstraints {
  public:
+  /// The set must outlive this.
   SetConstraints(const ContactSet& set, const double* row_a, const double* row_b)
       : set_(set), row_a_(row_a), row_b_(row_b) {}
 
@@ -158,12 +159,8 @@ class SetConstraints {
   const double *row_a_, *row_b_;
 };
 
-/// The polynomials of a contact set for one pair. The set must outlive them.
-class PairPolynomials final : public PolynomialsOf<SetConstraints> {
- public:
-  PairPolynomials(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b)
-      : PolynomialsOf(setup, row_a, row_b, SetConstraints(set, row_a, row_b)) {}
-};
+/// The polynomials of a contact set for one pair.
+using PairPolynomials = PolynomialsOf<SetConstraints>;
 
 /// The exact lifetime of a pair within the horizon, measured from now.
 struct ExactLifetime {

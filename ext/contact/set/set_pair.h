@@ -56,9 +56,14 @@ template <CrossingDirection direction, int D, int Degree>
 class SetCrossing {
  public:
   /// Requires: an Advancement has found the bracket, for this pair and this direction.
-  SetCrossing(CertainSet<D, Degree>& certain, const RelativeMotion<DoubleDouble, D>& relative,
-              const PairLengths<DoubleDouble>& lengths, const Bracket& bracket, double now, SetSpace& space)
-      : certain_(certain), lengths_(lengths), space_(space), base_(bracket.before), now_(now) {
+  SetCrossing(const SetPairContext<D, Degree>& context, CertainSet<D, Degree>& certain,
+              const Bracket& bracket, SetSpace& space)
+      : certain_(certain),
+        lengths_{context.a.set(), context.row_a, context.row_b},
+        space_(space),
+        base_(bracket.before),
+        now_(context.setup.horizon.now) {
+    const auto relative = relative_motion_of<DoubleDouble, D>(context.setup, context.row_a, context.row_b);
     width_ = (bracket.after - bracket.before) * (1 + 4 * unit_roundoff);
     certain.expand_at(base_);
     const DoubleDouble tau{base_, 0};
@@ -182,11 +187,7 @@ class SetPair {
   /// The time in the bracket at which the pair enters or leaves the set, rounded once, or unknown.
   template <CrossingDirection direction>
   Instant crossing(const Bracket& bracket) {
-    const auto relative = relative_motion_of<DoubleDouble, D>(context_.setup, context_.row_a, context_.row_b);
-    return SetCrossing<direction, D, Degree>(advancement_.certain(), relative,
-                                             {context_.a.set(), context_.row_a, context_.row_b}, bracket,
-                                             context_.setup.horizon.now, space_)
-        .instant();
+    return SetCrossing<direction, D, Degree>(context_, advancement_.certain(), bracket, space_).instant();
   }
 
   const Context& context_;

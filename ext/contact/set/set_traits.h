@@ -33,7 +33,7 @@ class ExactSet {
 
  private:
   explicit ExactSet(const PairInput<SetPieces>& pair)
-      : polynomials_(pair.a.set(), pair.setup, pair.row_a, pair.row_b),
+      : polynomials_(pair.setup, pair.row_a, pair.row_b, {pair.a.set(), pair.row_a, pair.row_b}),
         lifetime_(exact_lifetime_of(pair.setup, pair.row_a, pair.row_b)) {}
 
   PairPolynomials polynomials_;

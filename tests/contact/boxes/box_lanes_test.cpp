@@ -79,7 +79,7 @@ class LaneOfPair {
   template <class Answer>
   Answer run(Answer (*question)(PiecePolynomials&, const ExactLifetime&)) const {
     const ContactSet set = contact_set(setup_);
-    PairPolynomials polynomials(set, setup_, row_a_.data(), row_b_.data());
+    PairPolynomials polynomials(setup_, row_a_.data(), row_b_.data(), {set, row_a_.data(), row_b_.data()});
     return question(polynomials, exact_lifetime_of(setup_, row_a_.data(), row_b_.data()));
   }
 

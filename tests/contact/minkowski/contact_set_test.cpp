@@ -41,7 +41,8 @@ class Passage {
     contact->first_contacts({&pair, 1}, TimesWanted::both, hits, times);
     contact->decide({&pair, 1}, decided);
     EXPECT_EQ(hits, decided);
-    PairPolynomials polynomials(set, setup, row_still_.data(), row_moving_.data());
+    PairPolynomials polynomials(setup, row_still_.data(), row_moving_.data(),
+                                {set, row_still_.data(), row_moving_.data()});
     const auto exact =
         exact_times(polynomials, exact_lifetime_of(setup, row_still_.data(), row_moving_.data()));
     EXPECT_EQ(exact.has_value(), !times.empty());
