@@ -18,7 +18,7 @@
 
 namespace foresee {
 
-/// What arithmetic with error bounds says of a question.
+/// The answer of arithmetic with error bounds.
 enum class Verdict : std::uint8_t { no, yes, uncertain };
 
 constexpr double not_certain = -1;

@@ -50,8 +50,8 @@ struct Conditions {
   int ball = -1;  ///< -1: no such constraint
 };
 
-/// A union of pieces, each the intersection of constraints, which are named by number: what the exact stage reads of any
-/// contact set.
+/// A union of pieces, each the intersection of constraints, which are named by number: what the exact stage reads of
+/// any contact set.
 ///
 ///   ConstraintUnion pieces;
 ///   pieces.add_piece({.all = {0, 1, 2}});                       // constraints 0, 1 and 2 hold

@@ -45,7 +45,8 @@ struct Setup {
   const WindowFaces* window = nullptr;
 };
 
-/// Centre of b minus centre of a, on each axis by powers of tau. The last coefficient is half the relative acceleration.
+/// Centre of b minus centre of a, on each axis by powers of tau: the last coefficient is half the relative
+/// acceleration.
 template <class T, std::size_t D>
 using RelativeMotion = std::array<Coefficients<T, 2>, D>;
 
