@@ -77,25 +77,36 @@ double chord_velocity(std::span<const Leg> legs, std::size_t axis) {
   return std::isfinite(v) ? v : 0;
 }
 
+/// Appends `count` legs as chunks of equally many, up to one.
+void append_run(std::size_t first, std::size_t count, std::vector<ChunkRange>& chunks) {
+  const std::size_t parts = (count + legs_per_chunk - 1) / legs_per_chunk;
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t begin = count * part / parts, end = count * (part + 1) / parts;
+    chunks.push_back({first + begin, end - begin});
+  }
+}
+
 }  // namespace
 
 std::vector<ChunkRange> cut_into_chunks(std::span<const Leg> legs) {
   const FloatEnvironment environment;
   std::vector<ChunkRange> chunks;
-  double length = 0, duration = 0;  // of the legs of the current chunk together
+  std::size_t first = 0;            // of the current run
+  double length = 0, duration = 0;  // of its last legs together, as many as a chunk may have
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const Leg& leg = legs[i];
-    const bool starts = i == 0 || chunks.back().count == legs_per_chunk || leg.until == no_end ||
-                        leg.t - legs[i - 1].until > duration || distance(end_of(legs[i - 1]), leg.x) > length;
+    const bool starts = i > first && (leg.until == no_end || leg.t - legs[i - 1].until > duration ||
+                                      distance(end_of(legs[i - 1]), leg.x) > length);
     if (starts) {
-      chunks.push_back({i, 0});
-      length = duration = 0;
+      append_run(first, i - first, chunks);
+      first = i;
     }
-    ++chunks.back().count;
+    if ((i - first) % legs_per_chunk == 0) length = duration = 0;
     if (leg.until == no_end) continue;  // the last one
     length += distance(leg.x, end_of(leg));
     duration += leg.until - leg.t;
   }
+  append_run(first, legs.size() - first, chunks);
   return chunks;
 }
 

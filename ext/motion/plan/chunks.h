@@ -1,4 +1,4 @@
-// Chunks of a plan: runs of at most 16 legs, each inside one moving box, which is what an index stores of a plan.
+// Chunks of a plan: at most 16 consecutive legs inside one moving box, which is what an index stores of a plan.
 // A stored table keeps its plans in them, and a join of plans by the method tree cuts its legs into them.
 //
 //   const std::vector<ChunkRange> ranges = cut_into_chunks(legs);
@@ -7,8 +7,9 @@
 // At time s the box of a chunk is x + v (s - t) ± half, for the real numbers that these doubles are. It contains the
 // position of every leg at every time of its life: the half extents are rounded outward, and infinite where no double
 // bounds them. The boxes move with the chord of the chunk, from the start of its first leg to the end of its last.
-// A chunk ends early before a jump that is farther than its legs are long together, and before a gap that lasts
-// longer than they do. A leg without end is a chunk of its own, whose box is the path of the leg.
+// A run of legs ends before a leg without end, whose box is its path. It also ends before a jump that is farther than
+// its last 16 legs are long together, and before a gap that lasts longer than they do. A run is cut into as few chunks
+// as possible, of equally many legs: a short last chunk would cost as much as a full one.
 // Cost: some 20 ns per leg and axis.
 #pragma once
 

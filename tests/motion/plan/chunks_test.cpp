@@ -96,22 +96,25 @@ std::vector<std::size_t> counts(const std::vector<Leg>& legs) {
   return counts;
 }
 
-TEST(Chunks, EndEarlyAtJumpsGapsAndBeforeALegWithoutEnd) {
+TEST(Chunks, AreOfEquallyManyLegsBetweenJumpsAndGapsAndBeforeALegWithoutEnd) {
   std::vector<Leg> legs;
   for (int i = 0; i < 40; ++i) legs.push_back({10.0 * i, 10.0 * i + 10, {10.0 * i}, {1}, {}});
-  EXPECT_EQ(counts(legs), (std::vector<std::size_t>{16, 16, 8}));
+  EXPECT_EQ(counts(legs), (std::vector<std::size_t>{13, 13, 14}));
   std::vector<Leg> jump = legs;
   for (std::size_t i = 5; i < 40; ++i) jump[i].x[1] = 51;  // 50 long so far
-  EXPECT_EQ(counts(jump), (std::vector<std::size_t>{5, 16, 16, 3}));
+  EXPECT_EQ(counts(jump), (std::vector<std::size_t>{5, 11, 12, 12}));
   for (std::size_t i = 5; i < 40; ++i) jump[i].x[1] = 49;
-  EXPECT_EQ(counts(jump), (std::vector<std::size_t>{16, 16, 8}));
+  EXPECT_EQ(counts(jump), (std::vector<std::size_t>{13, 13, 14}));
   std::vector<Leg> gap = legs;
   for (std::size_t i = 5; i < 40; ++i) gap[i].t += 51, gap[i].until += 51;
-  EXPECT_EQ(counts(gap), (std::vector<std::size_t>{5, 16, 16, 3}));
+  EXPECT_EQ(counts(gap), (std::vector<std::size_t>{5, 11, 12, 12}));
   std::vector<Leg> endless = legs;
   endless.resize(6);
   endless[5].until = no_end;
   EXPECT_EQ(counts(endless), (std::vector<std::size_t>{5, 1}));
+  std::vector<Leg> late = legs;
+  for (std::size_t i = 32; i < 40; ++i) late[i].x[1] = 161;  // its last 16 legs are 160 long
+  EXPECT_EQ(counts(late), (std::vector<std::size_t>{16, 16, 8}));
 }
 
 }  // namespace
