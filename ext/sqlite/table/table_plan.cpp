@@ -45,16 +45,29 @@ double ids_between_bounds(sqlite3_index_info& info, double objects) {
   return lower <= upper ? upper - lower + 1 : objects;
 }
 
+/// Whether the constraint compares with one value that is not written in the statement: perhaps one of another table.
+bool may_need_another_table(sqlite3_index_info& info, int i) {
+  constexpr int reported_lists = 31;  // SQLite does not report `column IN (…)` of later constraints
+  const bool may_be_in =
+      info.aConstraint[i].op == SQLITE_INDEX_CONSTRAINT_EQ && (i >= reported_lists || may_be_list(info, i));
+  return !may_be_in && !written_value(info, i);
+}
+
 /// Estimated number of objects that satisfy all constraints. SQLite estimates ordinary tables like this, but
-/// not virtual ones: a bound keeps a quarter of the rows, an equality a hundredth.
+/// not virtual ones: a bound keeps a quarter of the rows, an equality a hundredth. If it depends on another table,
+/// SQLite must know: such constraints become arguments of the scan, which ignores them. SQLite would else take
+/// the estimate as that of this table alone, and could read it first.
 double likely_rows(sqlite3_index_info& info, double objects) {
   double rows = objects;
-  for (const IndexConstraint& constraint :
-       std::span(info.aConstraint, static_cast<std::size_t>(info.nConstraint))) {
+  int arguments = 0;
+  for (int i = 0; i < info.nConstraint; ++i) {
+    const IndexConstraint& constraint = info.aConstraint[i];
     if (!constraint.usable) continue;
-    if (is_bound(constraint.op)) rows /= 4;
-    if (constraint.op == SQLITE_INDEX_CONSTRAINT_EQ || constraint.op == SQLITE_INDEX_CONSTRAINT_IS)
-      rows /= 100;
+    const bool equal =
+        constraint.op == SQLITE_INDEX_CONSTRAINT_EQ || constraint.op == SQLITE_INDEX_CONSTRAINT_IS;
+    if (!equal && !is_bound(constraint.op)) continue;
+    rows /= equal ? 100 : 4;
+    if (may_need_another_table(info, i)) info.aConstraintUsage[i].argvIndex = ++arguments;
   }
   return std::max(1.0, std::min(rows, ids_between_bounds(info, objects)));
 }

@@ -28,6 +28,22 @@ TEST_F(TableScan, VisitsEveryObjectOnce) {
   EXPECT_EQ(plan("SELECT * FROM ships"), "SCAN ships VIRTUAL TABLE INDEX 0:");
 }
 
+/// A table that is bounded by another one is read after it: the bounds do not apply without the other.
+TEST_F(TableScan, IsInnerWhereItsBoundsNeedAnotherTable) {
+  const std::string sql =
+      "SELECT count(*) FROM ships h JOIN ships v ON v.x BETWEEN h.x - 10 AND h.x + 10 AND v.vx BETWEEN h.vx "
+      "- 1 AND "
+      "h.vx + 1 WHERE h.name = 'ship 17'";
+  EXPECT_EQ(plan(sql), "SCAN v VIRTUAL TABLE INDEX 0:");
+  EXPECT_EQ(db.rows(sql), "37");
+  EXPECT_EQ(
+      plan("SELECT count(*) FROM ships v JOIN ships h ON v.name = h.name AND v.vx = h.vx WHERE h.id = 3"),
+      "SCAN v VIRTUAL TABLE INDEX 0:");
+  EXPECT_EQ(
+      db.rows("SELECT count(*) FROM ships v WHERE v.x > 5 AND v.name IN ('ship 12', 'ship 9', 'ship 2')"),
+      "1");
+}
+
 TEST_F(TableScan, AnEmptyTableHasNoRows) {
   db.exec("CREATE VIRTUAL TABLE none USING moving_objects(id, x)");
   EXPECT_EQ(db.rows("SELECT * FROM none"), "");
