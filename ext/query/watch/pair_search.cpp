@@ -20,7 +20,7 @@ constexpr double majority_share = 0.3;
 
 }  // namespace
 
-ChangedSides changes_since(const JoinedTables& tables, const WatchState& state) {
+ChangedSides changed_sides(const JoinedTables& tables, const WatchState& state) {
   ChangedSides changed{.a = tables.a->changes_since(state.stamp), .b = {}};
   changed.b = tables.is_within_one() ? changed.a : tables.b->changes_since(state.other_stamp);
   return changed;

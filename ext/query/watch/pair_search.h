@@ -1,6 +1,6 @@
 // Search for the objects that a transaction has changed, and for their current pairs.
 //
-//   const ChangedSides changed = changes_since(tables, state);
+//   const ChangedSides changed = changed_sides(tables, state);
 //   PairSearch search(tables, question_of(tables, state, {clock, h}), resources);
 //   search.find_pairs_of(Side::a, changed.a.ids, [&](const JoinRow& row) { … });
 //
@@ -24,7 +24,7 @@ namespace foresee {
 struct ChangedSides {
   ChangedObjects a, b;  ///< equal within one table
 };
-ChangedSides changes_since(const JoinedTables& tables, const WatchState& state);
+ChangedSides changed_sides(const JoinedTables& tables, const WatchState& state);
 
 /// Whether either table has an object. Cost: a node per table.
 bool any_object(const JoinedTables& tables);

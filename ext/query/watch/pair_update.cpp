@@ -36,7 +36,7 @@ std::optional<WatchState> PairUpdate::run(Log log) {
   const bool same_contents = state_.stamp == before_.stamp && state_.other_stamp == before_.other_stamp;
   if (same_contents && !before_.requested_clock && !before_.must_rebuild) return std::nullopt;
   logs_ = log == Log::changes;
-  changed_ = changes_since(tables_, before_);
+  changed_ = changed_sides(tables_, before_);
   move_clock();
   if (must_recompute())
     recompute();
@@ -136,7 +136,7 @@ void PairUpdate::add_found(const JoinRow& found) {
 
 // A start below or above the rounded end of the horizon decides. An equal one does not: then a contact query
 // over the exact horizon decides.
-void PairUpdate::decide_which_wait() {
+void PairUpdate::finish_new_pairs() {
   const auto is_tie = [&](const WatchedPair& pair) { return !pair.is_reported() && pair.t == horizon_end_; };
   std::vector<PairIds> ties, reported;
   for (const WatchedPair& pair : new_)
@@ -154,7 +154,7 @@ void PairUpdate::decide_which_wait() {
   }
 }
 
-void PairUpdate::for_each_difference(const std::function<void(const WatchedPair*, const WatchedPair*)>& use) {
+void PairUpdate::for_each_pair(const std::function<void(const WatchedPair*, const WatchedPair*)>& use) {
   auto before = old_.begin();
   for (const WatchedPair& after : new_) {
     for (; before != old_.end() && by_ids(*before, after); ++before) use(&*before, nullptr);
@@ -166,7 +166,7 @@ void PairUpdate::for_each_difference(const std::function<void(const WatchedPair*
 }
 
 void PairUpdate::write_differences(bool all_are_known) {
-  decide_which_wait();
+  finish_new_pairs();
   sort_and_unique(old_);
   sort_and_unique(new_);
   if (all_are_known && (before_.must_rebuild || differ_mostly())) {
@@ -174,21 +174,21 @@ void PairUpdate::write_differences(bool all_are_known) {
     has_written_ = true;
     storage_.erase_all_pairs();
   }
-  for_each_difference(
-      [&](const WatchedPair* before, const WatchedPair* after) { write_difference(before, after); });
+  for_each_pair(
+      [&](const WatchedPair* before, const WatchedPair* after) { write_if_different(before, after); });
   storage_.write_keys();
 }
 
 bool PairUpdate::differ_mostly() {
   std::size_t kept = 0;
-  for_each_difference([&](const WatchedPair* before, const WatchedPair* after) {
+  for_each_pair([&](const WatchedPair* before, const WatchedPair* after) {
     const PairChange change = change_between(before, after, watch_clock());
     if (!change.writes && !change.erases) ++kept;
   });
   return old_.size() + new_.size() > 4 * kept;
 }
 
-void PairUpdate::write_difference(const WatchedPair* before, const WatchedPair* after) {
+void PairUpdate::write_if_different(const WatchedPair* before, const WatchedPair* after) {
   const WatchClock clock = watch_clock();
   const PairChange change = change_between(before, after, clock);
   count_waiting(before, after);

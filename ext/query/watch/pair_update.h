@@ -44,7 +44,8 @@ class PairUpdate {
  public:
   enum class Log : std::uint8_t { changes, nothing };
 
-  /// Requires: the contents of the tables are those of their stamps, nothing waits to be written.
+  /// Reads the present stamps: they are those of the state that run() returns. Requires: the contents of the tables
+  /// are those of their stamps, nothing waits to be written.
   PairUpdate(JoinedTables tables, const WatchState& before, WatchStorage& storage,
              const JoinResources& resources);
 
@@ -82,15 +83,17 @@ class PairUpdate {
   /// Adds a contact that was found as a new pair: reported, or waiting.
   void add_found(const JoinRow& found);
   /// Decides finally which new pairs are reported, and sets `due` of those that wait.
-  void decide_which_wait();
+  void finish_new_pairs();
   /// `all_are_known`: old_ has every stored row.
   void write_differences(bool all_are_known);
-  /// In order of the ids; null if the pair does not exist before or after.
-  void for_each_difference(const std::function<void(const WatchedPair*, const WatchedPair*)>& use);
+  /// Visits each old or new pair, whether the two differ or not, in order of the ids. Null if it does not exist before
+  /// or after.
+  void for_each_pair(const std::function<void(const WatchedPair*, const WatchedPair*)>& use);
   /// Whether writing all rows is cheaper than updating those that differ.
   bool differ_mostly();
   /// Writes the row of a pair if it differs, and logs what is reported. Null: it is new, or gone.
-  void write_difference(const WatchedPair* before, const WatchedPair* after);
+  void write_if_different(const WatchedPair* before, const WatchedPair* after);
+  /// Writes, erases or leaves the stored row of a pair. When every row is replaced, an unchanged one is written too.
   void write_row_of(const PairChange& change, const WatchedPair* before);
   /// For adapt_look_ahead().
   void count_waiting(const WatchedPair* before, const WatchedPair* after);

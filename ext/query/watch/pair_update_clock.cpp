@@ -27,7 +27,7 @@ void PairUpdate::move_clock() {
     state_.clock = std::max(newest, state_.clock.value_or(newest));
   }
   if (!state_.clock && state_.manual) state_.clock = 0;
-  clock_ = state_.now();
+  clock_ = state_.clock.value_or(0);
   horizon_end_ = clock_ + state_.horizon;
   if (before_.clock && clock_ != *before_.clock) state_.last_advance = std::abs(clock_ - *before_.clock);
 }

@@ -50,7 +50,7 @@ std::optional<double> RowReader::degrees_number(const Column& column, std::int64
 }
 
 double RowReader::height_or_climb(const Column& column, std::int64_t id, sqlite3_value* value) const {
-  const double number = stored(column, id, value);
+  const double number = number_to_store(column, id, value);
   if (std::abs(number) > max_number)
     refuse(column.name, id, shown(value), "more than 1e300; write metres, or metres per second");
   if (column.geo == GeoColumn::height && number < min_height)
@@ -60,7 +60,7 @@ double RowReader::height_or_climb(const Column& column, std::int64_t id, sqlite3
 }
 
 double RowReader::latitude_or_longitude(const Column& column, std::int64_t id, sqlite3_value* value) const {
-  const double number = stored(column, id, value);
+  const double number = number_to_store(column, id, value);
   const bool lat = column.geo == GeoColumn::lat;
   if (number == (lat ? 91 : 181))
     refuse(column.name, id, shown(value), "\"not available\" in AIS; leave the row out");
@@ -74,7 +74,7 @@ double RowReader::latitude_or_longitude(const Column& column, std::int64_t id, s
 std::optional<double> RowReader::speed_or_course(const Column& column, std::int64_t id,
                                                  sqlite3_value* value) const {
   if (is_null_or_empty(value)) return std::nullopt;
-  const double number = stored(column, id, value);
+  const double number = number_to_store(column, id, value);
   if (column.geo == GeoColumn::speed) {
     if (frame_.unit == SpeedUnit::knots && number == 102.3) return std::nullopt;
     if (number < 0)

@@ -94,9 +94,9 @@ bool RowReader::is_of_before(int place, double number) const {
 double RowReader::number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const {
   const auto place = static_cast<std::size_t>(column.place);
   const bool is_unchanged = !before_.empty() && sqlite3_value_nochange(value);
-  if (leg_.empty()) return is_unchanged ? before_[place] : stored(column, id, value);
+  if (leg_.empty()) return is_unchanged ? before_[place] : number_to_store(column, id, value);
   if (is_unchanged || is_null_or_empty(value)) return leg_[place];
-  const double number = stored(column, id, value);
+  const double number = number_to_store(column, id, value);
   if (number != leg_[place] && !is_of_before(column.place, number))
     refuse_beside_plan(column, id, value, leg_[place]);
   return leg_[place];

@@ -149,13 +149,13 @@ NewRecord RowReader::read(std::int64_t id, sqlite3_value** motion, Store& store,
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
     if (column.is_plain)
-      record_[static_cast<std::size_t>(column.place)] = stored(column, id, motion[i]);
+      record_[static_cast<std::size_t>(column.place)] = number_to_store(column, id, motion[i]);
     else if (column.quantity == Quantity::form)
       shape = motion[i];
     else if (column.geo == GeoColumn::none && column.quantity != Quantity::plan)
       record_[static_cast<std::size_t>(column.place)] = layout_.has_plan && is_of_leg(column.quantity)
                                                             ? number_of_leg(column, id, motion[i])
-                                                            : stored(column, id, motion[i]);
+                                                            : number_to_store(column, id, motion[i]);
   }
   if (!leg_.empty()) {
     check_degrees_of_leg(id, motion, store);
@@ -183,14 +183,14 @@ void RowReader::fill_form(std::int64_t id, sqlite3_value* shape, Store& store,
                 table_ + "." + forms_.column() + " of row " + std::to_string(id) + ": " + error.what());
 }
 
-double RowReader::stored(const Column& column, std::int64_t id, sqlite3_value* value) const {
+double RowReader::number_to_store(const Column& column, std::int64_t id, sqlite3_value* value) const {
   const Quantity quantity = column.quantity;
   const int type = type_as_number(value);
   if (type == SQLITE_FLOAT && column.takes_any_number) {
     const double number = sqlite3_value_double(value);
     if (std::isfinite(number)) return number;
   }
-  if (is_kind(quantity)) return stored_kind(column, id, value);
+  if (is_kind(quantity)) return kind_to_store(column, id, value);
   if (type == SQLITE_NULL) {
     if (quantity == Quantity::until) return std::numeric_limits<double>::infinity();
     if (quantity == Quantity::reference_time || quantity == Quantity::centre || quantity == Quantity::mass)
@@ -228,7 +228,7 @@ double RowReader::stored(const Column& column, std::int64_t id, sqlite3_value* v
 }
 
 /// The bits of a category or a mask; NULL and '' are the default.
-double RowReader::stored_kind(const Column& column, std::int64_t id, sqlite3_value* value) const {
+double RowReader::kind_to_store(const Column& column, std::int64_t id, sqlite3_value* value) const {
   const int type = type_as_number(value);
   if (type == SQLITE_NULL) return column.quantity == Quantity::category ? Kinds{}.category : Kinds{}.mask;
   const double number = sqlite3_value_double(value);

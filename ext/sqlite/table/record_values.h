@@ -127,8 +127,9 @@ class RowReader {
   void require_heading_beside_plan(std::int64_t id, sqlite3_value** motion) const;
 
   void fill_form(std::int64_t id, sqlite3_value* shape, Store& store, std::optional<std::int64_t> updated);
-  double stored(const Column& column, std::int64_t id, sqlite3_value* value) const;
-  double stored_kind(const Column& column, std::int64_t id, sqlite3_value* value) const;
+  /// Reads and checks the SQL value of a column.
+  double number_to_store(const Column& column, std::int64_t id, sqlite3_value* value) const;
+  double kind_to_store(const Column& column, std::int64_t id, sqlite3_value* value) const;
   void require_motion_to_last(std::int64_t id) const;
   void require_finite_acceleration(std::int64_t id) const;
   [[noreturn]] void refuse(const std::string& column, std::int64_t id, const std::string& value,

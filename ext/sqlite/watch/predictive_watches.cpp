@@ -37,7 +37,7 @@ struct ListedWatch {
 bool is_lost(Connection& connection, const WatchState& state, const OpenTables& tables) {
   if (is_up_to_date(connection, state, tables)) return false;
   const JoinedTables sources = sources_of(connection, tables);
-  const ChangedSides changed = changes_since(sources, state);
+  const ChangedSides changed = changed_sides(sources, state);
   if (state.must_rebuild || !changed.a.are_known || !changed.b.are_known) return true;
   // Objects without a clock: it is lost, unless this transaction has added them.
   return changed.a.ids.empty() && changed.b.ids.empty() && !state.clock && any_object(sources);

@@ -83,7 +83,7 @@ std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSid
 bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const OpenTables& tables) {
   if (state.must_rebuild || state.requested_clock || !state.clock) return false;
   const JoinedTables sources = sources_of(*table_.connection, tables);
-  const ChangedSides changed = changes_since(sources, state);
+  const ChangedSides changed = changed_sides(sources, state);
   if (!changed.a.are_known || !changed.b.are_known || is_majority(changed.a, *sources.a)) return false;
   if (is_majority(changed.b, sources.side_b())) return false;
   // For one object, all its pairs are recomputed, however many other objects have changed.

@@ -232,7 +232,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   const LargestId& read_largest();
   void write_count(std::int64_t objects);
 
-  /// Moves all pending objects into the tree: in memory, as far as the budget allows.
+  /// Moves the pending objects of all its trees into them: in memory, as far as the budget allows.
   void merge_pending(TreeStore::Reason reason = TreeStore::Reason::query);
   bool must_merge(TreeStore::Reason reason) const;
   /// merge_pending(), then writes all changes as rows, with a new stamp for the same contents.
