@@ -125,7 +125,7 @@ class ResumedChanges final : public ChangesOf<ResumedChanges> {
                        double q) const {
     const double bend = 0.5 * lasts_ * lasts_;
     VectorSet<D> place = velocity;
-    if (velocity.turns) {
+    if (velocity.is_arc) {
       const double middle = p + 0.5 * (q - p);
       const Vec<D> v = vector_of<D>(changes_->reference().v), a = vector_of<D>(changes_->reference().a);
       place =

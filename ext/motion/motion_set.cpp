@@ -34,7 +34,7 @@ VectorSet<D> turned_vectors(const Vec<D>& vector, double middle, double half) {
     set.centre[0] = vector[0] * at.cosine + vector[1] * at.sine;
     set.centre[1] = vector[1] * at.cosine - vector[0] * at.sine;
     set.pad[0] = set.pad[1] = length == 0 ? 0 : pad_of_turned * length + lost_by_underflow;
-    set.turns = true;
+    set.is_arc = true;
     set.sine = wide.sine, set.cosine = wide.cosine, set.whole_circle = half >= 180;
     set.radius = length * (1 + 0x1p-49);
   }

@@ -26,7 +26,7 @@ namespace foresee {
 template <int D>
 struct VectorSet {
   Vec<D> centre = Vec<D>::Zero(), along = Vec<D>::Zero(), pad = Vec<D>::Zero();
-  bool turns = false;
+  bool is_arc = false;          ///< else along the segment
   double sine = 0, cosine = 1;  ///< of the half width of a turn
   bool whole_circle = false;
   double radius = 0;  ///< upper bound of the turn's radius
@@ -35,7 +35,7 @@ struct VectorSet {
   /// The support function along n: an upper bound of n w over all vectors w of the set.
   double support(const Vec<D>& n) const {
     const Vec<D> size = n.abs();
-    if (!turns) {
+    if (!is_arc) {
       const double straight = (n * centre).sum(), across = std::abs((n * along).sum());
       return straight + across + (size * (pad + 0x1p-49 * (centre.abs() + along.abs()))).sum();
     }

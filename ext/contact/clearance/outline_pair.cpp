@@ -29,7 +29,7 @@ ConvexPiece piece_of(const Box<2>& box, ObjectPieces& made) {
 
 }  // namespace
 
-OwnOutline::OwnOutline(const Bodies& bodies, std::size_t row, bool turns) : turns(turns) {
+OwnOutline::OwnOutline(const Bodies& bodies, std::size_t row, bool rotates) : rotates(rotates) {
   pieces.take_row(bodies, bodies.outlines, row);
   reach = reach_of(pieces.box(ObjectPieces::root));
 }
@@ -75,7 +75,7 @@ std::unique_ptr<PieceSum> OutlinePair::sum_of(const Part& part) const {
                                       other().piece(other().item(part.other)));
   static constexpr Corner position[] = {{0, 0}};
   Box<2> box = other().box(part.other), turned{-box.upper, -box.lower};
-  if (!turns()) {
+  if (!rotates()) {
     const Box<2>& own = mine.box(part.own);
     for (int axis = 0; axis < 2; ++axis) {
       const Ends ends = grown(own.lower[axis], own.upper[axis], box.upper[axis], -box.lower[axis]);
@@ -88,7 +88,7 @@ std::unique_ptr<PieceSum> OutlinePair::sum_of(const Part& part) const {
 
 std::unique_ptr<PieceSum> OutlinePair::turning_sum_of(const Part& part) const {
   const Box<2>& own = own_->pieces.box(part.own);
-  if (!turns() || part.pieces || !(own.upper > own.lower).all()) return nullptr;
+  if (!rotates() || part.pieces || !(own.upper > own.lower).all()) return nullptr;
   ObjectPieces around;
   auto other_box = std::make_shared<ObjectPieces>();
   other_box->take_box(other().box(part.other));
@@ -96,7 +96,7 @@ std::unique_ptr<PieceSum> OutlinePair::turning_sum_of(const Part& part) const {
 }
 
 double OutlinePair::more_round(const Part& part) const {
-  return turns() && !part.pieces ? reach_of(own_->pieces.box(part.own)) : 0;
+  return rotates() && !part.pieces ? reach_of(own_->pieces.box(part.own)) : 0;
 }
 
 double OutlinePair::box_size(const Part& part) const {

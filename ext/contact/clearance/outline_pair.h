@@ -21,12 +21,12 @@
 
 namespace foresee {
 
-/// The object that changes its motion, and whether its outline turns with its course.
+/// The object that changes its motion, and whether its outline rotates with its course.
 struct OwnOutline {
-  OwnOutline(const Bodies& bodies, std::size_t row, bool turns);
+  OwnOutline(const Bodies& bodies, std::size_t row, bool rotates);
 
   ObjectPieces pieces;
-  bool turns;
+  bool rotates;
   double reach;  ///< no corner is farther from its position
 };
 
@@ -41,13 +41,13 @@ class OutlinePair {
   };
 
   /// `given`: the other outline before its rotation, if it is known; then a convex one is not rotated exactly with an
-  /// own outline that turns. Both this and `others` must outlive the pair.
+  /// own outline that rotates. Both this and `others` must outlive the pair.
   OutlinePair(std::shared_ptr<const OwnOutline> own, const Bodies& others, std::size_t row,
               const SharedOutline* given = nullptr);
 
   /// Upper bound of the distance from the origin at which the two touch, without an r.
   double reach() const { return own_->reach + other_reach_; }
-  bool turns() const { return own_->turns; }
+  bool rotates() const { return own_->rotates; }
   /// Both objects are convex.
   bool is_sole() const;
 

@@ -50,7 +50,7 @@ ExtraReach extra_reach_of_arc(const Encounter<D>& encounter, const TrajectoryFam
   const VectorSet<D>&velocity = family.all.velocity, &acceleration = family.all.acceleration;
   const double reach = encounter.turning->own_reach();
   ExtraReach all{height * reach, height * velocity.radius, 0.5 * height * acceleration.radius};
-  if (acceleration.turns) return all;
+  if (acceleration.is_arc) return all;
   const auto across = [&](const Vec<D>& v) { return n[0] * v[D > 1] - n[D > 1] * v[0]; };
   const double first = across(family.first.v), last = across(family.last.v);
   if ((first > 0) != (last > 0)) return all;
@@ -75,7 +75,7 @@ bool planes_prove_of_turns(const Encounter<D>& encounter, const TrajectoryFamily
   for (std::size_t i = 0; i < 2; ++i) {
     const Vec<D>& n = normals[i];
     const TrajectoryEstimate<D>& own = i == 0 ? family.first : family.last;
-    const double along = encounter.turning->support(n[0], n[D > 1], family.turns->ends[i]);
+    const double along = encounter.turning->support(n[0], n[D > 1], family.rotations->ends[i]);
     const double growth = encounter.extents.grows ? encounter.extents.growth.support(n) : 0;
     const double reach = encounter.extents.support_with(n, along) + extra.from;
     const double c0 = min_of<D>(n, encounter.x, encounter.ex, all.place) - reach;
@@ -110,7 +110,7 @@ bool turning_plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<
   const SineCosine<double>& pose = encounter.turning->pose();
   std::array<Vec<D>, 2> normals{n, n};
   for (std::size_t i = 0; i < 2; ++i) {
-    const SineCosine<double>& at = family.turns->ends[i];
+    const SineCosine<double>& at = family.rotations->ends[i];
     const double cosine = at.cosine * pose.cosine + at.sine * pose.sine,
                  sine = at.sine * pose.cosine - at.cosine * pose.sine;
     normals[i][0] = n[0] * cosine + n[D > 1] * sine;

@@ -175,7 +175,7 @@ ClearanceVerdict verdict_on_turns(const SeparationCase<D>& separation, const Enc
   if constexpr (D > 1)
     if (const auto known = verdict_by_lines<D>(encounter, family, separation.begin(), separation.end()))
       return *known;
-  const RangeOfTurns& turns = *family.turns;
+  const RangeOfTurns& turns = *family.rotations;
   const TrajectoryEstimate<D>* const motions[] = {&family.middle, &family.first, &family.last};
   const SineCosine<double>* const poses[] = {&turns.middle, &turns.ends[0], &turns.ends[1]};
   StraightApproach<D> approaches[3];

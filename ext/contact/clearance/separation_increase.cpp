@@ -22,7 +22,7 @@ bool is_round_alone(const PairExtents<D>& extents) {
 /// Twice the error along n that a proof adds to each of these vectors, less a little.
 template <int D>
 double twice_error_along(const VectorSet<D>& set, const Vec<D>& n) {
-  const double length = set.turns ? std::sqrt(n[0] * n[0] + n[D > 1] * n[D > 1]) * set.radius : 0;
+  const double length = set.is_arc ? std::sqrt(n[0] * n[0] + n[D > 1] * n[D > 1]) * set.radius : 0;
   return 1.9 * ((n.abs() * set.pad).sum() + 0x1p-47 * length);
 }
 

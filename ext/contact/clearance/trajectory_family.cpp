@@ -35,7 +35,7 @@ void find_bounds(const VectorSet<D>& set, Vec<D>& lower, Vec<D>& upper) {
   lower = upper = Vec<D>::Zero();
   if ((set.centre == 0).all() && (set.along == 0).all() && (set.pad == 0).all()) return;
   for (int axis = 0; axis < D; ++axis) {
-    const bool is_one = !set.turns && set.along[axis] == 0 && set.pad[axis] == 0;
+    const bool is_one = !set.is_arc && set.along[axis] == 0 && set.pad[axis] == 0;
     upper[axis] = is_one ? set.centre[axis] : set.max(axis);
     lower[axis] = is_one ? set.centre[axis] : set.min(axis);
   }
@@ -128,14 +128,14 @@ TrajectoryFamily<D> trajectory_family(const Changes& changes, double p, double q
   family.last = changes.estimate<D>(q);
   find_bounds<D>(family);
   const auto off_chord = [](const VectorSet<D>& set) {
-    return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : set.bulge;
+    return set.is_arc ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : set.bulge;
   };
   family.turned[0] = off_chord(all.place) + all.place.pad.sum();
   family.turned[1] = off_chord(all.velocity);
   family.turned[2] = off_chord(all.acceleration);
   // For turns by more than a third of a circle the middle is not typical: the mean is near 0.
   const auto shorten = [](const VectorSet<D>& set, Vec<D>& middle) {
-    if (set.turns && set.cosine < 0.5) middle *= set.cosine > 0 ? 0.5 : 0;
+    if (set.is_arc && set.cosine < 0.5) middle *= set.cosine > 0 ? 0.5 : 0;
   };
   shorten(all.velocity, family.middle.v);
   shorten(all.place, family.middle.x);

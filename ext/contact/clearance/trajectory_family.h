@@ -77,12 +77,12 @@ struct TrajectoryFamily {
   bool one_interval;           ///< if no path is bent, the changes that touch are one interval
   double from = 0, to = 0;     ///< the range
   /// Once known. `first` and `last` are within the pads of `all` then.
-  mutable std::optional<RangeOfTurns> turns = {};
+  mutable std::optional<RangeOfTurns> rotations = {};
 
   /// Requires: a range of turns; one thread. Only outlines that rotate need it.
   const RangeOfTurns& known_turns() const {
-    if (!turns) turns = range_of_turns(from, to);
-    return *turns;
+    if (!rotations) rotations = range_of_turns(from, to);
+    return *rotations;
   }
 };
 

@@ -151,7 +151,7 @@ std::optional<ClearanceVerdict> verdict_by_lines(const Encounter<D>& encounter,
                                                  const TrajectoryFamily<D>& family, double begin,
                                                  double end) {
   const VectorSet<D>&velocity = family.all.velocity, &place = family.all.place;
-  if (encounter.extents.grows || !velocity.turns || velocity.whole_circle || velocity.cosine < 0) return {};
+  if (encounter.extents.grows || !velocity.is_arc || velocity.whole_circle || velocity.cosine < 0) return {};
   if ((place.centre != 0).any() || (place.along != 0).any()) return {};
   const TurnedLines<D> lines(encounter, family);
   const double fastest = velocity.radius + encounter.v.abs().sum();

@@ -45,7 +45,7 @@ class ManoeuvreRows {
   bool changes_nothing() const {
     const auto none = [](const std::array<double, 3>& v) { return v[0] == 0 && v[1] == 0; };
     const OwnMotion& base = manoeuvre_.own.base;
-    return manoeuvre_.first_leg().turns() && none(base.v) && none(base.a) && !manoeuvre_.turns;
+    return manoeuvre_.first_leg().turns() && none(base.v) && none(base.a) && !manoeuvre_.rotates_outline;
   }
 
   /// The legs of the motion that is stored for k.
@@ -67,7 +67,7 @@ class ManoeuvreRows {
   std::vector<NearRow> exempt_at(double k, const OwnState::Records& records) {
     const bool are_later = manoeuvre_.changed.are_later;
     // The changed motion starts where the unchanged one is at that time, in the same pose: its own start shows it.
-    if (k == 0 || !(are_later || manoeuvre_.turns)) return exact_.touching_at_start(records);
+    if (k == 0 || !(are_later || manoeuvre_.rotates_outline)) return exact_.touching_at_start(records);
     // Of what is later by k no contact is exempt, unless contact at the start is ignored.
     if (are_later && question_.touching != Touching::ignore) return {};
     // A delay starts at another time, and a turned outline in another pose: the unchanged start shows it.
@@ -80,7 +80,7 @@ class ManoeuvreRows {
   bool can_be_stored(double k) const {
     for (const OwnMotion& motion : motions_at(k)) {
       if (!is_finite(motion)) return false;
-      if (!manoeuvre_.turns) continue;
+      if (!manoeuvre_.rotates_outline) continue;
       try {
         question_.form->extents(motion.heading);
       } catch (const Error&) {

@@ -34,7 +34,7 @@ CountedVerdict Intruder<D>::verdict_on(const TrajectoryFamily<D>& family) const 
   const Encounter<D> turned = turning_ ? turned_encounter(family.known_turns()) : encounter_;
   if (has_parts()) return counted(certify_only_clearance<D>(turned, family));
   if (!touches_at_start()) return certify_clearance<D>(turned, family);
-  const bool surely_touches = outlines_->is_sole() && !outlines_->turns();
+  const bool surely_touches = outlines_->is_sole() && !outlines_->rotates();
   return counted(surely_touches ? certify_separation_increases<D>(turned, family)
                                 : certify_piece_separation_increases<D>(turned, family));
 }
@@ -74,10 +74,10 @@ std::vector<Intruder<D>> Intruder<D>::parts() const {
     one.stage_ = part.pieces ? Stage::pieces : Stage::boxes;
     one.part_ = part;
     one.sum_ = outlines_->sum_of(part);
-    if (outlines_->turns()) one.turning_ = part.pieces ? one.sum_ : outlines_->turning_sum_of(part);
+    if (outlines_->rotates()) one.turning_ = part.pieces ? one.sum_ : outlines_->turning_sum_of(part);
     one.encounter_.extents.sum = one.sum_.get();
     one.encounter_.extents.radius = round_ + outlines_->more_round(part) * (1 + 0x1p-50);
-    one.encounter_.nearly_touches = part.pieces && !outlines_->turns() && at_start_ == AtStart::apart &&
+    one.encounter_.nearly_touches = part.pieces && !outlines_->rotates() && at_start_ == AtStart::apart &&
                                     starts_nearly_touching(one.encounter_);
     parts.push_back(std::move(one));
   }

@@ -38,7 +38,7 @@ class Intruder {
   CountedVerdict verdict_on(const TrajectoryFamily<D>& family) const;
 
   /// Whether a convex set rotates with k: then ranges at a known end are proven up to large widths.
-  bool turns() const { return turning_ && !has_parts(); }
+  bool rotates() const { return turning_ && !has_parts(); }
 
   /// The encounter of one change, for guesses.
   Encounter<D> encounter_at(double k) const {
@@ -48,7 +48,7 @@ class Intruder {
   /// Whether this is the disc around two outlines of which the own one turns, on its first leg: then touching_turns()
   /// of its parts are worth their cost.
   bool is_around_turns() const {
-    return !touches_at_start() && leg_ == 0 && stage_ == Stage::whole && outlines_->turns();
+    return !touches_at_start() && leg_ == 0 && stage_ == Stage::whole && outlines_->rotates();
   }
   /// Whether both outlines are convex. Requires: they are outlines.
   bool is_sole() const { return outlines_->is_sole(); }

@@ -163,7 +163,7 @@ NearObjects find_near_objects(const ManoeuvreCase& manoeuvre, const SearchTarget
 ManoeuvreCase manoeuvre_case(const AvoidQuestion& question, const OwnState& own,
                              const QueriedChanges& queried, Interrupt& interrupt) {
   ManoeuvreCase manoeuvre{question, own, queried, changed_legs(question, own, queried), false};
-  manoeuvre.turns = turns_with_course(question, manoeuvre.first_leg());
+  manoeuvre.rotates_outline = turns_with_course(question, manoeuvre.first_leg());
   manoeuvre.near_objects.push_back(
       find_near_objects(manoeuvre, question.others, question.own_scene->ids[0], interrupt));
   if (question.also)

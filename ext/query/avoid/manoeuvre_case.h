@@ -31,7 +31,7 @@ struct ManoeuvreCase {
   const OwnState& own;
   QueriedChanges queried;
   ChangedLegs changed;
-  bool turns;                                  ///< the own outline rotates with the course
+  bool rotates_outline;                        ///< the own outline rotates with the course
   std::vector<NearObjects> near_objects = {};  ///< of each table
 
   const Changes& first_leg() const { return *changed.legs[0]; }

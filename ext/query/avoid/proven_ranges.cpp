@@ -107,9 +107,9 @@ class Encounters {
     const bool outlines = rule.pieces == PieceKind::planar;
     for (std::size_t leg = 0; leg < manoeuvre_.changed.legs.size(); ++leg) {
       // Only the first leg turns: what follows has the stored heading.
-      const auto own_outline =
-          outlines ? std::make_shared<const OwnOutline>(own_bodies_, 0, manoeuvre_.turns && leg == 0)
-                   : nullptr;
+      const auto own_outline = outlines ? std::make_shared<const OwnOutline>(
+                                              own_bodies_, 0, manoeuvre_.rotates_outline && leg == 0)
+                                        : nullptr;
       const std::size_t count = near.of_leg.empty() ? there.count : near.of_leg[leg].size();
       for (std::size_t i = 0; i < count; ++i) {
         if (i % 4096 == 0) interrupt_.check();
@@ -164,7 +164,7 @@ class Encounters {
       return rests && !touches_at_rest ? AtStart::apart : AtStart::unknown;
     }
     if (touches) return manoeuvre_.changed.are_later ? AtStart::unknown : AtStart::touches;
-    return encounter.begin > 0 || manoeuvre_.turns ? AtStart::unknown : AtStart::apart;
+    return encounter.begin > 0 || manoeuvre_.rotates_outline ? AtStart::unknown : AtStart::apart;
   }
 
   const ManoeuvreCase& manoeuvre_;

@@ -156,10 +156,10 @@ void RangeBisection<D>::cut(double from, double to, Frame tested, double known_e
   const double first = std::max(std::abs(from - known_end), min_width),
                last = std::max(std::abs(to - known_end), min_width);
   // The geometric mean of the distances from the known end. Ranges of a set that rotates are proven up to larger
-  // widths (Intruder::turns()), so there the farther part is smaller.
+  // widths (Intruder::rotates()), so there the farther part is smaller.
   const auto between_distances = [&](double nearer, double farther) {
     const double mean = std::sqrt(nearer) * std::sqrt(farther);
-    return intruders_[undecided_[tested.begin]].turns()
+    return intruders_[undecided_[tested.begin]].rotates()
                ? std::sqrt(std::sqrt(mean) * std::sqrt(farther)) * std::sqrt(farther)
                : mean;
   };
