@@ -26,7 +26,7 @@ namespace foresee {
 template <int D>
 struct VectorSet {
   Vec<D> centre = Vec<D>::Zero(), along = Vec<D>::Zero(), pad = Vec<D>::Zero();
-  bool is_arc = false;          ///< else along the segment
+  bool is_arc = false;          ///< `centre` is turned
   double sine = 0, cosine = 1;  ///< of the half width of a turn
   bool whole_circle = false;
   double radius = 0;  ///< upper bound of the turn's radius

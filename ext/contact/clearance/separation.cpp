@@ -97,7 +97,7 @@ class VerdictByPlanes {
   }
 
  private:
-  void probe_middle() { middle_ = separation_.probe(family_.middle, separation_.begin(), tau_); }
+  void probe_middle() { middle_ = separation_.probe(family_.middle, tau_); }
 
   /// No value: other tests decide, from now on from the time until which the two move apart.
   std::optional<ClearanceVerdict> verdict_by_departure() {
@@ -119,7 +119,7 @@ class VerdictByPlanes {
   bool an_end_is_separated() {
     for (std::size_t i = 0; i < 2; ++i) {
       double tau = 0;
-      if (separation_.probe(*ends_[i], separation_.begin(), tau) == ProbeResult::separated) return true;
+      if (separation_.probe(*ends_[i], tau) == ProbeResult::separated) return true;
       nearest_times_[i] = tau;
     }
     return false;
@@ -202,7 +202,8 @@ ClearanceVerdict verdict_on_turns(const SeparationCase<D>& separation, const Enc
   return all_touch ? ClearanceVerdict::blocked : ClearanceVerdict::undecided;
 }
 
-/// The verdict on motions as they are given, whenever they start.
+/// The verdict on motions as they are given, whenever they start: by VerdictByPlanes, unless a sum rotates on paths
+/// that are not bent.
 template <int D>
 CountedVerdict verdict_as_given(const Encounter<D>& encounter, const TrajectoryFamily<D>& family) {
   SeparationCase<D> separation(encounter, family);
@@ -249,7 +250,7 @@ CountedVerdict certify_only_clearance(const Encounter<D>& encounter, const Traje
   if (!separation.is_finite()) return {ClearanceVerdict::undecided, 1};
   const auto probe = [&](const TrajectoryEstimate<D>& own) {
     double ignored = 0;
-    return separation.probe(own, separation.begin(), ignored);
+    return separation.probe(own, ignored);
   };
   const ProbeResult middle = probe(family.middle);
   if (middle != ProbeResult::inconclusive) return {clear_or_undecided(middle == ProbeResult::separated), 1};

@@ -44,7 +44,7 @@ template <int D>
 CountedVerdict certify_only_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
 // Certificate that an object separates from another one that it touches, on bent paths, for every change of a
-// range.
+// range (bent_separation.cpp).
 //
 //   // a proof for every change of the range
 //   certify_bent_separation<2>(encounter, family).verdict == ClearanceVerdict::clear
@@ -60,8 +60,9 @@ template <int D>
 CountedVerdict certify_bent_separation(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
 // Certificate that an object separates from one that it touches when it changes its motion, for every change
-// of a range. If no path is bent, the slope of the distance increases with time, so its sign at the start
-// decides. On bent paths intervals bound the slope (certify_bent_separation() above, spread_of_changes.h).
+// of a range (separation_increase.cpp). If no path is bent, the slope of the distance increases with time, so
+// its sign at the start decides. On bent paths intervals bound the slope (certify_bent_separation() above,
+// spread_of_changes.h).
 
 /// Certifies a range of changes for two objects that touch at the start. A change is clear if the distance of
 /// the centres never decreases while they touch, and they do not touch again. Convex sets

@@ -35,9 +35,12 @@ class SeparationCase {
   double begin() const { return begin_; }
   double end() const { return end_; }
 
-  /// Whether there is a plane from `begin` on, with the normal guessed from one motion, or on bent paths one per
+  /// Whether there is a plane from begin() on, with the normal guessed from one motion, or on bent paths one per
   /// interval of time. `tau`: when that motion touches, or is nearest.
-  ProbeResult probe(const TrajectoryEstimate<D>& own, double begin, double& tau) const {
+  ProbeResult probe(const TrajectoryEstimate<D>& own, double& tau) const {
+    return probe_from(own, begin_, tau);
+  }
+  ProbeResult probe_from(const TrajectoryEstimate<D>& own, double begin, double& tau) const {
     const TrajectoryEstimate<D> path = relative(encounter_, own);
     if (bends_) return probe_bent(path, begin, tau);
     const auto approach = straight_approach<D>(encounter_.extents, path.x, path.v, begin, end_);
@@ -51,7 +54,7 @@ class SeparationCase {
     if (begin > end_) return true;
     double ignored = 0;
     for (const TrajectoryEstimate<D>* own : {&family_.middle, &family_.first, &family_.last})
-      if (probe(*own, begin, ignored) == ProbeResult::separated) return true;
+      if (probe_from(*own, begin, ignored) == ProbeResult::separated) return true;
     return false;
   }
 
