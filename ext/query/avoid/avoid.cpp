@@ -63,14 +63,14 @@ class ManoeuvreRows {
     const OwnState::Records records = records_at(k);
     return exact_.touching(records, exempt_at(k, records));
   }
-  /// What touches when the manoeuvre starts, and is exempt as Touching says.
+  /// What touches when the manoeuvre starts, and is exempt as Touching says. It is seen at the start of
+  ///   k = 0, or a change of motion    the changed motion: it starts where the unchanged one is, in the same pose
+  ///   a delay or a wait               the unchanged motion, with `ignore`; else nothing is exempt
+  ///   a turn of the own outline       the unchanged motion: the changed one starts in another pose
   std::vector<NearRow> exempt_at(double k, const OwnState::Records& records) {
     const bool are_later = manoeuvre_.changed.are_later;
-    // The changed motion starts where the unchanged one is at that time, in the same pose: its own start shows it.
     if (k == 0 || !(are_later || manoeuvre_.rotates_outline)) return exact_.touching_at_start(records);
-    // Of what is later by k no contact is exempt, unless contact at the start is ignored.
     if (are_later && question_.touching != Touching::ignore) return {};
-    // A delay starts at another time, and a turned outline in another pose: the unchanged start shows it.
     if (!exempt_) exempt_ = exact_.touching_at_start(manoeuvre_.records_at_start());
     return *exempt_;
   }

@@ -1,17 +1,17 @@
-// The intruders that one motion touches, decided by exact contact for the motion as it would be stored.
+// The near objects that one motion touches, decided by exact contact for the motion as it would be stored.
 //
 //   ExactAvoidance exact(manoeuvre, interrupt);
 //   exact.touching({record}, exact.touching_at_start({record})).empty()          // clear
 //
 // It says what touches at the start of the manoeuvre, decides k = 0 and queries of a single change, and names the
-// intruder at the end of a row. Extents grow from the stored t, whichever t the motion has: a change continues, without
-// a new report, what is known now.
+// near object at the end of a row. Extents grow from the stored t, whichever t the motion has: a change continues,
+// without a new report, what is known now.
 //
-// Intruders that touch at the first time of the object are exempt as Touching says. With `ignore` they never
+// Near objects that touch at the first time of the object are exempt as Touching says. With `ignore` they never
 // count. With `part` they do not count if the distance of the centres never decreases and they do not touch
 // again. That is decided exactly if neither path is bent and both shapes are convex; else it is proven, or
-// the intruder counts. A leg that starts while they touch counts as touching again.
-// Cost: some 100 ns per intruder.
+// the near object counts. A leg that starts while they touch counts as touching again.
+// Cost: some 100 ns per near object.
 #pragma once
 
 #include <functional>
@@ -39,13 +39,13 @@ class ExactAvoidance {
   ExactAvoidance(const ManoeuvreCase& manoeuvre, Interrupt& interrupt);
   ~ExactAvoidance();
 
-  /// The intruders that touch at the first time of the object, whatever follows.
+  /// The near objects that touch at the first time of the object, whatever follows.
   std::vector<NearRow> touching_at_start(const Records& legs);
 
-  /// The intruders that the motion touches. `exempt`: those that touch when the manoeuvre starts.
+  /// The near objects that the motion touches. `exempt`: those that touch when the manoeuvre starts.
   std::vector<NearRow> touching(const Records& legs, const std::vector<NearRow>& exempt);
 
-  /// An intruder relative to the object at its first time: position and velocity in the nearest doubles, with
+  /// A near object relative to the object at its first time: position and velocity in the nearest doubles, with
   /// errors. `square_gap`, for balls, discs and upright shapes: the squared distance of the centres on the
   /// round axes, less the squared reach, rounded down; 0 if that is not above 0.
   struct InitialState {
@@ -64,17 +64,21 @@ class ExactAvoidance {
   /// Rotates the own form by the heading of each row.
   void set_forms();
   std::unique_ptr<Contact> contact(std::size_t table, const Horizon& horizon) const;
-  /// Whether the leg and the intruder's row exist at one time; true where this is not worth a test.
+  /// Whether the leg and the near object's row exist at one time; true where this is not worth a test.
   bool may_meet(std::uint32_t leg, std::size_t table, std::uint32_t row) const;
-  /// The intruders that these contacts find during the horizon.
+  /// The near objects that these contacts find during the horizon.
   std::vector<NearRow> decided(std::vector<std::unique_ptr<Contact>>& contacts, const Horizon& horizon,
                                const std::vector<std::vector<std::uint8_t>>& left_out);
   /// Appends all legs of the objects of which one leg is in the list.
   void complete(std::vector<NearRow>& touching) const;
   bool touches(Contact& contact, std::uint32_t leg, const NearRow& near_row) const;
+
+  // From the first time of the object on (exact_start.cpp, as initial_state()):
   bool touches_at_start(std::uint32_t leg, const NearRow& near_row);
+  /// Whether it is certain that the leg separates from a near object that touches: the distance of the centres never
+  /// decreases, and the two do not touch again. Outlines that are apart at the first time: whether they never touch.
   bool separates(std::uint32_t leg, const NearRow& near_row);
-  /// Each leg separates from the intruder or never touches it.
+  /// Each leg separates from the near object or never touches it.
   bool all_separate(const NearRow& near_row);
 
   std::size_t tables() const { return manoeuvre_.near_objects.size(); }

@@ -43,6 +43,8 @@ struct ManoeuvreCase {
 ManoeuvreCase manoeuvre_case(const AvoidQuestion& question, const OwnState& own,
                              const QueriedChanges& queried, Interrupt& interrupt);
 
+// What is stored for one change (changed_plan.cpp):
+
 /// The plan to store for k: of an object with a plan, where the manoeuvre gives several legs, or where no columns
 /// store the changed motion. Otherwise nothing, and nothing for a k that does not change an object without a plan. A
 /// plan of knots remains one if knots have just these legs.

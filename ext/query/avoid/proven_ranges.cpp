@@ -64,7 +64,7 @@ class Encounters {
   /// This must outlive the intruders, whose outlines refer to it.
   std::vector<Intruder<D>> nearest_first() {
     touches_at_start_ = marked(exact_.touching_at_start(manoeuvre_.records_at_start()));
-    touches_at_rest_ = first_leg().starts_vary() ? marked(touching_at_rest()) : touches_at_start_;
+    if (first_leg().starts_vary()) touches_if_it_rests_ = marked(touching_if_it_rests());
     for (const NearObjects& near : manoeuvre_.near_objects) others_.push_back(near.scene->bodies());
     for (std::size_t table = 0; table < manoeuvre_.near_objects.size(); ++table) add_table(table);
     std::sort(ordered_.begin(), ordered_.end(), [](const OrderedIntruder<D>& a, const OrderedIntruder<D>& b) {
@@ -91,7 +91,7 @@ class Encounters {
   }
 
   /// What the object touches at any time if it remains at its start.
-  std::vector<NearRow> touching_at_rest() {
+  std::vector<NearRow> touching_if_it_rests() {
     OwnMotion resting = first_leg().unchanged();
     resting.t = first_leg().reference().t;
     resting.until = std::numeric_limits<double>::infinity();
@@ -132,7 +132,8 @@ class Encounters {
     const auto pair = own_outline ? std::make_shared<const OutlinePair>(own_outline, there, row,
                                                                         given_outline(table, there, row))
                                   : nullptr;
-    const AtStart known = at_start(encounter, leg, touches, touches_at_rest_[table][row] != 0);
+    const bool touches_if_it_rests = first_leg().starts_vary() && touches_if_it_rests_[table][row] != 0;
+    const AtStart known = at_start(encounter, leg, touches, touches_if_it_rests);
     if (leg == 0 && rounding_may_decide(encounter, touches)) {
       const NearRow near_row{table, static_cast<std::uint32_t>(row)};
       set_exact_state(encounter, exact_.initial_state(manoeuvre_.records_at_start(), near_row),
@@ -156,12 +157,13 @@ class Encounters {
 
   /// For a delay only the state of a resting intruder is known: it has the same position at every start. What is later
   /// by k has no exempt contact; of later legs nothing is known.
-  AtStart at_start(const Encounter<D>& encounter, std::size_t leg, bool touches, bool touches_at_rest) const {
+  AtStart at_start(const Encounter<D>& encounter, std::size_t leg, bool touches,
+                   bool touches_if_it_rests) const {
     if (leg > 0) return AtStart::unknown;
     if (first_leg().starts_vary()) {
       const bool rests = (encounter.v == 0).all() && (encounter.ev == 0).all() && !encounter.bends() &&
                          !encounter.extents.grows;
-      return rests && !touches_at_rest ? AtStart::apart : AtStart::unknown;
+      return rests && !touches_if_it_rests ? AtStart::apart : AtStart::unknown;
     }
     if (touches) return manoeuvre_.changed.are_later ? AtStart::unknown : AtStart::touches;
     return encounter.begin > 0 || manoeuvre_.rotates_outline ? AtStart::unknown : AtStart::apart;
@@ -174,8 +176,8 @@ class Encounters {
   Bodies own_bodies_;
   std::map<std::pair<std::size_t, std::int64_t>, std::shared_ptr<const Form>> forms_;
   std::vector<Bodies> others_;  ///< of each table; outlines of intruders refer to them
-  /// The rows of each table that touch at the start, and those that the object would touch if it remained there.
-  Marks touches_at_start_, touches_at_rest_;
+  /// The rows of each table that touch at the start. For delays: what the object would touch if it stayed there.
+  Marks touches_at_start_, touches_if_it_rests_;
   std::vector<OrderedIntruder<D>> ordered_;
 };
 

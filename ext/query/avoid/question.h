@@ -26,9 +26,10 @@ struct AvoidQuestion {
   std::vector<double> record;
   std::shared_ptr<const Form> form = {};  ///< its outline, or null
   std::shared_ptr<const Plan> plan = {};  ///< or null; own_scene has its legs
-  bool lacks_t = false;                   ///< no column of its table stores the t of its records
-  bool lacks_velocity = false;            ///< nor the velocity
-  SearchTarget others;                    ///< its table: the object with its id is left out
+  /// No column of its table stores the t of its records, or the velocity: a table with plans has both without columns.
+  bool lacks_t = false;
+  bool lacks_velocity = false;
+  SearchTarget others;  ///< its table: the object with its id is left out
   std::optional<SearchTarget> also = {};
   double now = 0;
   bool now_given = false;

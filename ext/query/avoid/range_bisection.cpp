@@ -90,8 +90,9 @@ std::vector<KRange> RangeBisection<D>::clear_ranges(double lo, double hi) {
 }
 
 template <int D>
-void RangeBisection<D>::search(double from, double to, Frame tested, double known_end) {
-  const Range range(legs_, from, to, tested.begin == 0);
+void RangeBisection<D>::search(double from, double to, StackSlice tested, double known_end) {
+  const bool is_coarse = tested.begin == 0;  // at the bottom of the stack are all intruders
+  const Range range(legs_, from, to, is_coarse);
   const std::size_t begin = undecided_.size();
   for (std::size_t i = tested.begin; i < tested.end; ++i) {
     found_.clear();
@@ -102,7 +103,7 @@ void RangeBisection<D>::search(double from, double to, Frame tested, double know
     }
     for (const std::uint32_t number : found_) undecided_.push_back(number);
   }
-  const Frame left{begin, undecided_.size()};
+  const StackSlice left{begin, undecided_.size()};
   const double middle = from + 0.5 * (to - from);
   if (left.begin == left.end) {
     if (!clear_.empty() && clear_.back().to == from)
@@ -120,7 +121,7 @@ template <int D>
 ClearanceVerdict RangeBisection<D>::test(std::uint32_t number, const Range& range, Numbers& undecided) {
   const Intruder<D>& intruder = intruders_[number];
   const std::uint32_t whole = intruders_.whole_of(number);
-  ClearanceVerdict verdict = verdict_on(intruder, whole, range);
+  ClearanceVerdict verdict = counted_verdict(intruder, whole, range);
   if (verdict == ClearanceVerdict::undecided && intruder.has_parts() && is_worth_dividing(number, range)) {
     if (intruders_.is_divided(number) || !intruders_.is_full()) return test_parts(number, range, undecided);
     verdict = verdict_on_parts(intruder, whole, range);
@@ -130,8 +131,8 @@ ClearanceVerdict RangeBisection<D>::test(std::uint32_t number, const Range& rang
 }
 
 template <int D>
-ClearanceVerdict RangeBisection<D>::verdict_on(const Intruder<D>& intruder, std::uint32_t whole,
-                                               const Range& range) {
+ClearanceVerdict RangeBisection<D>::counted_verdict(const Intruder<D>& intruder, std::uint32_t whole,
+                                                    const Range& range) {
   const auto [verdict, evaluations] = intruder.verdict_on(range.family(intruder));
   step_.costly(static_cast<unsigned>((16 + intruder.corners()) * (1 + evaluations)));
   if (range.is_coarse) return verdict;
@@ -141,7 +142,7 @@ ClearanceVerdict RangeBisection<D>::verdict_on(const Intruder<D>& intruder, std:
 }
 
 template <int D>
-void RangeBisection<D>::cut(double from, double to, Frame tested, double known_end) {
+void RangeBisection<D>::cut(double from, double to, StackSlice tested, double known_end) {
   const double min_width = give_up_width(tested), aside = 0.25 * min_width;
   const auto found = guessed_end(from, to, tested);
   // Near a known end another guess may be noise: it must reduce the range.
@@ -171,7 +172,7 @@ void RangeBisection<D>::cut(double from, double to, Frame tested, double known_e
 }
 
 template <int D>
-std::optional<double> RangeBisection<D>::guessed_end(double from, double to, Frame tested) {
+std::optional<double> RangeBisection<D>::guessed_end(double from, double to, StackSlice tested) {
   constexpr std::size_t few = 2;
   const Intruder<D>& intruder = intruders_[undecided_[tested.begin]];
   if (tested.end - tested.begin > few || intruder.has_parts()) return std::nullopt;
@@ -185,7 +186,7 @@ std::optional<double> RangeBisection<D>::guessed_end(double from, double to, Fra
 
 /// The usual end is found in some hundred evaluations; a grazing path takes hundreds of thousands.
 template <int D>
-double RangeBisection<D>::give_up_width(Frame tested) const {
+double RangeBisection<D>::give_up_width(StackSlice tested) const {
   constexpr std::uint64_t usual = 1 << 20;
   double share = 0;
   for (std::size_t i = tested.begin; i < tested.end; ++i) {
@@ -222,7 +223,7 @@ template <int D>
 ClearanceVerdict RangeBisection<D>::verdict_on_parts(const Intruder<D>& intruder, std::uint32_t whole,
                                                      const Range& range) {
   for (const Intruder<D>& part : intruder.parts()) {
-    ClearanceVerdict verdict = verdict_on(part, whole, range);
+    ClearanceVerdict verdict = counted_verdict(part, whole, range);
     if (verdict == ClearanceVerdict::undecided && part.is_worth_splitting(range.family(part)))
       verdict = verdict_on_parts(part, whole, range);
     if (verdict != ClearanceVerdict::clear) return verdict;
@@ -232,7 +233,7 @@ ClearanceVerdict RangeBisection<D>::verdict_on_parts(const Intruder<D>& intruder
 
 /// The nearest come first: they leave small gaps, which hardly any farther one touches.
 template <int D>
-bool RangeBisection<D>::search_between_touching_turns(double from, double to, Frame tested) {
+bool RangeBisection<D>::search_between_touching_turns(double from, double to, StackSlice tested) {
   if (D != 2 || width_ < min_width_for_closed_form) return false;
   const double aside = 0.25 * give_up_width(tested);
   TurnGaps left(from, to);

@@ -74,25 +74,25 @@ class RangeBisection {
   };
   using Numbers = std::vector<std::uint32_t>;  ///< of intruders and parts, as IntruderParts counts them
   /// The places in undecided_ of the intruders that one range is tested for.
-  struct Frame {
+  struct StackSlice {
     std::size_t begin, end;
   };
 
-  /// Appends the clear ranges of [from, to] to clear_: tests the intruders of the frame, and cuts the range if some are
+  /// Appends the clear ranges of [from, to] to clear_: tests these intruders, and cuts the range if some are
   /// undecided and none blocks it. `known_end`: an end of a clear range, at or outside an end of this one; or infinite.
-  void search(double from, double to, Frame tested, double known_end);
+  void search(double from, double to, StackSlice tested, double known_end);
   /// The verdict on an intruder, or on a part. If it is undecided, `undecided` gets its number, or those of its
   /// undecided parts. If many parts are undecided, the rest is not tested, but appended: narrower ranges decide.
   ClearanceVerdict test(std::uint32_t number, const Range& range, Numbers& undecided);
   /// The verdict on one convex set, or bound of several. Counts its cost as that of the intruder `whole`.
-  ClearanceVerdict verdict_on(const Intruder<D>& intruder, std::uint32_t whole, const Range& range);
+  ClearanceVerdict counted_verdict(const Intruder<D>& intruder, std::uint32_t whole, const Range& range);
   /// Searches the parts of a range: split at the end that an intruder causes, if one is guessed. Near a known end, it
   /// is split at the geometric mean of the distances from that end; else in the middle.
-  void cut(double from, double to, Frame tested, double known_end);
-  /// The end that the first intruder of the frame causes, if it causes one.
-  std::optional<double> guessed_end(double from, double to, Frame tested);
+  void cut(double from, double to, StackSlice tested, double known_end);
+  /// The end that the first of these intruders causes, if it causes one.
+  std::optional<double> guessed_end(double from, double to, StackSlice tested);
   /// A range of this width that leaves one of these intruders undecided is not cut further.
-  double give_up_width(Frame tested) const;
+  double give_up_width(StackSlice tested) const;
 
   // Outlines and prisms only:
 
@@ -104,7 +104,7 @@ class RangeBisection {
   ClearanceVerdict verdict_on_parts(const Intruder<D>& intruder, std::uint32_t whole, const Range& range);
   /// Searches what is between the turns that certainly touch an intruder, if some are known. Whether it has searched
   /// all.
-  bool search_between_touching_turns(double from, double to, Frame tested);
+  bool search_between_touching_turns(double from, double to, StackSlice tested);
 
   const Legs& legs_;
   Steps step_;
