@@ -24,12 +24,12 @@ void ContactStage::in_slices(std::size_t count, Work work) {
 
 void ContactStage::find_hits(std::vector<Pair>& batch, BatchProof proof, const TimeSlab& slab, Hits& hits) {
   if (question_.all_contacts) return find_all_contacts(batch, slab, hits);
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  const bool all_times = slab.from == -inf && slab.before == inf && question_.queries_all_times();
+  const bool all_times = slab.holds_all() && question_.queries_all_times();
   const bool times_matter = !all_times || question_.wants.contact || question_.order != JoinOrder::any;
   const std::size_t before = hits.pairs.size();
-  // Where some hits may be left out or never read, write_rows() computes the ends of the others only. Of legs, pairs
-  // that have a row are not tested again (movers/leg_join.h), so that few are left out.
+  // Hits may still be dropped, if another slab or the queried times decide, or may never be read, if they are sorted.
+  // Then write_rows() computes the ends of the others only. Of legs, pairs that have a row are not tested again
+  // (movers/leg_join.h), so that few are dropped.
   const bool ends_now =
       (all_times || has_plans(question_)) && question_.order == JoinOrder::any && question_.wants.ends;
   hits.with_ends = ends_now;
@@ -138,18 +138,18 @@ void ContactStage::add_ends(Hits& hits) {
 }
 
 void ContactStage::add_all_ends(Hits& hits) {
-  std::swap(sorted_, hits);
+  std::swap(without_all_ends_, hits);
   hits.clear();
   hits.with_ends = true;
   Hits all;
-  in_slices(sorted_.pairs.size(), [&](std::size_t begin, std::size_t count) {
+  in_slices(without_all_ends_.pairs.size(), [&](std::size_t begin, std::size_t count) {
     for (std::size_t i = begin; i < begin + count; ++i) {
       all.clear();
-      contact_->all_contacts({&sorted_.pairs[i], 1}, all.pairs, all.times);
+      contact_->all_contacts({&without_all_ends_.pairs[i], 1}, all.pairs, all.times);
       join_equal_contacts(0, all.pairs, all.times);
       for (const ContactTimes& times : all.times) {
-        if (times.t != sorted_.times[i].t || times.dt != sorted_.times[i].dt) continue;
-        hits.pairs.push_back(sorted_.pairs[i]);
+        if (times.t != without_all_ends_.times[i].t || times.dt != without_all_ends_.times[i].dt) continue;
+        hits.pairs.push_back(without_all_ends_.pairs[i]);
         hits.times.push_back(times);
       }
     }

@@ -88,7 +88,7 @@ class ContactStage {
   std::unique_ptr<Contact> contact_;
   Hits hits_;
   std::vector<Pair> without_ends_;
-  Hits sorted_;
+  Hits without_all_ends_;
   std::vector<ClosestApproach> approaches_;
 };
 

@@ -85,7 +85,7 @@ struct Join::ObjectJoin {
     const bool more = helpers ? process_helper_batch() : process_own_batch();
     if (more) return;
     close_slab();
-    sorted.sort(interrupt);
+    if (sorts) sorted.sort(interrupt);
   }
 
   /// False at the end of the slab.

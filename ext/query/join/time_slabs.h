@@ -25,6 +25,8 @@ struct TimeSlab {
   Horizon horizon;
 
   bool holds(double t) const { return from <= t && (t < before || is_last()); }
+  /// Whether the slab holds every t, as the only slab of a join does.
+  bool holds_all() const { return from == -std::numeric_limits<double>::infinity() && is_last(); }
   /// A contact that starts after the largest double has the t infinity; the last slab holds it.
   bool is_last() const { return before == std::numeric_limits<double>::infinity(); }
 };
