@@ -107,7 +107,8 @@ class Contact {
 };
 
 /// The contact of two tables. `name_a` and `name_b` are their names in messages. The table of
-/// docs/explanation/semantics.md says which distance decides. Throws Error for pairs without a distance
+/// docs/explanation/semantics.md says which distance decides: by the layouts, and by whether anything is
+/// round (`within` or a radius above 0, now or later). Throws Error for pairs without a distance
 /// (docs/reference/predictive_join.md#distances). These are a cylinder and a ball of any r; within_z on fewer
 /// than three axes; within_z if neither table has points, cylinders or prisms. Requires: a and b have the
 /// same number of axes and outlive the contact.

@@ -37,7 +37,7 @@ struct SceneNeeds {
   /// The levels of the tree; not of a layout with plans, which has none in a scene.
   bool with_levels = false;
   LegTimes times = {};  ///< of a layout with plans: legs that exist at no time of these may be missing
-  std::optional<Kinds> others = {};  ///< objects that may meet none of these kinds, or-ed, may be missing
+  std::optional<Kinds> partner_kinds = {};  ///< objects that may meet none of these, or-ed, may be missing
 };
 
 struct Scene {

@@ -29,7 +29,7 @@ ReadScene read_scene(const OpenTable& table, const SceneNeeds& needs, Interrupt&
   scene->layout = store.declaration().layout;
   scene->legs_during = needs.times;
   std::optional<KindTest> wanted;
-  if (needs.others) wanted = KindTest::of_partners(*needs.others);
+  if (needs.partner_kinds) wanted = KindTest::of_partners(*needs.partner_kinds);
   const FloatEnvironment environment;  // accelerations are computed on loading
   bool is_complete = true;
   if (scene->layout.has_plan) {
@@ -132,7 +132,7 @@ std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, Scen
   const Store* const store = table.store.get();
   if (table.store->declaration().layout.has_plan) {
     needs.with_levels = false;
-    needs.others.reset();
+    needs.partner_kinds.reset();
   } else {
     needs.times = {};
   }
@@ -144,12 +144,12 @@ std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, Scen
       return cached->second.scene;
     }
     // Queries of different kinds alternate: one scene of all objects serves them all.
-    if (is_current && cached->second.others != needs.others) needs.others.reset();
+    if (is_current && cached->second.partner_kinds != needs.partner_kinds) needs.partner_kinds.reset();
     scenes_.erase(cached);  // before the new one is decoded, so that memory holds only one
   }
   const ReadScene read = read_scene(table, needs, interrupt_);
-  if (read.is_complete) needs.others.reset();
-  scenes_[store] = {version, read.scene, ++last_use_, needs.others};
+  if (read.is_complete) needs.partner_kinds.reset();
+  scenes_[store] = {version, read.scene, ++last_use_, needs.partner_kinds};
   evict_scenes();
   return read.scene;
 }

@@ -113,12 +113,13 @@ class Connection {
   struct CachedScene {
     ContentVersion version;
     std::shared_ptr<const Scene> scene;
-    std::uint64_t used;           ///< a counter: larger is later
-    std::optional<Kinds> others;  ///< it lacks objects that may meet none of these; nothing: it has all
+    std::uint64_t used;  ///< a counter: larger is later
+    /// The scene lacks objects that may meet none of these; nothing: it has all.
+    std::optional<Kinds> partner_kinds;
 
     bool has(const SceneNeeds& needs) const {
       return (!needs.with_levels || scene->levels) && scene->legs_during.cover(needs.times) &&
-             (!others || others == needs.others);
+             (!partner_kinds || partner_kinds == needs.partner_kinds);
     }
   };
 

@@ -179,7 +179,8 @@ class UnionContact : public Contact {
     return {setup_, row_a(pair), row_b(pair), a_, b_, lifetime, near, times_wanted, *steps_};
   }
 
-  /// Not for windows: their bounded boxes may have the largest doubles as faces.
+  /// Of outlines alone; else uncertain. Not for windows: their bounded boxes may have the largest doubles as
+  /// faces.
   FilterAnswer filter_answer(const Context& context) const {
     if constexpr (requires { Traits::filter_answer(context); })
       if (!setup_.window) return Traits::filter_answer(context);

@@ -70,16 +70,19 @@ std::vector<MovingBox<D>> boxes_of(const Scene& one, const Horizon& horizon, con
   return boxes;
 }
 
+/// Adds to `near` the objects near `one`, by the tree of `others`.
 template <int D>
-void walk(const Scene& one, const SearchTarget& others, const Horizon& horizon, const PairRule::Reach& reach,
-          Interrupt& interrupt, const std::function<bool(std::int64_t)>& keep, Scene& near) {
+void add_near(const Scene& one, const SearchTarget& others, const Horizon& horizon,
+              const PairRule::Reach& reach, Interrupt& interrupt,
+              const std::function<bool(std::int64_t)>& keep, Scene& near) {
   // The object's box is inflated by one half of the reach, those in the tree by the other.
   const Vec<D> margin = margin_of<D>(reach);
   const std::vector<MovingBox<D>> boxes = boxes_of<D>(one, horizon, margin, interrupt);
   add_objects_near<D>(others, boxes, horizon, margin, interrupt, partners_of(one, near.layout), keep, near);
 }
 
-/// Throws Error for a query that is invalid whatever objects the tables have.
+/// Throws Error for a query that is invalid whatever objects the tables have, so that no tree is searched by an invalid
+/// tile. The join checks the query again, with its scenes.
 void require_valid_between(const JoinedTables& tables, JoinQuestion question) {
   question.a = empty_scene(*tables.a);
   if (tables.b) question.b = empty_scene(*tables.b);
@@ -98,26 +101,6 @@ std::shared_ptr<const Scene> scene_by_tree(TableSource& table, const JoinQuestio
   if (share > (table.is_loaded() ? max_share_if_cached : max_share)) return nullptr;
   return scene_of_tile(*tree, table.name(), question, interrupt);
 }
-
-}  // namespace
-
-std::shared_ptr<const Scene> objects_near(const Scene& one, const SearchTarget& others,
-                                          const Horizon& horizon, const PairRule::Reach& reach,
-                                          Interrupt& interrupt,
-                                          const std::function<bool(std::int64_t)>& keep) {
-  const FloatEnvironment environment;
-  auto near = std::make_shared<Scene>();
-  near->name = others.name;
-  near->layout = others.layout();
-  near->legs_during = leg_times_of(horizon);
-  if (one.size() == 0) return near;
-  with_axes(near->layout.axes,
-            [&]<int D>(Axes<D>) { walk<D>(one, others, horizon, reach, interrupt, keep, *near); });
-  near->take_forms(others.tree->forms(), interrupt);
-  return near;
-}
-
-namespace {
 
 /// Sets one side to the object of `only_a`, or else of `only_b`, and the other to the objects near it. Requires: one of
 /// the two ids.
@@ -148,6 +131,22 @@ void load_object_and_near(const JoinedTables& tables, JoinQuestion& question, In
 
 }  // namespace
 
+std::shared_ptr<const Scene> objects_near(const Scene& one, const SearchTarget& others,
+                                          const Horizon& horizon, const PairRule::Reach& reach,
+                                          Interrupt& interrupt,
+                                          const std::function<bool(std::int64_t)>& keep) {
+  const FloatEnvironment environment;
+  auto near = std::make_shared<Scene>();
+  near->name = others.name;
+  near->layout = others.layout();
+  near->legs_during = leg_times_of(horizon);
+  if (one.size() == 0) return near;
+  with_axes(near->layout.axes,
+            [&]<int D>(Axes<D>) { add_near<D>(one, others, horizon, reach, interrupt, keep, *near); });
+  near->take_forms(others.tree->forms(), interrupt);
+  return near;
+}
+
 void load_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& interrupt,
                  InertObjects inert) {
   const bool by_tree = question.method == JoinMethod::tree;
@@ -155,13 +154,13 @@ void load_scenes(const JoinedTables& tables, JoinQuestion& question, Interrupt& 
     return load_object_and_near(tables, question, interrupt);
   if (question.tile) require_valid_between(tables, question);
   const SceneNeeds needs{.with_levels = by_tree, .times = leg_times_of({question.now, question.h})};
-  const auto scene = [&](TableSource& table, TableSource& others) {
+  const auto load_side = [&](TableSource& table, TableSource& others) {
     if (question.tile && !by_tree && !table.layout().has_plan)
       if (auto in_tile = scene_by_tree(table, question, interrupt)) return in_tile;
     return inert == InertObjects::counted ? table.all(needs) : scene_without_inert(table, others, needs);
   };
-  question.a = scene(*tables.a, tables.side_b());
-  if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b, *tables.a);
+  question.a = load_side(*tables.a, tables.side_b());
+  if (tables.b) question.b = tables.are_one() ? question.a : load_side(*tables.b, *tables.a);
 }
 
 }  // namespace foresee

@@ -50,15 +50,16 @@ std::shared_ptr<const Scene> some_of(const Scene& scene, const std::vector<Kinds
   return some;
 }
 
-/// The objects of a scene that may meet one of `others`; the scene itself if all may.
-std::shared_ptr<const Scene> active(const std::shared_ptr<const Scene>& scene, Kinds others) {
+/// The objects of a scene that may meet one of `partner_kinds`; the scene itself if all may.
+std::shared_ptr<const Scene> active(const std::shared_ptr<const Scene>& scene, Kinds partner_kinds) {
   if (scene->forms) return scene;
   const std::shared_ptr<SceneKinds> kinds = kinds_of(*scene);
-  if (kinds->active && kinds->others == others) return kinds->active;
-  const auto meets = [&](Kinds one) { return may_meet(one, others); };
+  if (kinds->active && kinds->partner_kinds == partner_kinds) return kinds->active;
+  const auto meets = [&](Kinds one) { return may_meet(one, partner_kinds); };
   const auto count = static_cast<std::size_t>(std::count_if(kinds->of.begin(), kinds->of.end(), meets));
   if (count == scene->size()) return scene;
-  kinds->active = some_of(*scene, kinds->of, count, meets), kinds->others = others;
+  kinds->active = some_of(*scene, kinds->of, count, meets);
+  kinds->partner_kinds = partner_kinds;
   return kinds->active;
 }
 
@@ -93,7 +94,8 @@ std::vector<Group> groups_of(const SceneKinds& scene, const std::vector<TileMark
 }  // namespace
 
 std::shared_ptr<const Scene> scene_without_inert(TableSource& table, TableSource& others, SceneNeeds needs) {
-  if (has_kinds(table.layout()) && !table.layout().has_plan) needs.others = kinds_of_all(*others.tree());
+  if (has_kinds(table.layout()) && !table.layout().has_plan)
+    needs.partner_kinds = kinds_of_all(*others.tree());
   return table.all(needs);
 }
 

@@ -28,9 +28,9 @@ struct SceneKinds {
   Kinds all = Kinds::none();                ///< or-ed
   Kinds common = {every_kind, every_kind};  ///< and-ed
 
-  /// The scene without the objects that may meet none of `others`, of the last join that left some out.
+  /// The scene without the objects that may meet none of `partner_kinds`, of the last join that left some out.
   std::shared_ptr<const Scene> active = nullptr;
-  Kinds others = Kinds::none();
+  Kinds partner_kinds = Kinds::none();
 };
 
 /// Whether a scene has the objects that may meet none of the other side.
