@@ -84,12 +84,12 @@ std::optional<std::string> FunctionCall::text(int input, const char* kind) const
 }
 
 std::optional<std::int64_t> FunctionCall::only(int output) const {
-  for (const Hint& hint : arguments_.hints) {
-    if (hint.output != output || hint.op != SQLITE_INDEX_CONSTRAINT_EQ) continue;
-    const int type = sqlite3_value_numeric_type(hint.value);
-    if (type == SQLITE_INTEGER) return sqlite3_value_int64(hint.value);
+  for (const Condition& condition : arguments_.conditions) {
+    if (condition.output != output || condition.op != SQLITE_INDEX_CONSTRAINT_EQ) continue;
+    const int type = sqlite3_value_numeric_type(condition.value);
+    if (type == SQLITE_INTEGER) return sqlite3_value_int64(condition.value);
     if (type != SQLITE_FLOAT) continue;
-    if (const auto integer = integer_of(sqlite3_value_double(hint.value))) return integer;
+    if (const auto integer = integer_of(sqlite3_value_double(condition.value))) return integer;
   }
   return std::nullopt;
 }
@@ -97,18 +97,18 @@ std::optional<std::int64_t> FunctionCall::only(int output) const {
 FunctionCall::Bounds FunctionCall::bounds(int output) const {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Bounds bounds{-inf, inf};
-  for (const Hint& hint : arguments_.hints) {
-    if (hint.output != output) continue;
-    const int type = sqlite3_value_numeric_type(hint.value);
+  for (const Condition& condition : arguments_.conditions) {
+    if (condition.output != output) continue;
+    const int type = sqlite3_value_numeric_type(condition.value);
     if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) continue;
-    const double number = sqlite3_value_double(hint.value);
-    const bool exact = !is_inexact(hint.value);  // else it may be on either side of its nearest double
+    const double number = sqlite3_value_double(condition.value);
+    const bool exact = !is_inexact(condition.value);  // else it may be on either side of its nearest double
     const double below = std::nextafter(number, -inf), above = std::nextafter(number, inf);
-    if (hint.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.min = std::max(bounds.min, exact ? above : below);
-    if (hint.op == SQLITE_INDEX_CONSTRAINT_GE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)
+    if (condition.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.min = std::max(bounds.min, exact ? above : below);
+    if (condition.op == SQLITE_INDEX_CONSTRAINT_GE || condition.op == SQLITE_INDEX_CONSTRAINT_EQ)
       bounds.min = std::max(bounds.min, exact ? number : below);
-    if (hint.op == SQLITE_INDEX_CONSTRAINT_LT) bounds.max = std::min(bounds.max, exact ? below : above);
-    if (hint.op == SQLITE_INDEX_CONSTRAINT_LE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)
+    if (condition.op == SQLITE_INDEX_CONSTRAINT_LT) bounds.max = std::min(bounds.max, exact ? below : above);
+    if (condition.op == SQLITE_INDEX_CONSTRAINT_LE || condition.op == SQLITE_INDEX_CONSTRAINT_EQ)
       bounds.max = std::min(bounds.max, exact ? number : above);
   }
   return bounds;

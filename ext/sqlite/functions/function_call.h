@@ -78,7 +78,7 @@ struct FreeValue {
 using OwnedValue = std::unique_ptr<sqlite3_value, FreeValue>;
 
 /// `output op value` from the WHERE clause. SQLite checks it again: using it is optional.
-struct Hint {
+struct Condition {
   int output;
   int op;  ///< SQLITE_INDEX_CONSTRAINT_EQ, GT, GE, LT or LE
   sqlite3_value* value;
@@ -87,7 +87,7 @@ struct Hint {
 /// The arguments of a call, by their use.
 struct Arguments {
   std::vector<sqlite3_value*> inputs = {};  ///< one per input of the function, null if it was left out
-  std::vector<Hint> hints = {};
+  std::vector<Condition> conditions = {};
   RowLimit limit = {};
   std::uint64_t columns_read = 0;   ///< one bit per column
   std::span<const int> order = {};  ///< the outputs by which rows must ascend

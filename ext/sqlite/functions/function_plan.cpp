@@ -48,7 +48,7 @@ struct FunctionPlan {
   bool null_inputs = false;              ///< an input is, or may be, NULL
   bool about_ids = false;                ///< an id is compared with a value, usable in this plan or not
   std::uint32_t probed_by = 0;           ///< bit set: this id is compared with a usable value
-  int equalities = 0, inequalities = 0;  ///< hints: on ids, and on other outputs
+  int equalities = 0, inequalities = 0;  ///< conditions: on ids, and on other outputs
 };
 
 /// Adds constraint i to the plan. An input is consumed; a condition on a hinted output is passed to the call

@@ -7,9 +7,9 @@
 //            per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an input that SQLite
 //            compares again; or '@' and then 'n' (LIMIT) or 'o' (OFFSET)
 //
-// Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. If SQLite compares
-// an input again and it is NULL, no row would pass: such a call must be refused. LIMIT and OFFSET are hints
-// too (function_call.h).
+// Constraints on inputs are consumed; those on outputs are conditions, which SQLite checks again. If SQLite
+// compares an input again and it is NULL, no row would pass: such a call must be refused. LIMIT and OFFSET are
+// hints (function_call.h).
 #pragma once
 
 #include <cstddef>

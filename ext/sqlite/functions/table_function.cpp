@@ -103,10 +103,10 @@ void step(FunctionCursor& cursor) {
               " out, or write two queries with UNION ALL");
 }
 
-/// Sorts the values into inputs, hints and limits; the cursor keeps copies of the inputs for xColumn. A NULL
-/// input counts as left out. False if a hint is NULL: no row can match. Throws Error if a NULL would lose
-/// every row (function_plan.h). The call reads the originals, because SQLite 3.53 crashes in
-/// sqlite3_value_numeric_type() of a copy.
+/// Sorts the values into inputs, conditions on outputs, and limits; the cursor keeps copies of the inputs for
+/// xColumn. A NULL input counts as left out. False if a condition compares with NULL: no row can match. Throws
+/// Error if a NULL would lose every row (function_plan.h). The call reads the originals, because SQLite 3.53
+/// crashes in sqlite3_value_numeric_type() of a copy.
 bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const char* plan,
                     std::span<sqlite3_value*> values, Arguments& sorted) {
   cursor.inputs.clear();
@@ -120,7 +120,7 @@ bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const ch
     const int input = planned.column - table.output_count();
     if (input < 0) {
       if (is_null) return false;
-      sorted.hints.push_back({planned.column, planned.op, value});
+      sorted.conditions.push_back({planned.column, planned.op, value});
     } else if (is_null) {
       if (planned.compared_again) refuse_null(table.function(), input);
     } else {
