@@ -115,7 +115,7 @@ class Contact {
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b);
 
-struct Setup;
+struct Setup;  // contact/setup.h
 
 /// The closest approach of two centres (closest_approach.cpp). Cost: about a microsecond; tens of them in exact
 /// arithmetic. Requires: both objects exist together at some time of the horizon.

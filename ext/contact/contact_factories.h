@@ -25,7 +25,7 @@
 #include "base/axes.h"
 #include "contact/contact.h"
 #include "contact/minkowski/contact_set.h"
-#include "contact/minkowski/relative_motion.h"
+#include "contact/setup.h"
 #include "shape/form_rows.h"
 
 namespace foresee {

@@ -20,7 +20,7 @@
 #include <array>
 
 #include "contact/contact.h"
-#include "contact/minkowski/relative_motion.h"
+#include "contact/setup.h"
 #include "shape/form_rows.h"
 #include "shape/outline/shared_outline.h"
 

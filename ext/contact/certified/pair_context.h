@@ -14,6 +14,7 @@
 #include "contact/certified/certain_motion.h"
 #include "contact/certified/tree_walk.h"
 #include "contact/certified/uncertain_interval.h"
+#include "contact/setup.h"
 #include "numbers/crossed_root.h"
 #include "numbers/dyadic.h"
 

@@ -5,6 +5,7 @@
 #include "contact/certified/uncertain_interval.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/mesh/space_constraint.h"
+#include "contact/minkowski/relative_motion.h"
 
 namespace foresee {
 namespace {

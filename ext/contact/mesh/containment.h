@@ -14,7 +14,7 @@
 #include "base/interrupt_steps.h"
 #include "contact/certified/certain_motion.h"
 #include "contact/mesh/space_constraint.h"
-#include "contact/minkowski/relative_motion.h"
+#include "contact/setup.h"
 #include "numbers/dyadic.h"
 
 namespace foresee {

@@ -1,5 +1,6 @@
 #include "contact/mesh/space_constraint.h"
 
+#include "contact/minkowski/relative_motion.h"
 #include "numbers/dyadic.h"
 
 namespace foresee {

@@ -14,7 +14,7 @@
 
 #include "contact/certified/form_pieces.h"
 #include "contact/constraint/constraint.h"
-#include "contact/minkowski/relative_motion.h"
+#include "contact/setup.h"
 #include "shape/mesh/triangle_tree.h"
 
 namespace foresee {

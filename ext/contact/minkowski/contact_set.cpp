@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "contact/minkowski/relative_motion.h"
+#include "contact/setup.h"
 
 namespace foresee {
 namespace {

@@ -23,7 +23,7 @@
 
 namespace foresee {
 
-struct Setup;
+struct Setup;  // contact/setup.h
 
 /// The formula of a length of a pair: one addition, or two products and their sum.
 struct Length {
@@ -123,7 +123,7 @@ class ContactSet : public ConstraintUnion {
   std::vector<Faces> hull_;
 };
 
-/// The contact set of the setup (relative_motion.h): between its tables, or between its window and the second
+/// The contact set of the setup (contact/setup.h): between its tables, or between its window and the second
 /// table. Requires: neither has outlines or meshes.
 ContactSet contact_set(const Setup& setup);
 

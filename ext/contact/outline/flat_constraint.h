@@ -7,8 +7,8 @@
 
 #include "contact/constraint/constraint.h"
 #include "contact/minkowski/contact_set.h"
-#include "contact/minkowski/relative_motion.h"
 #include "contact/outline/object_pieces.h"
+#include "contact/setup.h"
 
 namespace foresee {
 

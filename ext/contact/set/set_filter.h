@@ -13,8 +13,8 @@
 #include "base/pair.h"
 #include "contact/certified/pair_context.h"
 #include "contact/certified/root_bracketing.h"
-#include "contact/minkowski/relative_motion.h"
 #include "contact/set/set_lanes.h"
+#include "contact/setup.h"
 
 namespace foresee {
 
