@@ -85,7 +85,8 @@ class GridVisit final : public Candidates {
  private:
   /// The boxes of one side in the open stripe: those entered, and the giants that cross it.
   struct Gathered {
-    Gathered(const Giants<D>& giants, GridSpace::Visit::Lanes& inside, GridSpace::Visit::Lanes& crossing)
+    Gathered(const Giants<D>& giants, GridSpace::Visit::LaneMemory& inside,
+             GridSpace::Visit::LaneMemory& crossing)
         : giants(giants), inside(inside), crossing(crossing) {}
     Giants<D> giants;
     Lanes<D> inside, crossing;

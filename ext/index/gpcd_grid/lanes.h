@@ -19,7 +19,7 @@ namespace foresee::gpcd {
 template <int D>
 class Lanes {
  public:
-  explicit Lanes(GridSpace::Visit::Lanes& memory) : memory_(memory) {}
+  explicit Lanes(GridSpace::Visit::LaneMemory& memory) : memory_(memory) {}
 
   /// Replaces the lanes by the rows of these keys, in their order, and by the columns that a scan computes with.
   /// All classes are 0: the boxes belong to no stripe. Requires: the keys are sorted along x.
@@ -53,7 +53,7 @@ class Lanes {
   /// Computes the classes of the boxes relative to this stripe.
   void classify(const Partition<D>& partition, const int (&stripe)[D]);
 
-  GridSpace::Visit::Lanes& memory_;
+  GridSpace::Visit::LaneMemory& memory_;
   LaneView<D> view_;
   float* floats_ = nullptr;
   float* centres_ = nullptr;  // and extents; after the copied columns

@@ -54,9 +54,9 @@ struct Scan {
   bool swap = false;                   ///< report {lane, row} instead of {row, lane}
   Keep keep = Keep::all;
   std::size_t row = 0;
-  std::size_t lane = 0;  ///< the next lane of the row, once the row has started
-  std::size_t left = 0;  ///< lanes before this one end before the row, and every later row, starts
-  bool started = false;  ///< true in the middle of a row
+  std::size_t lane = 0;          ///< the next lane of the row, once the row has started
+  std::size_t passed_lanes = 0;  ///< so many first lanes end before the row, and every later row, starts
+  bool started = false;          ///< true in the middle of a row
 
   bool done() const { return row >= rows->size; }
 };

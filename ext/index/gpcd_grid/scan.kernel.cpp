@@ -106,7 +106,7 @@ template <class V, int D, Time time>
 }
 
 /// The first lane that may reach row i. Rows that are not clipped are in ascending order, so the search
-/// resumes at scan.left.
+/// resumes at scan.passed_lanes.
 template <int D>
 std::size_t first_lane(Scan<D>& scan, std::size_t i) {
   const LaneView<D>& lanes = *scan.lanes;
@@ -126,8 +126,8 @@ std::size_t first_lane(Scan<D>& scan, std::size_t i) {
     }
     return first;
   }
-  while (scan.left < lanes.size && ends_before(scan.left)) ++scan.left;
-  return scan.left;
+  while (scan.passed_lanes < lanes.size && ends_before(scan.passed_lanes)) ++scan.passed_lanes;
+  return scan.passed_lanes;
 }
 
 /// Prefetches the object of a later row: early enough for memory, late enough for stripes of some hundred.

@@ -107,7 +107,7 @@ void sort_keys(std::span<Key> keys, Interrupt& interrupt) {
 }
 
 std::span<const Key> sorted_along_x(std::span<const Key> keys, const Range& range,
-                                    GridSpace::Visit::Lanes& memory, Interrupt& interrupt) {
+                                    GridSpace::Visit::LaneMemory& memory, Interrupt& interrupt) {
   const std::size_t size = keys.size();
   Key* const sorted = memory.keys.room(size);
   if (size <= few) {

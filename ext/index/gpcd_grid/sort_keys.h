@@ -30,6 +30,6 @@ void sort_keys(std::span<Key> keys, Interrupt& interrupt);
 
 /// The sorted keys, stored in `memory`. Fast if few keys are outside `range`.
 std::span<const Key> sorted_along_x(std::span<const Key> keys, const Range& range,
-                                    GridSpace::Visit::Lanes& memory, Interrupt& interrupt);
+                                    GridSpace::Visit::LaneMemory& memory, Interrupt& interrupt);
 
 }  // namespace foresee::gpcd

@@ -81,7 +81,7 @@ struct GridSpace {
 
   /// The memory with which one thread visits stripes.
   struct Visit {
-    struct Lanes {
+    struct LaneMemory {
       Buffer<float> floats, reach;
       Buffer<std::uint32_t> words, buckets, kinds;
       Buffer<std::uint64_t> keys;
@@ -144,11 +144,18 @@ struct GridSpace {
 
  private:
   template <class Work>
+  static void for_each(Visit::LaneMemory& lanes, Work work) {
+    work(lanes.floats);
+    work(lanes.reach);
+    work(lanes.words);
+    work(lanes.buckets);
+    work(lanes.kinds);
+    work(lanes.keys);
+  }
+  template <class Work>
   static void for_each(Visit& visit, Work work) {
     for (int i = 0; i < 2; ++i)
-      for (Visit::Lanes* lanes : {&visit.inside[i], &visit.crossing[i]})
-        work(lanes->floats), work(lanes->reach), work(lanes->words), work(lanes->buckets), work(lanes->kinds),
-            work(lanes->keys);
+      for (Visit::LaneMemory* lanes : {&visit.inside[i], &visit.crossing[i]}) for_each(*lanes, work);
     work(visit.batch);
   }
   template <class Work>

@@ -126,7 +126,7 @@ TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
 /// Keys in any order, at few different places, with some far away.
 TEST(GpcdGridKeys, AreSortedWhateverTheRange) {
   Random random(9);
-  GridSpace::Visit::Lanes memory;
+  GridSpace::Visit::LaneMemory memory;
   const float inf = std::numeric_limits<float>::infinity(), max = std::numeric_limits<float>::max();
   for (std::size_t count : {0u, 1u, 5u, 12u, 13u, 100u, 3000u})
     for (const gpcd::Range& range : {gpcd::Range{-5, 5}, gpcd::Range{0, 0}, gpcd::Range{-max, max},
