@@ -40,7 +40,7 @@ void add_lifetime(Layout& layout, std::vector<double>& record) {
   const auto place = [](int offset) { return static_cast<std::ptrdiff_t>(offset); };
   if (layout.has_plan) {
     layout.has_plan = false;
-    record.resize(record.size() - 2);
+    record.erase(record.end() - 2, record.end());
   }
   if (!layout.has_t) {
     layout.has_t = true;

@@ -86,7 +86,7 @@ void require_columns(const AvoidQuestion& question) {
     require_range_given(question, "'delay', 0, 600");
     if (!stores_start(question)) throw Error("'delay' changes t: declare t in " + name);
     if (!question.now_given)
-      throw Error("'delay' needs an explicit now, because nothing can start before it; write now = ...");
+      throw Error("'delay' needs now: nothing can start before it; write WHERE now = ...");
   }
 }
 

@@ -36,7 +36,7 @@ std::optional<Tile> read_tile(const FunctionCall& call) {
   bound(in_own_y1, tile.y1);
   if (!first) return {};
   if (!call.number(in_now))
-    throw Error(std::string(first) + " needs an explicit now, the same for all tiles; write now = ...");
+    throw Error(std::string(first) + " needs an explicit now, the same for all tiles; write WHERE now = ...");
   return tile;
 }
 

@@ -183,7 +183,7 @@ TEST_F(AvoidInSql, SaysWhatToWrite) {
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'accelerate', -1, 1)"),
             name + ": 'accelerate' changes an acceleration or a force: declare ax … or fx … with m in ships");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'delay', 0, 1)"),
-            name + ": 'delay' needs an explicit now, because nothing can start before it; write now = ...");
+            name + ": 'delay' needs now: nothing can start before it; write WHERE now = ...");
   EXPECT_EQ(
       error(name + "(60, 'ships', 1, 0, 'delay', -1, 1, 0)"),
       name +

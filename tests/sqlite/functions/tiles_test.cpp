@@ -151,8 +151,10 @@ TEST_F(Harbour, TilesSayWhatIsWrong) {
     EXPECT_EQ(db.error_of("SELECT * FROM predictive_explain" + what).substr(18), error.substr(15));
     return error.substr(17);
   };
-  EXPECT_EQ(error_of("own_x0 = 3"), "own_x0 needs an explicit now, the same for all tiles; write now = ...");
-  EXPECT_EQ(error_of("own_y1 = 3"), "own_y1 needs an explicit now, the same for all tiles; write now = ...");
+  EXPECT_EQ(error_of("own_x0 = 3"),
+            "own_x0 needs an explicit now, the same for all tiles; write WHERE now = ...");
+  EXPECT_EQ(error_of("own_y1 = 3"),
+            "own_y1 needs an explicit now, the same for all tiles; write WHERE now = ...");
   EXPECT_EQ(error_of("now = 0 AND own_x0 = 3 AND own_x1 = 1"),
             "own_x0 must be less than own_x1: own_x0 is 3, own_x1 is 1");
   EXPECT_EQ(error_of("now = 0 AND own_y0 = 3 AND own_y1 = 3"),
