@@ -40,8 +40,8 @@ struct Encounter {
   double rotation_chord = 0;  ///< … whose chord this is, relative to the length that rotates
   /// The sum, if it rotates with the motions of the range: in the pose of the middle.
   PieceSum* turning = nullptr;
-  double square_gap =
-      0;  ///< lower bound of squared distance - squared reach, of discs and balls that nearly touch
+  /// Lower bound of squared distance - squared reach, of discs and balls that nearly touch.
+  double square_gap = 0;
   bool nearly_touches = false;  ///< apart at the start by exact contact, but doubles may not decide it
 
   bool bends() const { return (a != 0).any(); }

@@ -25,8 +25,8 @@ struct FlatFeature {
   SumEdge edge = {};
 
   bool is_face_along_z() const { return towards == Direction::up; }
-  /// The direction of an edge may be longer than the edge. Always inlined: a call for each constraint costs the join of
-  /// hulls within a distance 4 % of its instructions.
+  /// The direction of an edge may be longer than the edge. Always inlined, because each constraint of a pair needs
+  /// it.
   template <class T>
   [[gnu::always_inline]] std::array<T, 2> direction() const {
     const std::array<T, 2> run = gap_between<T>(*edge.to, *edge.from);

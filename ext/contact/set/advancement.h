@@ -67,12 +67,12 @@ class CertainSet {
 
   /// Whether the pair is certainly inside the set at tau.
   bool now_within(double tau) {
-    return has_piece_of(tau, [](double side) { return side < 0; });
+    return has_piece_where(tau, [](double side) { return side < 0; });
   }
 
   /// Whether the pair is certainly outside the set at tau.
   bool now_apart(double tau) {
-    return !has_piece_of(tau, [](double side) { return side <= 0; });
+    return !has_piece_where(tau, [](double side) { return side <= 0; });
   }
 
   /// Expands the motion at tau, for the functions about single primitives that follow.
@@ -100,14 +100,14 @@ class CertainSet {
  private:
   void forget() { std::fill(known_.begin(), known_.end(), std::numeric_limits<double>::quiet_NaN()); }
 
-  /// Whether all primitives of a piece have such a side at tau, as value_now() says.
-  template <class IsSuch>
-  bool has_piece_of(double tau, IsSuch&& is_such) {
+  /// Whether holds(value_now()) is true at tau for all primitives of some piece.
+  template <class Holds>
+  bool has_piece_where(double tau, Holds&& holds) {
     expand_at(tau);
     forget();
     return std::any_of(set_.pieces().begin(), set_.pieces().end(), [&](const ContactSet::Piece& piece) {
       const auto all = set_.members(piece.all);
-      return std::all_of(all.begin(), all.end(), [&](int i) { return is_such(value_now(i)); });
+      return std::all_of(all.begin(), all.end(), [&](int i) { return holds(value_now(i)); });
     });
   }
 

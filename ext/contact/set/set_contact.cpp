@@ -1,3 +1,5 @@
+// make_set_contact(): contact by one contact set for all pairs (set_traits.h). Only this file compiles the engine for
+// sets, which takes long; box_contact.cpp uses it too.
 #include <algorithm>
 
 #include "contact/contact_factories.h"

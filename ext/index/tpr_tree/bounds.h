@@ -77,8 +77,8 @@ template <int D>
 Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double epoch,
                     double pad = rounding_pad);
 
-/// Bounds of an object, made to hold it if it grows by `growth` per unit of time, on every side, and has grown for
-/// `age`. Its lower faces move like objects slower by `growth`, its upper faces like faster ones. Before its
+/// These bounds of an object, widened for its growth: by `growth` per unit of time on every side, for `age` so far. Its
+/// lower faces move like objects slower by `growth`, its upper faces like faster ones. Before its
 /// t an object has the size of its t.
 template <int D>
 Bounds<D> with_growth(const Bounds<D>& bounds, const Vec<D>& growth, double age, double pad = rounding_pad);

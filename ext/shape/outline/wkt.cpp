@@ -101,9 +101,13 @@ class OutlineReader : WktLexer {
     std::size_t corners = outline_.corners().size() + pending;
     bool closed = pending == 0;
     for (const char c : rest()) {
-      if (c == ',') ++corners;
-      if (c == ')' && !closed) --corners;
-      if (c == ',' || c == ')') closed = c == ')';
+      if (c == ',') {
+        ++corners;
+        closed = false;
+      } else if (c == ')' && !closed) {
+        --corners;
+        closed = true;
+      }
     }
     throw Error(std::to_string(corners) + " corners; at most " + std::to_string(max_corners) +
                 ": simplify the outline");
