@@ -27,9 +27,10 @@
 //              load of the first scene: --loads S-500000 S-10000000 shows how they grow. Then a load in one
 //              transaction against the R*Tree, for scenes up to a million. (--quick: S-100000.)
 //   --lookups  S-1000000, in memory: x of a fifth of the ids, drawn at random, in that or in rising order: by
-//              a prepared query, from a list table by CROSS JOIN, by IN; and the pairs of a join with
-//              horizon 11 joined to the table by id on one side or both. Against an ordinary table of the
-//              same rows in the same database; the time of list or join alone is subtracted on both sides.
+//              a prepared query, from a list table by CROSS JOIN, by IN; ranges of 100 ids; and the pairs of
+//              a join with horizon 11 joined to the table by id on one side or both. Against an ordinary
+//              table of the same rows in the same database; the time of list or join alone is subtracted on
+//              both sides.
 //              (--quick: S-100000.)
 //   --after    S-100000 and S-1000000, in memory: every object reports ten times, each time in ten
 //              transactions of a random tenth. Then joins, windows of about 10, 100 and 1000, nearest and

@@ -1,5 +1,5 @@
 // Look-ups of objects by their ids, beside an ordinary table of the same rows in the same database. The ids
-// come from a prepared query, from IN, from a list, or from the rows of a join.
+// come from a prepared query, from IN, from a list, from a range, or from the rows of a join.
 #include <cstdio>
 
 #include "files.h"
@@ -72,6 +72,22 @@ double seconds_of_prepared(Tables& tables, const std::string& list, const std::s
   });
 }
 
+/// A prepared query with a first id, repeated for `queries` of the shuffled ids. Requires: one column.
+double seconds_of_ranges(Tables& tables, std::string sql, const std::string& table, std::size_t queries,
+                         Answer& answer) {
+  sql.replace(sql.find("TABLE"), 5, table);
+  Statement ids(tables.db(), "SELECT id FROM shuffled LIMIT " + std::to_string(queries)),
+      find(tables.db(), sql);
+  std::vector<std::int64_t> firsts;
+  while (ids.step()) firsts.push_back(ids.integer(0));
+  return seconds_of([&] {
+    for (const std::int64_t first : firsts) {
+      find.bind(1, first);
+      while (find.step()) ++answer.rows, answer.sum += find.number(0);
+    }
+  });
+}
+
 /// A query with two columns; TABLE in `sql` stands for the table.
 double seconds_of_sql(Tables& tables, std::string sql, const std::string& table, Answer& answer) {
   for (std::size_t at = 0; (at = sql.find("TABLE")) != std::string::npos;) sql.replace(at, 5, table);
@@ -129,6 +145,33 @@ void compare_lists(Tables& tables, int repetitions) {
       nothing);
 }
 
+/// Ranges of a hundred ids, beside the ordinary table and beside a scan of ours, which `+id` prescribes.
+void compare_ranges(Tables& tables, int repetitions) {
+  constexpr std::size_t queries = 1000, scans = 3, ids = 100;
+  const std::string range = "SELECT x FROM TABLE WHERE id BETWEEN ?1 AND ?1 + 99",
+                    page = "SELECT x FROM TABLE WHERE id >= ?1 ORDER BY id LIMIT 100";
+  for (const std::string& sql : {range, page})
+    compare(
+        sql == range ? "id BETWEEN ? AND ? + 99" : "id >= ? ORDER BY id LIMIT 100", queries * ids,
+        repetitions, "0.25 us more",
+        [&](const char* table, Answer& answer) {
+          return seconds_of_ranges(tables, sql, table, queries, answer);
+        },
+        [] { return 0.0; });
+  Comparison times;
+  for (int i = 0; i < repetitions; ++i) {
+    Answer by_ids, by_scan;
+    const double ours = seconds_of_ranges(tables, range, "ships", scans, by_ids),
+                 scan = seconds_of_ranges(tables, "SELECT x FROM TABLE WHERE +id BETWEEN ?1 AND ?1 + 99",
+                                          "ships", scans, by_scan);
+    if (by_ids.rows != by_scan.rows) throw Error("a range of ids and a scan give different rows");
+    times.add(ours, scan);
+  }
+  std::printf("a range of 100 ids                           foresee %6.1f us   by a scan %8.0f us   %5.0fx\n",
+              median(times.ours) * 1e6 / scans, median(times.rivals) * 1e6 / scans, median(times.ratios));
+  std::fflush(stdout);
+}
+
 void compare_joins(Tables& tables, int h, int repetitions) {
   const std::string join = " FROM predictive_join(" + std::to_string(h) + ", 'ships') j";
   Answer pairs;
@@ -164,6 +207,7 @@ void measure_lookups(const Options& options) {
       std::printf("look-ups, %s, %s\n", name.c_str(), name_of(medium));
       Tables tables(w, medium, files.ours);
       compare_lists(tables, repetitions);
+      compare_ranges(tables, repetitions);
       compare_joins(tables, 11, repetitions);
     }
 }

@@ -15,7 +15,6 @@ DRAWINGS = {
     "function_plan.h": ("idxNum",),
     "row_write.h": ("rebuild",),
     "form_blob.h": ("byte 0",),
-    "table_plan.h": ("idxNum",),
     "pair_update.h": ("changed objects",),
     "inner_node.h": ("lower(s)",),
     "mesh_blob.h": ("byte 0",),

@@ -100,8 +100,7 @@ int cursor_close(sqlite3_vtab_cursor* base) noexcept {
 }
 
 int cursor_filter(sqlite3_vtab_cursor* base, int plan, const char*, int, sqlite3_value** arguments) noexcept {
-  return guarded(&base->pVtab->zErrMsg,
-                 [&] { cursor_of(base).filter(static_cast<TablePlan>(plan), arguments); });
+  return guarded(&base->pVtab->zErrMsg, [&] { cursor_of(base).filter(TablePlan::of(plan), arguments); });
 }
 
 int cursor_next(sqlite3_vtab_cursor* base) noexcept {
@@ -151,7 +150,7 @@ int table_sync(sqlite3_vtab* base) noexcept {
 }
 
 void abort_scans(MovingObjectsTable& table) noexcept {
-  for (TableCursor* cursor : table.cursors()) cursor->abort_leaves();
+  for (TableCursor* cursor : table.cursors()) cursor->abort();
 }
 
 int table_rollback(sqlite3_vtab* base) noexcept {

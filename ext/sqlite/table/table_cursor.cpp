@@ -23,18 +23,21 @@ void TableCursor::clear() {
   leaf_ = 0;
   found_ = 0;
   report_of_ = nullptr;
-  by_leaf_ = handle_ = aborted_ = false;
+  source_ = Source::list;
+  walk_.reset();
+  handle_ = aborted_ = false;
 }
 
-void TableCursor::filter(TablePlan plan, sqlite3_value** arguments) {
+void TableCursor::filter(const TablePlan& plan, sqlite3_value** arguments) {
   clear();
   table_.start_statement();
-  switch (plan) {
+  switch (plan.kind) {
     case TablePlan::scan:
-      by_leaf_ = true;
-      return next_leaf();
+      return start_scan();
     case TablePlan::one_object:
       return seek_object(arguments[0]);
+    case TablePlan::ids:
+      return seek_range(plan, arguments);
     case TablePlan::handle:
       require_handle_word(arguments[0]);
       table_.store();  // throws for a table that cannot be read
@@ -58,11 +61,52 @@ void TableCursor::seek_object(sqlite3_value* value) {
   records_.assign(record.begin(), record.end());
 }
 
+namespace {
+
+/// At least the ids that satisfy the bounds of a plan; SQLite compares again.
+IdRange range_of(const TablePlan& plan, sqlite3_value** arguments) {
+  constexpr double beyond = 0x1p63;
+  IdRange range;
+  if (plan.has_first) {
+    sqlite3_value* const value = *arguments++;
+    const double number = sqlite3_value_double(value);
+    const int type = sqlite3_value_type(value);
+    if (type == SQLITE_NULL || (type == SQLITE_FLOAT && number >= beyond)) return {1, 0};
+    if (type == SQLITE_INTEGER || (type == SQLITE_FLOAT && number > -beyond))
+      range.first = sqlite3_value_int64(value);
+  }
+  if (plan.has_last) {
+    sqlite3_value* const value = *arguments;
+    const double number = std::ceil(sqlite3_value_double(value));
+    const int type = sqlite3_value_type(value);
+    if (type == SQLITE_NULL || (type == SQLITE_FLOAT && number < -beyond)) return {1, 0};
+    if (type == SQLITE_INTEGER) range.last = sqlite3_value_int64(value);
+    if (type == SQLITE_FLOAT && number < beyond) range.last = static_cast<std::int64_t>(number);
+  }
+  return range;
+}
+
+}  // namespace
+
+void TableCursor::seek_range(const TablePlan& plan, sqlite3_value** arguments) {
+  const IdRange range = range_of(plan, arguments);
+  if (range.is_empty()) return;
+  walk_ = table_.store().walk_ids(range, plan.order);
+  if (!walk_) return start_scan();
+  source_ = Source::walk;
+  seek_in_walk();
+}
+
 void TableCursor::require_handle_word(sqlite3_value* word) const {
   if (text_of(word) != handle_word)
     throw Error(table_.name +
                 " MATCH: a table of moving objects has no text to search; query predictive_join or "
                 "another of foresee's functions");
+}
+
+void TableCursor::start_scan() {
+  source_ = Source::leaves;
+  next_leaf();
 }
 
 void TableCursor::next_leaf() {
@@ -74,7 +118,7 @@ void TableCursor::next_leaf() {
   } while (leaf_ != 0 && ids_.empty());
   found_ += ids_.size();
   if (leaf_ != 0) return;
-  by_leaf_ = false;
+  source_ = Source::list;
   table_.store().expect_objects(found_);
 }
 
@@ -82,11 +126,33 @@ void TableCursor::next() {
   if (aborted_) throw StoreError(SQLITE_ABORT, table_.name + ": a rollback ended the scan");
   ++position_;
   report_of_ = nullptr;
-  if (by_leaf_) {
-    if (position_ == ids_.size()) next_leaf();
-  } else {
-    seek_existing();
+  switch (source_) {
+    case Source::leaves:
+      if (position_ == ids_.size()) next_leaf();
+      return;
+    case Source::walk:
+      return seek_in_walk();
+    case Source::list:
+      return seek_existing();
   }
+}
+
+/// Moves to the first id at or after the position whose object exists, and reads it.
+void TableCursor::seek_in_walk() {
+  Store& store = table_.store();
+  for (;; ++position_) {
+    if (position_ == ids_.size()) {
+      position_ = 0;
+      if (!store.next_ids(*walk_, ids_)) break;
+    }
+    const std::int64_t id = ids_[position_];
+    if (const auto first = rising_.next(id)) store.fetch_ahead(*first, RisingIds::batch);
+    const std::span<const double> record = store.find(id, statement_state_);
+    if (record.empty()) continue;
+    records_.assign(record.begin(), record.end());
+    return;
+  }
+  source_ = Source::list;
 }
 
 /// Moves to the first id at or after the position whose object still exists, and reads it.
@@ -100,7 +166,22 @@ void TableCursor::seek_existing() {
 }
 
 void TableCursor::keep_ids() {
-  if (!by_leaf_ || aborted_) return;
+  if (aborted_) return;
+  if (source_ == Source::leaves) keep_leaves();
+  if (source_ == Source::walk) keep_walk();
+}
+
+void TableCursor::keep_walk() {
+  std::vector<std::int64_t> rest(ids_.begin() + static_cast<std::ptrdiff_t>(position_), ids_.end());
+  IdWalk walk = *walk_;  // a copy: if the map cannot be read, the scan keeps its state
+  for (std::vector<std::int64_t> ids; table_.store().next_ids(walk, ids);)
+    rest.insert(rest.end(), ids.begin(), ids.end());
+  ids_ = std::move(rest);
+  position_ = 0;
+  source_ = Source::list;
+}
+
+void TableCursor::keep_leaves() {
   std::vector<std::int64_t> rest(ids_.begin() + static_cast<std::ptrdiff_t>(position_), ids_.end());
   std::vector<std::int64_t> ids;
   std::vector<double> records;
@@ -119,7 +200,7 @@ void TableCursor::keep_ids() {
   records_ = std::move(records);
   position_ = 0;
   report_of_ = nullptr;
-  by_leaf_ = false;
+  source_ = Source::list;
 }
 
 /// Well-known text, NULL for an object without a shape; no result if an UPDATE does not change the column.

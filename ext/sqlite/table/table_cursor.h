@@ -1,10 +1,11 @@
-// Cursor over one moving_objects table: a full scan, the look-up of one id, or the table's handle.
+// Cursor over one moving_objects table: a full scan, a range of ids in order, one id, or the table's handle.
 //
 // A scan reads objects leaf by leaf; after a write during the scan, one by one (see moving_objects_table.h).
-// Memory: one leaf, and after such a write the ids not yet visited.
+// Memory: one leaf or some thousand ids, and after such a write the ids not yet visited.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sqlite/table/moving_objects_table.h"
@@ -21,26 +22,34 @@ class TableCursor : public sqlite3_vtab_cursor {
   TableCursor& operator=(const TableCursor&) = delete;
 
   /// xFilter: moves to the first row of the plan, if it has any.
-  void filter(TablePlan plan, sqlite3_value** arguments);
+  void filter(const TablePlan& plan, sqlite3_value** arguments);
   void next();
   bool at_end() const { return position_ >= ids_.size(); }
   std::int64_t rowid() const { return ids_[position_]; }
   void column(sqlite3_context* context, int column) const;
 
-  /// Before a change: makes the rest of the scan independent of leaves.
+  /// Before a change: makes the rest of the scan independent of leaves and of the order of ids.
   void keep_ids();
-  /// After a rollback: leaves may have older contents than the scan has read, so it cannot continue.
-  void abort_leaves() { aborted_ = by_leaf_; }
+  /// After a rollback: the table may have older contents than the scan has read, so it cannot continue.
+  void abort() { aborted_ = source_ != Source::list; }
 
  private:
+  /// Where rows come from after those of ids_.
+  enum class Source : std::uint8_t { list, leaves, walk };
+
   void clear();
   void seek_object(sqlite3_value* id);
+  void seek_range(const TablePlan& plan, sqlite3_value** arguments);
   void require_handle_word(sqlite3_value* word) const;
+  void start_scan();
   void next_leaf();
+  void keep_leaves();
+  void keep_walk();
+  void seek_in_walk();
   void seek_existing();
   /// The record of the current row.
   const double* record() const {
-    return records_.data() + (by_leaf_ ? position_ * (records_.size() / ids_.size()) : 0);
+    return records_.data() + (source_ == Source::leaves ? position_ * (records_.size() / ids_.size()) : 0);
   }
   void result_degrees(sqlite3_context* context, GeoColumn column) const;
   void result_form(sqlite3_context* context, double number) const;
@@ -49,11 +58,12 @@ class TableCursor : public sqlite3_vtab_cursor {
 
   MovingObjectsTable& table_;
   std::vector<std::int64_t> ids_;
-  std::vector<double> records_;  ///< of all ids_; if not by_leaf_, only of the id at position_
+  std::vector<double> records_;  ///< of the id at position_; of leaves: of all ids_
   std::size_t position_ = 0;
+  Source source_ = Source::list;
   std::int64_t leaf_ = 0;
   std::size_t found_ = 0;  ///< objects in all leaves so far
-  bool by_leaf_ = false;   ///< more leaves may follow
+  std::optional<IdWalk> walk_;
   mutable StatementReadState statement_state_;
   mutable Flight report_ = {};                 ///< of the current row, in a table in degrees
   mutable const double* report_of_ = nullptr;  ///< … if this is its record

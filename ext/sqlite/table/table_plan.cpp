@@ -10,10 +10,10 @@ namespace {
 
 using IndexConstraint = sqlite3_index_info::sqlite3_index_constraint;
 
-void use(sqlite3_index_info* info, std::size_t constraint, TablePlan plan, bool omits_check) {
+void use(sqlite3_index_info* info, std::size_t constraint, TablePlan::Kind plan, bool omits_check) {
   info->aConstraintUsage[constraint].argvIndex = 1;
   info->aConstraintUsage[constraint].omit = omits_check ? 1 : 0;
-  info->idxNum = static_cast<int>(plan);
+  info->idxNum = plan;
   info->estimatedRows = 1;
   info->estimatedCost = 20;  // SQLite's assumption for an ordinary table
   info->idxFlags = SQLITE_INDEX_SCAN_UNIQUE;
@@ -23,9 +23,40 @@ bool is_id(const IndexConstraint& constraint) {
   return constraint.iColumn < 0 || constraint.iColumn == MovingObjectsTable::id_column;
 }
 
+bool is_lower_bound(unsigned char op) {
+  return op == SQLITE_INDEX_CONSTRAINT_GT || op == SQLITE_INDEX_CONSTRAINT_GE;
+}
+
+bool is_upper_bound(unsigned char op) {
+  return op == SQLITE_INDEX_CONSTRAINT_LT || op == SQLITE_INDEX_CONSTRAINT_LE;
+}
+
 bool is_bound(unsigned char op) {
-  return op == SQLITE_INDEX_CONSTRAINT_LT || op == SQLITE_INDEX_CONSTRAINT_LE ||
-         op == SQLITE_INDEX_CONSTRAINT_GT || op == SQLITE_INDEX_CONSTRAINT_GE;
+  return is_lower_bound(op) || is_upper_bound(op);
+}
+
+/// The first bounds of the id become the first arguments.
+TablePlan plan_of_ids(sqlite3_index_info& info) {
+  TablePlan plan;
+  int arguments = 0;
+  const auto find = [&](bool (*is_wanted)(unsigned char)) {
+    for (int i = 0; i < info.nConstraint; ++i) {
+      const IndexConstraint& constraint = info.aConstraint[i];
+      if (!constraint.usable || !is_id(constraint) || !is_wanted(constraint.op)) continue;
+      info.aConstraintUsage[i].argvIndex = ++arguments;
+      return true;
+    }
+    return false;
+  };
+  plan.has_first = find(is_lower_bound);
+  plan.has_last = find(is_upper_bound);
+  if (info.nOrderBy > 0) {
+    const int column = info.aOrderBy[0].iColumn;
+    if (column < 0 || column == MovingObjectsTable::id_column)
+      plan.order = info.aOrderBy[0].desc ? IdOrder::descending : IdOrder::ascending;
+  }
+  if (plan.has_first || plan.has_last || plan.order) plan.kind = TablePlan::ids;
+  return plan;
 }
 
 /// Number of ids between the literal bounds of the statement, if ids count from 1; `objects` if the bounds
@@ -38,9 +69,7 @@ double ids_between_bounds(sqlite3_index_info& info, double objects) {
     sqlite3_value* written = written_value(info, i);
     if (!written || sqlite3_value_type(written) != SQLITE_INTEGER) continue;
     const double id = sqlite3_value_double(written);
-    const bool from_below =
-        constraint.op == SQLITE_INDEX_CONSTRAINT_GT || constraint.op == SQLITE_INDEX_CONSTRAINT_GE;
-    (from_below ? lower : upper) = id;
+    (is_lower_bound(constraint.op) ? lower : upper) = id;
   }
   return lower <= upper ? upper - lower + 1 : objects;
 }
@@ -59,7 +88,8 @@ bool may_need_another_table(sqlite3_index_info& info, int i) {
 /// the estimate as that of this table alone, and could read it first.
 double likely_rows(sqlite3_index_info& info, double objects) {
   double rows = objects;
-  int arguments = 0;
+  int arguments = 0;  // those of bounds of the id come first
+  for (int i = 0; i < info.nConstraint; ++i) arguments += info.aConstraintUsage[i].argvIndex != 0;
   for (int i = 0; i < info.nConstraint; ++i) {
     const IndexConstraint& constraint = info.aConstraint[i];
     if (!constraint.usable) continue;
@@ -67,9 +97,18 @@ double likely_rows(sqlite3_index_info& info, double objects) {
         constraint.op == SQLITE_INDEX_CONSTRAINT_EQ || constraint.op == SQLITE_INDEX_CONSTRAINT_IS;
     if (!equal && !is_bound(constraint.op)) continue;
     rows /= equal ? 100 : 4;
-    if (may_need_another_table(info, i)) info.aConstraintUsage[i].argvIndex = ++arguments;
+    if (info.aConstraintUsage[i].argvIndex == 0 && may_need_another_table(info, i))
+      info.aConstraintUsage[i].argvIndex = ++arguments;
   }
   return std::max(1.0, std::min(rows, ids_between_bounds(info, objects)));
+}
+
+/// The part of a scan's work that the plan takes: a look-up by id costs as much as three objects of a scan.
+double share_to_read(sqlite3_index_info& info, const TablePlan& plan, double objects) {
+  if (plan.kind != TablePlan::ids) return 1;
+  const double by_id = 3, bounds = (plan.has_first ? 0.25 : 1) * (plan.has_last ? 0.25 : 1);
+  const double share = by_id * std::min(bounds, ids_between_bounds(info, objects) / std::max(objects, 1.0));
+  return plan.order ? share : std::min(share, 1.0);
 }
 
 }  // namespace
@@ -95,9 +134,11 @@ int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
   }
   constexpr double start = 50, object = 4;  // so that a look-up costs less than any scan
   const auto objects = static_cast<double>(table.likely_objects());
-  info->idxNum = static_cast<int>(TablePlan::scan);
+  const TablePlan plan = plan_of_ids(*info);
+  info->idxNum = plan.number();
+  info->orderByConsumed = plan.order ? 1 : 0;
   info->estimatedRows = static_cast<sqlite3_int64>(likely_rows(*info, objects));
-  info->estimatedCost = start + object * objects;
+  info->estimatedCost = start + object * objects * share_to_read(*info, plan, objects);
   return SQLITE_OK;
 }
 

@@ -1,23 +1,48 @@
 // Query plans of a moving_objects table, as xBestIndex chooses them.
 //
-//   idxNum   argument        plan
-//     0                      every object, leaf by leaf
-//     1      id              the object with this id
-//     2      'foresee-handle'  one row: the table's number, the key of Connection::find
+//   const TablePlan plan = TablePlan::of(number);    // in xFilter, of its idxNum
 //
-// Table-valued functions use plan 2 to find a table by name: `WHERE "ships" MATCH 'foresee-handle'`.
+// - A `scan` reads every object, leaf by leaf. It ignores its arguments.
+// - `one_object` looks up the id that is its argument.
+// - `handle` has one row with the table's number, the key of Connection::find. Its argument is 'foresee-handle'.
+// - `ids` has at least the objects whose ids satisfy the bounds, its arguments; with an order, by their ids.
+//
+// Table-valued functions use `handle` to find a table by name: `WHERE "ships" MATCH 'foresee-handle'`.
 #pragma once
+
+#include <optional>
 
 #include "sqlite/table/moving_objects_table.h"
 
 namespace foresee {
 
-enum class TablePlan : int { scan = 0, one_object = 1, handle = 2 };
+struct TablePlan {
+  enum Kind : int { scan = 0, one_object = 1, handle = 2, ids = 3 };
+
+  Kind kind = scan;
+  bool has_first = false, has_last = false;  ///< of ids: a lower bound, an upper one, in this order
+  std::optional<IdOrder> order = {};         ///< of ids: the query relies on it
+
+  /// SQLite's idxNum.
+  int number() const {
+    return kind | (has_first ? first_bit : 0) | (has_last ? last_bit : 0) | (order ? order_bit : 0) |
+           (order == IdOrder::descending ? descending_bit : 0);
+  }
+  static TablePlan of(int number) {
+    TablePlan plan{static_cast<Kind>(number & ids), (number & first_bit) != 0, (number & last_bit) != 0};
+    if (number & order_bit) plan.order = number & descending_bit ? IdOrder::descending : IdOrder::ascending;
+    return plan;
+  }
+
+ private:
+  static constexpr int first_bit = 4, last_bit = 8, order_bit = 16, descending_bit = 32;
+};
 
 constexpr const char* handle_word = "foresee-handle";
 
-/// xBestIndex: plan `handle` for MATCH, `one_object` if the id is given, else `scan`. Costs follow from
-/// Store::likely_objects. Returns SQLITE_CONSTRAINT if the operand of MATCH is not available in this plan.
+/// xBestIndex: `handle` for MATCH, `one_object` if the id is given, `ids` for bounds of the id or if rows are wanted in
+/// the order of ids, else `scan`. Costs follow from Store::likely_objects. Returns SQLITE_CONSTRAINT if the operand of
+/// MATCH is not available in this plan.
 int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info);
 
 }  // namespace foresee

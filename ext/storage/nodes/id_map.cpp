@@ -1,5 +1,6 @@
 #include "storage/nodes/id_map.h"
 
+#include <functional>
 #include <utility>
 
 #include "base/interrupt_steps.h"
@@ -62,6 +63,41 @@ void IdMap::void_stored() {
   leaves_.reset();
   stored_is_void_ = true;
   filter_.reset();
+}
+
+// --- reading in order
+
+IdWalk::IdWalk(IdMap& map, const IdRange& range, IdOrder order) : map_(&map), rest_(range), order_(order) {
+  for (const IdHashMap::Entry& entry : map.leaves_.known())
+    if (entry.value != IdMap::erased && range.has(entry.id)) placed_.push_back(entry.id);
+  if (order == IdOrder::ascending)
+    std::sort(placed_.begin(), placed_.end(), std::greater<>());
+  else
+    std::sort(placed_.begin(), placed_.end());
+}
+
+bool IdWalk::next(std::vector<std::int64_t>& ids) {
+  constexpr std::int64_t max_rows = 256;
+  ids.clear();
+  while (ids.empty() && !rest_.is_empty()) {
+    if (map_->stored_is_void_)
+      rest_ = {1, 0};
+    else
+      rest_ = map_->rows_->map().read_ids(rest_, order_, rows_, ids);
+    rows_ = std::min(max_rows, 4 * rows_ + 4);
+    if (map_->has_unwritten())
+      std::erase_if(ids, [&](std::int64_t id) { return map_->find_unwritten(id) == IdMap::erased; });
+    const std::size_t stored = ids.size();
+    for (; !placed_.empty() && !rest_.has(placed_.back()); placed_.pop_back()) ids.push_back(placed_.back());
+    if (ids.size() == stored) continue;
+    const auto comes_before = [&](std::int64_t a, std::int64_t b) {
+      return order_ == IdOrder::ascending ? a < b : b < a;
+    };
+    std::inplace_merge(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(stored), ids.end(),
+                       comes_before);
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  }
+  return !ids.empty();
 }
 
 // --- writing

@@ -3,6 +3,7 @@
 //   ids.place(ids_of_leaf, 7);                  // or erase(42)
 //   ids.find_unwritten(42) == 7
 //   ids.write(interrupt);                       // all changes, in key order
+//   IdWalk walk(ids, {.first = 40}, IdOrder::ascending);        // then walk.next(some)
 //
 // Changes wait in memory until they are written. After a mark each is logged, so that a rollback restores it; a
 // write of the map is logged too: when SQLite restores the rows, the changes are unwritten again. Of the rows
@@ -73,6 +74,7 @@ class IdMap final : public Journal::Participant {
   void clear() noexcept;
 
  private:
+  friend class IdWalk;
   std::size_t keep() override { return log_.size(); }
   void rewind(std::size_t position) noexcept override;
   void forget() noexcept override;
@@ -96,6 +98,24 @@ class IdMap final : public Journal::Participant {
   std::optional<IdFilter> filter_;  ///< of the stored ids, and some that are gone
   std::optional<PlacedIds> list_;   ///< in place of leaves_ during a large load or merge
   bool lists_new_ = false;          ///< the filter lacks the listed ids
+};
+
+/// The ids of a range in order, some at once: few at first. Writing the map does not change what follows; no other
+/// change is allowed.
+class IdWalk {
+ public:
+  /// The map must outlive it. Requires: none of its ids is listed.
+  IdWalk(IdMap& map, const IdRange& range, IdOrder order);
+
+  /// Replaces `ids` by the next ones; false at the end. Cost: a row per 64 ids.
+  bool next(std::vector<std::int64_t>& ids);
+
+ private:
+  IdMap* map_;
+  IdRange rest_;
+  IdOrder order_;
+  std::int64_t rows_ = 0;             ///< of the next batch, beside its first block
+  std::vector<std::int64_t> placed_;  ///< of the rest, unwritten at the start; the next one last
 };
 
 }  // namespace foresee

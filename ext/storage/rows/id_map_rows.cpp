@@ -13,8 +13,11 @@ MapRows::MapRows(const ShadowTables& tables, const std::string& prefix)
   const auto sql = [&](const std::string& before, const std::string& after = "") {
     return tables.statement(before + map + after);
   };
-  between_ = sql("SELECT id, leaf FROM ", " WHERE id BETWEEN ?1 AND ?2 ORDER BY id");
-  largest_ = sql("SELECT id, leaf FROM ", " ORDER BY id DESC LIMIT 1");
+  const std::string some = " WHERE id BETWEEN ?1 AND ?2 ORDER BY id";
+  between_ = sql("SELECT id, leaf FROM ", some);
+  first_rows_ = sql("SELECT id, leaf FROM ", some + " LIMIT ?3");
+  last_rows_ = sql("SELECT id, leaf FROM ", some + " DESC LIMIT ?3");
+  any_ = sql("SELECT id FROM ", " LIMIT 1");
   all_ = sql("SELECT id, leaf FROM ", " ORDER BY id");
   write_ = sql("INSERT OR REPLACE INTO ", " VALUES(?1, ?2)");
   erase_between_ = sql("DELETE FROM ", " WHERE id BETWEEN ?1 AND ?2");
@@ -65,11 +68,61 @@ std::optional<std::int64_t> MapRows::find_leaf(std::int64_t id) {
   return leaf == 0 ? std::nullopt : std::optional(leaf);
 }
 
-std::optional<std::int64_t> MapRows::read_largest_id() {
-  Statement::Run run(largest_);
-  std::optional<std::int64_t> last;
-  if (run.step()) row_after(last, run);
-  return last;
+std::optional<std::int64_t> MapRows::read_end(IdOrder order) {
+  constexpr IdRange all;
+  Statement::Run run(order == IdOrder::ascending ? first_rows_ : last_rows_);
+  run.bind(1, all.first);
+  run.bind(2, all.last);
+  run.bind(3, std::int64_t{1});
+  std::optional<std::int64_t> end;
+  if (run.step())
+    row_of(run).for_each([&](std::int64_t id, std::int64_t) {
+      if (!end || order == IdOrder::descending) end = id;
+    });
+  return end;
+}
+
+std::optional<IdRange> MapRows::read_extent() {
+  const auto first = read_end(IdOrder::ascending), last = read_end(IdOrder::descending);
+  return first && last ? std::optional(IdRange{*first, *last}) : std::nullopt;
+}
+
+IdRange MapRows::read_ids(const IdRange& range, IdOrder order, std::int64_t rows,
+                          std::vector<std::int64_t>& ids) {
+  constexpr IdRange nothing{1, 0};
+  const bool ascend = order == IdOrder::ascending;
+  const auto comes_after = [&](std::int64_t id, std::int64_t other) {
+    return ascend ? other < id : id < other;
+  };
+  const auto add = [&](const IdBlock& block) {
+    const std::size_t before = ids.size();
+    block.for_each([&](std::int64_t id, std::int64_t) {
+      if (range.has(id)) ids.push_back(id);
+    });
+    if (!ascend) std::reverse(ids.begin() + static_cast<std::ptrdiff_t>(before), ids.end());
+    return before == 0 || before == ids.size() || comes_after(ids[before], ids[before - 1]);
+  };
+  // A table of version 0.1 has several rows in a block, so a batch starts with a whole one.
+  const IdBlock start = find(ascend ? range.first : range.last);
+  add(start);
+  IdRange rest = range;
+  if (ascend ? range.last <= start.last() : start.base() <= range.first) return nothing;
+  (ascend ? rest.first : rest.last) = ascend ? start.last() + 1 : start.base() - 1;
+  if (rows == 0) return rest;
+  Statement::Run run(ascend ? first_rows_ : last_rows_);
+  run.bind(1, IdBlock::base_of(rest.first));
+  run.bind(2, rest.last);
+  run.bind(3, rows);
+  std::int64_t end = 0, found = 0;
+  for (; run.step(); ++found) {
+    const IdBlock block = row_of(run);
+    if (!add(block)) damaged(run.integer(0), "an id is in two rows");
+    end = run.integer(0);
+    if (ascend) block.for_each([&](std::int64_t id, std::int64_t) { end = id; });
+  }
+  if (found < rows || (ascend ? range.last <= end : end <= range.first)) return nothing;
+  (ascend ? rest.first : rest.last) = ascend ? end + 1 : end - 1;
+  return rest;
 }
 
 std::int64_t MapRows::count_ids() {
@@ -81,7 +134,7 @@ std::int64_t MapRows::count_ids() {
 }
 
 bool MapRows::is_empty() {
-  return !Statement::Run(largest_).step();
+  return !Statement::Run(any_).step();
 }
 
 void MapRows::write(std::span<const IdHashMap::Entry> changes) {

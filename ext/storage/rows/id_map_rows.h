@@ -12,8 +12,10 @@
 // an id in two rows. Cost: find() is one look-up for 64 ids; write() is a look-up and a write per block.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "storage/format/id_block.h"
 #include "storage/rows/id_hash_map.h"
@@ -21,6 +23,17 @@
 #include "storage/rows/statement.h"
 
 namespace foresee {
+
+/// A closed interval of ids.
+struct IdRange {
+  std::int64_t first = std::numeric_limits<std::int64_t>::min();
+  std::int64_t last = std::numeric_limits<std::int64_t>::max();
+
+  bool is_empty() const { return first > last; }
+  bool has(std::int64_t id) const { return first <= id && id <= last; }
+};
+
+enum class IdOrder : std::uint8_t { ascending, descending };
 
 class MapRows {
  public:
@@ -34,7 +47,12 @@ class MapRows {
   /// The block of `id`.
   IdBlock find(std::int64_t id) { return read_block(IdBlock::base_of(id), nullptr); }
   std::optional<std::int64_t> find_leaf(std::int64_t id);
-  std::optional<std::int64_t> read_largest_id();
+  std::optional<std::int64_t> read_largest_id() { return read_end(IdOrder::descending); }
+  /// From the smallest id to the largest; nothing without ids.
+  std::optional<IdRange> read_extent();
+  /// Appends the ids of a range in order: those of its first block, and of at most `rows` rows after that. Returns the
+  /// rest of the range. Requires: the range is not empty.
+  IdRange read_ids(const IdRange& range, IdOrder order, std::int64_t rows, std::vector<std::int64_t>& ids);
   /// Reads every row.
   std::int64_t count_ids();
   bool is_empty();
@@ -51,6 +69,8 @@ class MapRows {
   void erase_all();
 
  private:
+  /// The first id in this order.
+  std::optional<std::int64_t> read_end(IdOrder order);
   /// The current row of `run`.
   IdBlock row_of(Statement::Run& run) const;
   /// row_of() `run`. Throws unless its ids are larger than `last`, which becomes the last id of this row.
@@ -62,7 +82,7 @@ class MapRows {
   [[noreturn]] void damaged(std::int64_t row, const char* what) const;
 
   std::string table_, map_;  ///< the table; the suffix of its map
-  Statement between_, largest_, all_, write_, erase_between_, erase_all_;
+  Statement between_, first_rows_, last_rows_, any_, all_, write_, erase_between_, erase_all_;
 };
 
 }  // namespace foresee

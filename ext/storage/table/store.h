@@ -44,35 +44,36 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
 
   const Declaration& declaration() const { return declaration_; }
   const NodeFormat& format() const { return format_; }
-  /// The declared frame. Without a declared origin, with the one that the first position has chosen, as this
-  /// connection sees it now (empty: none yet); that costs as much as read_version().
+  /// The declared frame. Without a declared origin, with the one that the first position has chosen (empty: none yet),
+  /// as this connection sees it now; that costs as much as read_version().
   const Frame& frame();
   /// frame() of a table that holds objects: SQLITE_CORRUPT_VTAB for degrees without an origin.
   const Frame& frame_of_objects(StatementReadState* statement_state = nullptr);
 
-  // --- reading
-  /// The version of the contents that this connection sees now. Cost: one look-up.
+  // --- reading: as this connection sees the contents now
+  /// Their version. Cost: one look-up.
   ContentVersion read_version();
   bool contains(std::int64_t id);
-  /// The record of `id`, or nothing.
   std::optional<std::vector<double>> read(std::int64_t id);
   /// read() for a statement that reads repeatedly; empty if there is no object. Valid until the next call.
   /// Cost: one look-up of the stamp per statement, then about 100 ns if the leaf is in memory.
   std::span<const double> find(std::int64_t id, StatementReadState& statement_state);
   /// Prefetches `many` ids from `first` on, as far as they are in memory. Changes nothing.
   void fetch_ahead(std::int64_t first, std::int64_t many) { tree_.nodes().fetch_ahead(first, many); }
-  /// All ids and rows (row_from_record of each record), one leaf after another, as this connection sees them
-  /// now. SQLITE_CORRUPT_VTAB for a damaged leaf, and as in expect_objects().
-  /// With `wanted`, only the objects that it accepts; leaves without one may not be read. Returns whether these
-  /// are all objects.
+  /// All ids and rows (row_from_record of each record), one leaf after another. SQLITE_CORRUPT_VTAB for a damaged leaf,
+  /// and as in expect_objects(). With `wanted`, only the objects that it accepts; leaves without one may not be read.
+  /// Returns whether these are all objects.
   bool read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt,
                 const std::optional<KindTest>& wanted = {});
   /// Reads the leaf after leaf `after` (0: the first one). Returns its number, or 0 at the end.
   std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
-  /// Sets the auxiliary column of `id` as the result of `context`; NULL if there is no value.
+  /// The ids of a range in order; next_ids() reads on, false at the end. Nothing if no order is wanted and a scan is
+  /// likely to cost less than a look-up per id.
+  std::optional<IdWalk> walk_ids(const IdRange& range, std::optional<IdOrder> order);
+  bool next_ids(IdWalk& walk, std::vector<std::int64_t>& ids);
+  /// Sets the auxiliary column of `id`, or NULL, as the result of `context`.
   void result_auxiliary(sqlite3_context* context, std::int64_t id, int column);
-  /// A snapshot of the tree. Its reads do not change while it exists, whatever this connection writes,
-  /// commits or rolls back. It must not outlive the statement that takes it.
+  /// A snapshot of the tree, which no change, commit or rollback affects. It must not outlive the statement.
   std::shared_ptr<NodeSource> take_snapshot();
   /// The largest reference time stored; 0 without objects or without t. Reads one node.
   double read_newest_t();

@@ -62,6 +62,16 @@ class LeafRows {
   std::vector<double> records_;  ///< of one leaf
 };
 
+/// The share of all ids that are in the range, if they are spread evenly.
+double likely_share(const std::optional<IdRange>& all, const IdRange& range) {
+  if (!all) return 1;
+  const auto count = [](std::int64_t first, std::int64_t last) {
+    return std::max(0.0, static_cast<double>(last) - static_cast<double>(first) + 1);
+  };
+  return count(std::max(all->first, range.first), std::min(all->last, range.last)) /
+         count(all->first, all->last);
+}
+
 }  // namespace
 
 // While this connection writes no other one can. At any other time another one may have written.
@@ -186,6 +196,23 @@ std::int64_t Store::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids
                               std::vector<double>& records) {
   if (after == 0) merge_pending();
   return tree().next_leaf(after, ids, records);
+}
+
+std::optional<IdWalk> Store::walk_ids(const IdRange& range, std::optional<IdOrder> order) {
+  revalidate_cache();
+  merge_pending();
+  // An object of a scan costs as much as a tenth of a look-up in memory, or a sixtieth of one that reads a leaf.
+  const bool fits = static_cast<double>(likely_objects()) * static_cast<double>(format_.record_size) <
+                    static_cast<double>(memory_->max_kept());
+  const double small_share = fits ? 0.1 : 0.016;
+  if (!order && likely_share(shadow_rows().tree().map().read_extent(), range) > small_share)
+    return std::nullopt;
+  return nodes().walk_ids(range, order.value_or(IdOrder::ascending));
+}
+
+bool Store::next_ids(IdWalk& walk, std::vector<std::int64_t>& ids) {
+  require_usable();
+  return walk.next(ids);
 }
 
 void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int column) {

@@ -73,6 +73,9 @@ class Twins {
   void compare() {
     const std::string order = " ORDER BY id";
     ASSERT_EQ(db_->rows("SELECT * FROM ships" + order), db_->rows("SELECT * FROM model" + order)) << history_;
+    const std::string some_ids = " WHERE id " + range() + " ORDER BY id DESC";
+    ASSERT_EQ(db_->rows("SELECT * FROM ships" + some_ids), db_->rows("SELECT * FROM model" + some_ids))
+        << history_;
     const std::string some = id();
     ASSERT_EQ(db_->rows("SELECT * FROM ships WHERE id = " + some),
               db_->rows("SELECT * FROM model WHERE id = " + some));

@@ -74,6 +74,27 @@ TEST_F(StoredMap, RowsOfVersionZeroOneAreConvertedWhereTheyChange) {
   expect_all({{3, 10}, {6, 15}, {64, 16}, {70, 13}, {200, 14}});
 }
 
+/// Batches of any size, with rows of version 0.1 among the blocks, are the ids in order.
+TEST_F(StoredMap, IdsAreReadInOrder) {
+  db.run("INSERT INTO ships_map VALUES(-70, 1), (3, 10), (5, 11), (64, 12), (70, 13), (200, 14)");
+  write({{4, 1}, {5, 2}, {500, 3}, {501, 3}, {9000, 4}});
+  std::vector<std::int64_t> ids;
+  for (const auto& [id, leaf] : all()) ids.push_back(id);
+  for (const std::int64_t first : {-1000, -70, -69, 4, 64, 65, 501, 9001})
+    for (const std::int64_t last : {-1000, -71, 3, 4, 70, 199, 9000, 10000})
+      for (const std::int64_t count : {0, 1, 2, 100})
+        for (const IdOrder order : {IdOrder::ascending, IdOrder::descending}) {
+          std::vector<std::int64_t> found, expected;
+          for (IdRange rest{first, last}; !rest.is_empty();) rest = rows.read_ids(rest, order, count, found);
+          for (const std::int64_t id : ids)
+            if (IdRange{first, last}.has(id)) expected.push_back(id);
+          if (order == IdOrder::descending) std::reverse(expected.begin(), expected.end());
+          ASSERT_EQ(found, expected) << first << " to " << last << " by " << count;
+        }
+  EXPECT_EQ(rows.read_extent()->first, -70);
+  EXPECT_EQ(rows.read_extent()->last, 9000);
+}
+
 TEST_F(StoredMap, HasWhatWasWrittenLast) {
   std::mt19937_64 random(7);
   Leaves leaves;
