@@ -14,7 +14,7 @@ namespace {
 constexpr double decoded_object = 6;  // read, decoded, returned
 constexpr double looked_up_object = 80;
 constexpr double joined_object = 12, joined_row = 2;
-constexpr double search = 500, found_object = 50, nearest_object = 300;
+constexpr double search = 500, search_of_one = 600, found_object = 50, nearest_object = 300;
 constexpr double probe = 100, probed_level = 50;  // of one object, per binary logarithm of all objects
 
 constexpr double instants = 60, moved_object = 2;                        // per track
@@ -83,6 +83,10 @@ CallEstimate estimate_track(const CallSizes&, bool /*of its one id*/) {
 CallEstimate estimate_window(const CallSizes& sizes) {
   const double rows = std::min(window_rows, sizes.objects);
   return {search + found_object * rows, rows};
+}
+
+CallEstimate estimate_window_of_one(const CallSizes&, bool /*by its one id*/) {
+  return {search_of_one, 1};
 }
 
 CallEstimate estimate_nearest(const CallSizes& sizes) {

@@ -37,6 +37,8 @@ CallEstimate estimate_tracks(const CallSizes& sizes);
 CallEstimate estimate_track(const CallSizes& sizes, bool by_first);
 /// A search that reads a few nodes of the tree, and some objects.
 CallEstimate estimate_window(const CallSizes& sizes);
+/// A window about the object of one id.
+CallEstimate estimate_window_of_one(const CallSizes& sizes, bool by_first);
 CallEstimate estimate_nearest(const CallSizes& sizes);
 /// The objects near one object, each tested for every range of manoeuvres.
 CallEstimate estimate_avoid(const CallSizes& sizes);

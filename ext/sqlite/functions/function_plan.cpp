@@ -48,8 +48,23 @@ struct FunctionPlan {
   bool null_inputs = false;              ///< an input is, or may be, NULL
   bool about_ids = false;                ///< an id is compared with a value, usable in this plan or not
   std::uint32_t probed_by = 0;           ///< bit set: this id is compared with a usable value
+  bool probed_by_both = false;           ///< so is the other id, by SQLite
   int equalities = 0, inequalities = 0;  ///< conditions: on ids, and on other outputs
 };
+
+/// Whether constraint i is a list of ids, `b IN (…)`, beside another id. SQLite would make a call for each combination;
+/// it compares the rows of one id with the list at almost no cost.
+bool is_second_list(const TableFunction& function, sqlite3_index_info& info, int i) {
+  if (!may_be_list(info, i)) return false;
+  for (int j = 0; j < info.nConstraint; ++j) {
+    const auto &other = info.aConstraint[j], &one = info.aConstraint[i];
+    const bool probes = other.iColumn >= 0 && other.iColumn < output_count(function) &&
+                        (function.probed >> other.iColumn & 1) && other.op == SQLITE_INDEX_CONSTRAINT_EQ;
+    if (probes && other.usable && other.iColumn != one.iColumn && (j < i || !may_be_list(info, j)))
+      return true;
+  }
+  return false;
+}
 
 /// Adds constraint i to the plan. An input is consumed; a condition on a hinted output is passed to the call
 /// and SQLite checks it again. SQLite alone checks any other.
@@ -73,6 +88,10 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   const bool probes = !is_input && letter == '=' && (function.probed >> constraint.iColumn & 1);
   if (probes) plan.about_ids = true;
   if (!constraint.usable) return;
+  if (probes && is_second_list(function, info, i)) {
+    plan.probed_by_both = true;
+    return;
+  }
   // `t IN (…)` would make one call per value; to compare the rows of one call costs almost nothing.
   if (!is_input && !probes && letter == '=' && may_be_list(info, i)) return;
   if (is_input && input > 0) {
@@ -108,7 +127,8 @@ void estimate(const TableFunction& function, const Connection& connection, Earli
   if (plan.equalities > 0 && !whole) earlier.one_side_was_planned = true;
   if (earlier.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
   const CallSizes sizes = call_sizes(function, connection, plan.written, plan.inputs_given);
-  const bool by_first = plan.probed_by & 1, by_both = plan.probed_by & (plan.probed_by - 1);
+  const bool by_first = plan.probed_by & 1,
+             by_both = plan.probed_by_both || (plan.probed_by & (plan.probed_by - 1)) != 0;
   auto [cost, rows] = plan.equalities > 0 && function.estimate_probe
                           ? function.estimate_probe(sizes, by_first)
                           : function.estimate(sizes);

@@ -94,7 +94,9 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   }
   question.mask = call.bits(in_mask);
   question.all_contacts = all_contacts_input(call, in_contacts);
-  SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
+  std::optional<SearchedObject> only;
+  if (const auto id = call.only(out_id)) only = {*id, question.h};
+  SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema}, only);
   if (table.frame.on_globe() && call.text(in_zone))
     throw Error("zone is for tables on a plane, " + table.objects.name +
                 " is on the globe; leave it out, or write origin = 'LAT LON' in " + table.objects.name);
@@ -113,9 +115,11 @@ const TableFunction& predictive_window() {
                                          .outputs = window_outputs,
                                          .inputs = window_inputs,
                                          .key = "id, t, t_end",
-                                         .hinted = 0,
+                                         .hinted = 1u << out_id,
                                          .estimate = estimate_window,
-                                         .start = start};
+                                         .start = start,
+                                         .probed = 1u << out_id,
+                                         .estimate_probe = estimate_window_of_one};
   return function;
 }
 

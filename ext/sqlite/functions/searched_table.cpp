@@ -1,12 +1,15 @@
 #include "sqlite/functions/searched_table.h"
 
 #include "index/tpr_tree/tpr_tree.h"
+#include "query/legs/leg_scene.h"
 #include "sqlite/names/open_table.h"
+#include "sqlite/stored_table.h"
 #include "storage/rows/value_text.h"
 
 namespace foresee {
 
-SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs) {
+SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs,
+                             const std::optional<SearchedObject>& only) {
   const std::string method = call.text(inputs.method).value_or("auto");
   if (method != "auto" && method != "tree" && method != "scan")
     throw Error("method must be 'auto', 'tree' or 'scan', not '" + without_nul(method) + "'");
@@ -17,9 +20,11 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
   call.reads_back_as(inputs.schema, table.schema);
   call.reads_back_as(inputs.method, "auto");
   SearchedTable searched{{table.table, nullptr, nullptr}, now.value_or(0), table.store->frame()};
-  if (method == "scan") {
+  if (only || method == "scan") {
     if (!now) searched.now = table.store->read_newest_t();
-    searched.objects.scene = connection.load_scene(table);
+    searched.objects.scene =
+        only ? StoredTable(connection, table).objects({&only->id, 1}, leg_times_of({searched.now, only->h}))
+             : connection.load_scene(table);
   } else {
     searched.objects.tree = table.store->take_snapshot();
     searched.objects.chunks = table.store->chunks();

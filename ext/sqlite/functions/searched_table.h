@@ -1,6 +1,8 @@
 // Table and time `now` of a search, as the inputs of predictive_window and predictive_nearest give them.
 #pragma once
 
+#include <optional>
+
 #include "geography/frame.h"
 #include "query/scene.h"
 #include "sqlite/functions/function_call.h"
@@ -12,13 +14,20 @@ struct SearchInputs {
   int tbl, now, method, schema;
 };
 
+/// The one object that a search is about, and how long after `now`.
+struct SearchedObject {
+  std::int64_t id;
+  double h;
+};
+
 struct SearchedTable {
   SearchTarget objects;
   double now;  ///< the input, or else the newest t stored
   Frame frame;
 };
 
-/// Throws Error if the table does not exist, and for an unknown method.
-SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs);
+/// Throws Error if the table does not exist, and for an unknown method. With `only`, of that object alone, in a scene.
+SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs,
+                             const std::optional<SearchedObject>& only = {});
 
 }  // namespace foresee

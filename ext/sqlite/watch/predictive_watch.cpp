@@ -6,6 +6,7 @@
 #include "query/watch/pair_contacts.h"
 #include "sqlite/callback.h"
 #include "sqlite/functions/table_functions.h"
+#include "sqlite/host_sqlite.h"
 #include "sqlite/modules.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/watch/declare_watch.h"
@@ -96,18 +97,30 @@ int watch_destroy(sqlite3_vtab* base) noexcept {
   return rc == SQLITE_OK ? watch_disconnect(base) : rc;
 }
 
+/// The first usable equality with a column; -1: none.
+int find_equality(const sqlite3_index_info& info, int column) {
+  for (int i = 0; i < info.nConstraint; ++i) {
+    const auto& constraint = info.aConstraint[i];
+    if (constraint.usable && constraint.iColumn == column && constraint.op == SQLITE_INDEX_CONSTRAINT_EQ)
+      return i;
+  }
+  return -1;
+}
+
 int watch_best_index(sqlite3_vtab*, sqlite3_index_info* info) noexcept {
   int plan = 0, arguments = 0;
-  constexpr std::pair<int, int> by_ids[] = {{watch_a, WatchPlan::by_a}, {watch_b, WatchPlan::by_b}};
-  for (const auto& [column, bit] : by_ids)
-    for (int i = 0; i < info->nConstraint; ++i) {
-      const auto& constraint = info->aConstraint[i];
-      if (!constraint.usable || constraint.iColumn != column || constraint.op != SQLITE_INDEX_CONSTRAINT_EQ)
-        continue;
-      info->aConstraintUsage[i].argvIndex = ++arguments;
-      plan |= bit;
-      break;
-    }
+  const int a = find_equality(*info, watch_a), b = find_equality(*info, watch_b);
+  // Of two lists, `a IN (…) AND b IN (…)`, SQLite compares the second: else it would look up each combination.
+  const bool has_both = a >= 0 && b >= 0, leaves_b = has_both && may_be_list(*info, b),
+             leaves_a = has_both && !leaves_b && may_be_list(*info, a);
+  if (a >= 0 && !leaves_a) {
+    info->aConstraintUsage[a].argvIndex = ++arguments;
+    plan |= WatchPlan::by_a;
+  }
+  if (b >= 0 && !leaves_b) {
+    info->aConstraintUsage[b].argvIndex = ++arguments;
+    plan |= WatchPlan::by_b;
+  }
   const auto reads = [&](int first, int last) {
     const auto columns = (std::uint64_t{2} << last) - (std::uint64_t{1} << first);
     return (info->colUsed & columns) != 0;

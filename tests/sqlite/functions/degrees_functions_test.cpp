@@ -162,6 +162,21 @@ TEST_F(DegreesFunctions, SayWhatIsWrongWithAZone) {
             "predictive_window: zone: at character 6: SRID 4326 is in degrees: project to metres first");
 }
 
+TEST_F(DegreesFunctions, CompareOneShipAfterAnotherWithAZone) {
+  const std::string zone =
+      "predictive_window WHERE h = 600 AND tbl = 'ships' AND zone = 'POLYGON((7.8 53.85, 8 53.85, "
+      "7.95 53.95, 7.8 53.9, 7.8 53.85))'";
+  const std::string rows = db.rows("SELECT * FROM " + zone + " ORDER BY id");
+  EXPECT_GT(std::count(rows.begin(), rows.end(), '\n'), 20);
+  EXPECT_EQ(db.rows("SELECT w.* FROM ships s LEFT JOIN (SELECT * FROM " + zone +
+                    ") w ON w.id = s.id WHERE w.t >= 0 "
+                    "ORDER BY s.id"),
+            rows);
+  EXPECT_EQ(
+      db.rows("SELECT id FROM ships s WHERE EXISTS (SELECT 1 FROM " + zone + " AND id = s.id) ORDER BY id"),
+      db.rows("SELECT id FROM " + zone + " ORDER BY id"));
+}
+
 TEST_F(DegreesFunctions, KnowNothingAboutAnEmptyTable) {
   db.exec("CREATE VIRTUAL TABLE empty USING moving_objects(id, lat, lon)");
   EXPECT_EQ(db.rows("SELECT * FROM predictive_position(0, 'empty')"), "");

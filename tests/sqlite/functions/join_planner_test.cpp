@@ -39,6 +39,26 @@ TEST_F(JoinPlanner, FiltersRowsAsAnyTableDoes) {
   both("WHERE dt > 0 AND a = " + id + end);
 }
 
+/// Of two lists only one is given to the call: else SQLite would make a call for each combination.
+TEST_F(JoinPlanner, TwoListsOfIdsAreCallsForOneOfThem) {
+  const std::string some = " IN (SELECT b FROM whole)", others = " IN (SELECT a FROM whole WHERE a % 3)",
+                    end = " ORDER BY a, b";
+  EXPECT_NE(both("WHERE a" + some + " AND b" + others + end), "");
+  both("WHERE b" + some + " AND a" + others + end);
+  both("WHERE a" + some + " AND b = 7" + end);
+  both("WHERE a = 7 AND b" + some + end);
+  both("WHERE a = 7 AND b = 9" + end);
+  const auto calls = [this](const std::string& where) {
+    const std::string steps = plan("SELECT * FROM predictive_join(3) WHERE " + where);
+    return steps.substr(steps.find("INDEX 0:") + 24);
+  };
+  if (sqlite3_libversion_number() < 3038000) return;  // which does not tell a list from a value
+  EXPECT_EQ(calls("a IN (1, 2) AND b IN (3, 4)").find("B="), std::string::npos);
+  EXPECT_EQ(calls("a IN (1, 2) AND b = 7").find("A="), std::string::npos);
+  EXPECT_EQ(calls("a = 7 AND b IN (1, 2)").find("B="), std::string::npos);
+  EXPECT_NE(calls("a = 7 AND b = 9").find("B="), std::string::npos) << "a pair";
+}
+
 TEST_F(JoinPlanner, FindsEveryPairOfAnId) {
   for (int id = 1; id <= 400; id += 23) {
     const std::string either = "WHERE a = " + std::to_string(id) + " OR b = " + std::to_string(id);

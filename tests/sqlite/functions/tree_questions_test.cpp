@@ -74,9 +74,12 @@ class RandomQueries {
     if (scene_.layout.axes > 1) bounds += ", " + literal(lower_) + ", NULL";
     for (int axis = scene_.layout.axes > 1 ? 2 : 1; axis < 3; ++axis) bounds += ", NULL, NULL";
     const std::string velocity = random_.below(2) ? ", 0.5, NULL, NULL" : ", NULL, NULL, NULL";
-    expect_same("SELECT * FROM predictive_window(" + h() + ", 'objects', " + bounds + tail_ + velocity +
-                    ", METHOD) ORDER BY id",
-                "tree");
+    const std::string call = "predictive_window(" + h() + ", 'objects', " + bounds + tail_ + velocity;
+    expect_same("SELECT * FROM " + call + ", METHOD) ORDER BY id", "tree");
+    EXPECT_TRUE(
+        db.rows("SELECT w.* FROM objects o CROSS JOIN " + call + ") w WHERE w.id = o.id ORDER BY w.id") ==
+        db.rows("SELECT * FROM " + call + ") ORDER BY id"))
+        << "one object after another: " << call;
   }
   void expect_same_nearest() {
     std::string point = place();

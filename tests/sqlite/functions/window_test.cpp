@@ -65,6 +65,26 @@ TEST_F(WindowInSql, PlansTheCheapSideFirst) {
   EXPECT_LT(lateral.find("SCAN w"), lateral.find("SCAN s")) << lateral;
 }
 
+TEST_F(WindowInSql, ExaminesOnlyTheObjectOfAGivenId) {
+  const std::string steps =
+      plan("SELECT * FROM ships s LEFT JOIN predictive_window(30, 'ships', 6, 8) w ON w.id = s.id");
+  EXPECT_NE(steps.find("A="), std::string::npos) << steps;
+  EXPECT_EQ(db.rows("SELECT s.name, w.dt, w.dt_end FROM ships s LEFT JOIN predictive_window(30, 'ships', 6, "
+                    "8, -1, 1) w "
+                    "ON w.id = s.id ORDER BY s.id"),
+            "Ada|3.0|11.0\nBob|1.0|5.0\nCid|NULL|NULL");
+  EXPECT_EQ(rows_of("predictive_window(100, 'ships', 6, 8, -1, 1) WHERE id = 2"), "2|1.0|5.0|1.0|5.0");
+  EXPECT_EQ(rows_of("predictive_window(100, 'ships', 6, 8, -1, 1) WHERE id = '2'"), "2|1.0|5.0|1.0|5.0");
+  for (const char* none : {"3", "99", "2.5", "NULL", "'x'"})
+    EXPECT_EQ(rows_of(std::string("predictive_window(100, 'ships', 6, 8, -1, 1) WHERE id = ") + none), "")
+        << none;
+  EXPECT_EQ(db.rows("SELECT now FROM predictive_window(1, 'ships') WHERE id = 1"),
+            db.rows("SELECT now FROM predictive_window(1, 'ships') WHERE +id = 1"));
+  EXPECT_EQ(error("predictive_window(-1, 'ships') WHERE id = 1"), error("predictive_window(-1, 'ships')"));
+  EXPECT_EQ(error("predictive_window(1, 'ships') WHERE id = 1 AND z0 = 2"),
+            error("predictive_window(1, 'ships') WHERE z0 = 2"));
+}
+
 TEST_F(WindowInSql, KeepsTheRowsOfTwoCallsApart) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_window WHERE (h = 0 AND x0 = 6) OR (h = 9 AND x0 = 6)"),
             db.rows("SELECT (SELECT count(*) FROM predictive_window(0, 'ships', 6)) + "

@@ -126,6 +126,9 @@ TEST_F(Watch, ConstraintsOnIdsAreUsed) {
   EXPECT_EQ(db.rows("SELECT a, b FROM alerts WHERE b = 3 ORDER BY a"), "1|3\n2|3");
   EXPECT_EQ(db.rows("SELECT a, b FROM alerts WHERE a = 2 OR b = 2 ORDER BY a"), "1|2\n2|3");
   EXPECT_EQ(db.rows("SELECT a, b FROM alerts WHERE a = 1.5"), "");
+  EXPECT_EQ(db.rows("SELECT a, b FROM alerts WHERE a IN (1, 2, 9) AND b IN (3, 4) ORDER BY a"), "1|3\n2|3");
+  EXPECT_EQ(db.rows("SELECT a, b FROM alerts WHERE a IN (1, 2) AND b = 2"), "1|2");
+  EXPECT_EQ(db.rows("SELECT a, b FROM alerts WHERE a = 1 AND b IN (2, 7)"), "1|2");
 }
 
 TEST_F(Watch, TheNumberOfStoredChangesIsLimited) {

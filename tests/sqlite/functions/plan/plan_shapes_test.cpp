@@ -132,6 +132,11 @@ TEST_P(PlanShapes, SearchesFindTheirLegs) {
   expect_equal("SELECT id, t FROM predictive_window" + window + " AND tbl = 'robots' ORDER BY id",
                "SELECT robot, min(w.t) FROM predictive_window AS w JOIN legs USING(id)" + window +
                    " AND tbl = 'legs' GROUP BY robot ORDER BY robot");
+  const std::string in_window = " FROM predictive_window AS w" + window + " AND tbl = 'robots'";
+  EXPECT_EQ(db.rows("SELECT (SELECT t_end" + in_window +
+                    " AND w.id = robots.id) AS t FROM robots WHERE t > 0 ORDER BY id"),
+            db.rows("SELECT t_end" + in_window + " ORDER BY id"))
+      << "one object after another";
   const std::string place =
       times + " AND n.x = 20 AND n.y = 21" + (GetParam().in_space ? " AND n.z = 4" : "");
   expect_equal("SELECT id, distance FROM predictive_nearest AS n" + place +
