@@ -86,6 +86,12 @@ struct OutlineForms {
 
   static auto families() { return outline_families(); }
   static auto answer(const OutlineScene& scene) { return outline_contact(scene); }
+  static std::vector<double> corner_numbers(const OutlineScene& scene) {
+    std::vector<double> numbers;
+    for (const OutlinedObject* o : {&scene.a, &scene.b})
+      for (const Corner& corner : o->outline.corners()) numbers.insert(numbers.end(), {corner.x, corner.y});
+    return numbers;
+  }
   static OutlineScene mirrored(const OutlineScene& scene) { return changed(scene, {-1, 1}); }
   static OutlineScene scaled(const OutlineScene& scene, double unit) { return changed(scene, {unit, unit}); }
 };
@@ -98,6 +104,12 @@ struct MeshForms {
 
   static auto families() { return mesh_families(); }
   static auto answer(const MeshScene& scene) { return mesh_contact(scene); }
+  static std::vector<double> corner_numbers(const MeshScene& scene) {
+    std::vector<double> numbers;
+    for (const MeshObject* o : {&scene.a, &scene.b})
+      for (const SpaceCorner& c : o->mesh.corners()) numbers.insert(numbers.end(), {c.x, c.y, c.z});
+    return numbers;
+  }
   static MeshScene mirrored(const MeshScene& scene) { return changed(scene, {{0, 1, 2}, {-1, 1, 1}}); }
   static MeshScene scaled(const MeshScene& scene, double unit) {
     return changed(scene, {{0, 1, 2}, {unit, unit, unit}});
