@@ -46,10 +46,16 @@ struct FunctionPlan {
   std::uint32_t inputs_unknown = 0;      ///< not literals in the statement: bound, or computed
   std::uint32_t inputs_compared = 0;     ///< SQLite compares them again
   bool null_inputs = false;              ///< an input is, or may be, NULL
+  bool about_ids = false;                ///< an id is compared with a value, usable in this plan or not
   std::uint32_t probed_by = 0;           ///< bit set: this id is compared with a usable value
   bool probed_by_both = false;           ///< so is the other id, by SQLite
   int equalities = 0, inequalities = 0;  ///< conditions: on ids, and on other outputs
 };
+
+/// As in a join: `a = 3 OR b = 3` is then planned as two calls.
+bool has_two_ids(const TableFunction& function) {
+  return (function.probed & (function.probed - 1)) != 0;
+}
 
 /// Whether constraint i is a list of ids, `b IN (…)`, beside another id. SQLite would make a call for each combination;
 /// it compares the rows of one id with the list at almost no cost.
@@ -67,7 +73,7 @@ bool is_second_list(const TableFunction& function, sqlite3_index_info& info, int
 
 /// Adds constraint i to the plan. An input is consumed; a condition on a hinted output is passed to the call
 /// and SQLite checks it again. SQLite alone checks any other.
-void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info& info, int i) {
+void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info& info, int i, bool by_ids) {
   const auto& constraint = info.aConstraint[i];
   const char letter = letter_of(constraint.op);
   const int input = constraint.iColumn - output_count(function);
@@ -85,6 +91,8 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
     return;
   }
   const bool probes = !is_input && letter == '=' && (function.probed >> constraint.iColumn & 1);
+  if (probes && !by_ids) return;
+  if (probes) plan.about_ids = true;
   if (!constraint.usable) return;
   if (probes && is_second_list(function, info, i)) {
     plan.probed_by_both = true;
@@ -111,17 +119,19 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
 ///
 /// After such a call SQLite evaluates `input = NULL` again, which is not true, and loses every row. So the
 /// plan must not be chosen if an input is a literal NULL, or comes from another table and may be NULL in some
-/// row. The earlier plan of a whole call of the statement shows this. An input that is bound later counts as not
-/// NULL if SQLite lets the call refuse a NULL (host_sqlite.h), and else as NULL. With a single id no side is planned
-/// separately: `id = 3 OR id = 5` is a list of ids.
+/// row. An earlier plan of the statement shows this: the one of a whole call without conditions on ids. (A
+/// query about one id that is planned after such a call may get a worse plan than necessary.) An input that
+/// is bound later counts as not NULL if SQLite lets the call refuse a NULL (host_sqlite.h), and else as NULL.
+/// A function with a single id has no such plan: `id = 3 OR id = 5` is a list of ids.
 void estimate(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               FunctionPlan& plan, sqlite3_index_info& info) {
   const bool whole = (plan.inputs_given & 1) != 0;
-  const bool is_one_side = plan.equalities > 0 && !whole,
-             has_two_ids = (function.probed & (function.probed - 1)) != 0;
-  if (whole) earlier.or_loses_rows = plan.null_inputs;
-  if (whole && plan.equalities == 0) earlier.one_side_was_planned = false;
-  if (is_one_side) earlier.one_side_was_planned = true;
+  if (whole && !plan.about_ids) {
+    earlier.or_loses_rows = plan.null_inputs;
+    earlier.one_side_was_planned = false;
+  }
+  if (plan.about_ids && plan.equalities == 0) earlier.or_loses_rows = false;
+  if (plan.equalities > 0 && !whole) earlier.one_side_was_planned = true;
   if (earlier.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
   const CallSizes sizes = call_sizes(function, connection, plan.written, plan.inputs_given);
   const bool by_first = plan.probed_by & 1,
@@ -132,9 +142,20 @@ void estimate(const TableFunction& function, const Connection& connection, Earli
   if (by_both) rows = 1;
   if (plan.inequalities > 0) rows /= 4;
   rows = std::max(1.0, rows);
-  if (is_one_side ? earlier.or_loses_rows || !has_two_ids : !whole) cost = 1e50;
+  if (!whole && !has_two_ids(function)) cost = 1e50;
+  if (plan.equalities > 0 ? has_two_ids(function) && earlier.or_loses_rows : !whole) cost = 1e50;
   info.estimatedCost = cost;
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
+}
+
+FunctionPlan taken(const TableFunction& function, sqlite3_index_info& info, bool by_ids) {
+  FunctionPlan plan;
+  plan.written.resize(function.inputs.size());
+  for (int i = 0; i < info.nConstraint; ++i) {
+    info.aConstraintUsage[i] = {};
+    take(plan, function, info, i, by_ids);
+  }
+  return plan;
 }
 
 /// The arguments in idxStr, with a mark at those that SQLite compares again.
@@ -203,9 +224,9 @@ void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std
 
 int plan_call(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               sqlite3_index_info& info) {
-  FunctionPlan plan;
-  plan.written.resize(function.inputs.size());
-  for (int i = 0; i < info.nConstraint; ++i) take(plan, function, info, i);
+  FunctionPlan plan = taken(function, info, true);
+  // Beside an input that is NULL even one side of an OR, which looks like this, would lose its rows.
+  if (!has_two_ids(function) && plan.null_inputs && plan.equalities > 0) plan = taken(function, info, false);
   if (const std::uint32_t missing = plan.inputs_unusable & ~plan.inputs_given) {
     earlier.or_loses_rows |= (missing & ~1u) != 0;  // from another table
     return SQLITE_CONSTRAINT;

@@ -15,8 +15,7 @@ MapRows::MapRows(const ShadowTables& tables, const std::string& prefix)
   };
   const std::string some = " WHERE id BETWEEN ?1 AND ?2 ORDER BY id";
   between_ = sql("SELECT id, leaf FROM ", some);
-  first_rows_ = sql("SELECT id, leaf FROM ", some + " LIMIT ?3");
-  last_rows_ = sql("SELECT id, leaf FROM ", some + " DESC LIMIT ?3");
+  last_rows_ = sql("SELECT id, leaf FROM ", some + " DESC");
   any_ = sql("SELECT id FROM ", " LIMIT 1");
   all_ = sql("SELECT id, leaf FROM ", " ORDER BY id");
   write_ = sql("INSERT OR REPLACE INTO ", " VALUES(?1, ?2)");
@@ -70,10 +69,9 @@ std::optional<std::int64_t> MapRows::find_leaf(std::int64_t id) {
 
 std::optional<std::int64_t> MapRows::read_end(IdOrder order) {
   constexpr IdRange all;
-  Statement::Run run(order == IdOrder::ascending ? first_rows_ : last_rows_);
+  Statement::Run run(order == IdOrder::ascending ? between_ : last_rows_);
   run.bind(1, all.first);
   run.bind(2, all.last);
-  run.bind(3, std::int64_t{1});
   std::optional<std::int64_t> end;
   if (run.step())
     row_of(run).for_each([&](std::int64_t id, std::int64_t) {
@@ -109,12 +107,11 @@ IdRange MapRows::read_ids(const IdRange& range, IdOrder order, std::int64_t rows
   if (ascend ? range.last <= start.last() : start.base() <= range.first) return nothing;
   (ascend ? rest.first : rest.last) = ascend ? start.last() + 1 : start.base() - 1;
   if (rows == 0) return rest;
-  Statement::Run run(ascend ? first_rows_ : last_rows_);
+  Statement::Run run(ascend ? between_ : last_rows_);
   run.bind(1, IdBlock::base_of(rest.first));
   run.bind(2, rest.last);
-  run.bind(3, rows);
   std::int64_t end = 0, found = 0;
-  for (; run.step(); ++found) {
+  for (; found < rows && run.step(); ++found) {
     const IdBlock block = row_of(run);
     if (!add(block)) damaged(run.integer(0), "an id is in two rows");
     end = run.integer(0);

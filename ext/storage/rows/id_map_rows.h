@@ -82,7 +82,7 @@ class MapRows {
   [[noreturn]] void damaged(std::int64_t row, const char* what) const;
 
   std::string table_, map_;  ///< the table; the suffix of its map
-  Statement between_, first_rows_, last_rows_, any_, all_, write_, erase_between_, erase_all_;
+  Statement between_, last_rows_, any_, all_, write_, erase_between_, erase_all_;
 };
 
 }  // namespace foresee
