@@ -32,6 +32,10 @@ bool may_be_list(sqlite3_index_info& info, int i) {
   return !host_has(reports_constraints) || sqlite3_vtab_in(&info, i, -1) != 0;
 }
 
+bool is_spare_list(sqlite3_index_info& info, int i, int other) {
+  return may_be_list(info, i) && (other < i || !may_be_list(info, other));
+}
+
 bool reads_to_compare() {
   return host_has(reads_first_since) && !host_has(reads_first_until);
 }

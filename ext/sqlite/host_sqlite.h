@@ -22,6 +22,10 @@ void require_version(int number, const char* host);
 /// Whether constraint `i` may be a list, `column IN (…)`. Always true before 3.38, which does not report it.
 bool may_be_list(sqlite3_index_info& info, int i);
 
+/// Whether the list of constraint `i` is better compared by SQLite, beside an equality `other` of another id: each
+/// combination of two lists would be a call.
+bool is_spare_list(sqlite3_index_info& info, int i, int other);
+
 /// Whether SQLite reads a column of a function before it compares it with a value that is NULL. Only then can
 /// the function refuse; else the row is lost without an error. True for 3.40, false for 3.53 and for all
 /// other versions, which were not tested.

@@ -46,34 +46,37 @@ struct FunctionPlan {
   std::uint32_t inputs_unknown = 0;      ///< not literals in the statement: bound, or computed
   std::uint32_t inputs_compared = 0;     ///< SQLite compares them again
   bool null_inputs = false;              ///< an input is, or may be, NULL
+  bool null_literals = false;            ///< an input is NULL in the text of the statement
   bool about_ids = false;                ///< an id is compared with a value, usable in this plan or not
   std::uint32_t probed_by = 0;           ///< bit set: this id is compared with a usable value
-  bool probed_by_both = false;           ///< so is the other id, by SQLite
+  bool compares_other_id = false;        ///< SQLite compares the other id with a list
+  bool has_id_list = false;              ///< an id is compared with a list, usable in this plan or not
   int equalities = 0, inequalities = 0;  ///< conditions: on ids, and on other outputs
 };
 
-/// As in a join: `a = 3 OR b = 3` is then planned as two calls.
+/// As in a join: `a = 3 OR b = 3` may be planned as two calls. With a single id it is a list of ids.
 bool has_two_ids(const TableFunction& function) {
   return (function.probed & (function.probed - 1)) != 0;
 }
 
-/// Whether constraint i is a list of ids, `b IN (…)`, beside another id. SQLite would make a call for each combination;
-/// it compares the rows of one id with the list at almost no cost.
-bool is_second_list(const TableFunction& function, sqlite3_index_info& info, int i) {
-  if (!may_be_list(info, i)) return false;
-  for (int j = 0; j < info.nConstraint; ++j) {
-    const auto &other = info.aConstraint[j], &one = info.aConstraint[i];
-    const bool probes = other.iColumn >= 0 && other.iColumn < output_count(function) &&
-                        (function.probed >> other.iColumn & 1) && other.op == SQLITE_INDEX_CONSTRAINT_EQ;
-    if (probes && other.usable && other.iColumn != one.iColumn && (j < i || !may_be_list(info, j)))
+bool is_id_equality(const TableFunction& function, const sqlite3_index_info& info, int i) {
+  const auto& constraint = info.aConstraint[i];
+  return 0 <= constraint.iColumn && constraint.iColumn < output_count(function) &&
+         (function.probed >> constraint.iColumn & 1) && constraint.op == SQLITE_INDEX_CONSTRAINT_EQ;
+}
+
+/// Whether SQLite compares the list of ids of constraint i, because the call is about another id.
+bool leaves_list_to_sqlite(const TableFunction& function, sqlite3_index_info& info, int i) {
+  for (int j = 0; j < info.nConstraint; ++j)
+    if (is_id_equality(function, info, j) && info.aConstraint[j].usable &&
+        info.aConstraint[j].iColumn != info.aConstraint[i].iColumn && is_spare_list(info, i, j))
       return true;
-  }
   return false;
 }
 
 /// Adds constraint i to the plan. An input is consumed; a condition on a hinted output is passed to the call
 /// and SQLite checks it again. SQLite alone checks any other.
-void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info& info, int i, bool by_ids) {
+void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info& info, int i) {
   const auto& constraint = info.aConstraint[i];
   const char letter = letter_of(constraint.op);
   const int input = constraint.iColumn - output_count(function);
@@ -90,12 +93,12 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   } else if (!(function.hinted >> constraint.iColumn & 1)) {
     return;
   }
-  const bool probes = !is_input && letter == '=' && (function.probed >> constraint.iColumn & 1);
-  if (probes && !by_ids) return;
+  const bool probes = is_id_equality(function, info, i);
   if (probes) plan.about_ids = true;
+  if (probes && may_be_list(info, i)) plan.has_id_list = true;
   if (!constraint.usable) return;
-  if (probes && is_second_list(function, info, i)) {
-    plan.probed_by_both = true;
+  if (probes && leaves_list_to_sqlite(function, info, i)) {
+    plan.compares_other_id = true;
     return;
   }
   // `t IN (…)` would make one call per value; to compare the rows of one call costs almost nothing.
@@ -103,7 +106,8 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   if (is_input && input > 0) {
     sqlite3_value* written = plan.written[static_cast<std::size_t>(input)] = written_value(info, i);
     if (!written) plan.inputs_unknown |= 1u << input;
-    plan.null_inputs |= written ? sqlite3_value_type(written) == SQLITE_NULL : !reads_to_compare();
+    plan.null_literals |= written && sqlite3_value_type(written) == SQLITE_NULL;
+    plan.null_inputs |= plan.null_literals || (!written && !reads_to_compare());
   }
   if (!is_input) ++(probes ? plan.equalities : plan.inequalities);
   if (probes) plan.probed_by |= 1u << constraint.iColumn;
@@ -117,45 +121,36 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
 /// `a = 42 OR b = 42`, SQLite offers one side of the OR alone and adds the inputs only when it generates that
 /// side's program.
 ///
-/// After such a call SQLite evaluates `input = NULL` again, which is not true, and loses every row. So the
-/// plan must not be chosen if an input is a literal NULL, or comes from another table and may be NULL in some
-/// row. An earlier plan of the statement shows this: the one of a whole call without conditions on ids. (A
-/// query about one id that is planned after such a call may get a worse plan than necessary.) An input that
-/// is bound later counts as not NULL if SQLite lets the call refuse a NULL (host_sqlite.h), and else as NULL.
-/// A function with a single id has no such plan: `id = 3 OR id = 5` is a list of ids.
+/// After such a call SQLite evaluates `input = NULL` again, which is not true, and loses every row. So no side may be
+/// planned if an input is a literal NULL, or comes from another table and may be NULL in some row. Plans of whole
+/// calls show this, and SQLite makes one of them before it plans a side: without conditions on ids, with a list of ids
+/// (`a = 3 OR a = 5`), or without the values of other tables. A side itself may look like a whole call (SQLite 3.53).
+/// An input that is bound later counts as not NULL if SQLite lets the call refuse a NULL (host_sqlite.h), and else as
+/// NULL.
 void estimate(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               FunctionPlan& plan, sqlite3_index_info& info) {
-  const bool whole = (plan.inputs_given & 1) != 0;
-  if (whole && !plan.about_ids) {
-    earlier.or_loses_rows = plan.null_inputs;
-    earlier.one_side_was_planned = false;
-  }
-  if (plan.about_ids && plan.equalities == 0) earlier.or_loses_rows = false;
+  const bool whole = (plan.inputs_given & 1) != 0, lost_rows_before = earlier.or_loses_rows;
+  if (whole && (!plan.about_ids || plan.has_id_list)) earlier.or_loses_rows = plan.null_inputs;
+  // A join by an id of another table: it should not be slower after a statement that was planned and not run.
+  if (whole && plan.about_ids && !plan.has_id_list && plan.equalities == 0)
+    earlier.or_loses_rows = plan.null_literals;
+  if (whole && !plan.about_ids) earlier.one_side_was_planned = false;
   if (plan.equalities > 0 && !whole) earlier.one_side_was_planned = true;
   if (earlier.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
   const CallSizes sizes = call_sizes(function, connection, plan.written, plan.inputs_given);
   const bool by_first = plan.probed_by & 1,
-             by_both = plan.probed_by_both || (plan.probed_by & (plan.probed_by - 1)) != 0;
+             by_both = plan.compares_other_id || (plan.probed_by & (plan.probed_by - 1)) != 0;
   auto [cost, rows] = plan.equalities > 0 && function.estimate_probe
                           ? function.estimate_probe(sizes, by_first)
                           : function.estimate(sizes);
   if (by_both) rows = 1;
   if (plan.inequalities > 0) rows /= 4;
   rows = std::max(1.0, rows);
-  if (!whole && !has_two_ids(function)) cost = 1e50;
-  if (plan.equalities > 0 ? has_two_ids(function) && earlier.or_loses_rows : !whole) cost = 1e50;
+  // The list that is planned first may be chosen itself.
+  const bool loses_rows = whole && plan.has_id_list ? lost_rows_before : earlier.or_loses_rows;
+  if (plan.equalities > 0 ? loses_rows || !(whole || has_two_ids(function)) : !whole) cost = 1e50;
   info.estimatedCost = cost;
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
-}
-
-FunctionPlan taken(const TableFunction& function, sqlite3_index_info& info, bool by_ids) {
-  FunctionPlan plan;
-  plan.written.resize(function.inputs.size());
-  for (int i = 0; i < info.nConstraint; ++i) {
-    info.aConstraintUsage[i] = {};
-    take(plan, function, info, i, by_ids);
-  }
-  return plan;
 }
 
 /// The arguments in idxStr, with a mark at those that SQLite compares again.
@@ -224,9 +219,9 @@ void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std
 
 int plan_call(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               sqlite3_index_info& info) {
-  FunctionPlan plan = taken(function, info, true);
-  // Beside an input that is NULL even one side of an OR, which looks like this, would lose its rows.
-  if (!has_two_ids(function) && plan.null_inputs && plan.equalities > 0) plan = taken(function, info, false);
+  FunctionPlan plan;
+  plan.written.resize(function.inputs.size());
+  for (int i = 0; i < info.nConstraint; ++i) take(plan, function, info, i);
   if (const std::uint32_t missing = plan.inputs_unusable & ~plan.inputs_given) {
     earlier.or_loses_rows |= (missing & ~1u) != 0;  // from another table
     return SQLITE_CONSTRAINT;

@@ -20,9 +20,10 @@
 
 namespace foresee {
 
-/// The earlier plans of the same statement.
+/// What earlier plans of the same statement have shown. SQLite does not say where a statement starts: what a statement
+/// has shown that was planned and not run may make the next plan slower, or a NULL refused.
 struct EarlierPlans {
-  bool or_loses_rows = false;
+  bool or_loses_rows = false;         ///< the plan of one side of an OR would
   bool one_side_was_planned = false;  ///< one side of an OR was planned separately
 };
 

@@ -83,7 +83,7 @@ int function_best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) noexcept {
 }
 
 int function_open(sqlite3_vtab* table, sqlite3_vtab_cursor** cursor) noexcept {
-  table_of(table).earlier_plans.one_side_was_planned = false;  // a statement runs, so planning has ended
+  table_of(table).earlier_plans = {};  // a statement runs, so planning has ended
   return guarded(&table->zErrMsg, [&] { *cursor = std::make_unique<FunctionCursor>().release(); });
 }
 

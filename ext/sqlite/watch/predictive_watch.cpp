@@ -110,9 +110,8 @@ int find_equality(const sqlite3_index_info& info, int column) {
 int watch_best_index(sqlite3_vtab*, sqlite3_index_info* info) noexcept {
   int plan = 0, arguments = 0;
   const int a = find_equality(*info, watch_a), b = find_equality(*info, watch_b);
-  // Of two lists, `a IN (…) AND b IN (…)`, SQLite compares the second: else it would look up each combination.
-  const bool has_both = a >= 0 && b >= 0, leaves_b = has_both && may_be_list(*info, b),
-             leaves_a = has_both && !leaves_b && may_be_list(*info, a);
+  const bool has_both = a >= 0 && b >= 0, leaves_a = has_both && is_spare_list(*info, a, b),
+             leaves_b = has_both && is_spare_list(*info, b, a);
   if (a >= 0 && !leaves_a) {
     info->aConstraintUsage[a].argvIndex = ++arguments;
     plan |= WatchPlan::by_a;

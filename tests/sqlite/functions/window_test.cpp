@@ -85,41 +85,6 @@ TEST_F(WindowInSql, ExaminesOnlyTheObjectOfAGivenId) {
             error("predictive_window(1, 'ships') WHERE z0 = 2"));
 }
 
-/// SQLite plans the sides of an OR separately, and loses every row of a side that has an input NULL.
-TEST_F(WindowInSql, KeepsEveryRowWhereAnInputIsNull) {
-  const char* calls[] = {
-      "predictive_window WHERE h = 9 AND tbl = 'ships' AND x0 = NULL AND",
-      "predictive_window WHERE h = 9 AND tbl = 'ships' AND x0 = NULL AND x1 = 4 AND y1 = 9 AND",
-      "predictive_window WHERE h = 9 AND tbl = NULL AND",
-      "predictive_window(9, 'ships', NULL, NULL, -1, 1) WHERE",
-      "predictive_window(9, 'ships', -50, 50, -1, 1, NULL, NULL, NULL, NULL) WHERE",
-      "(SELECT 9 AS h, NULL AS low) q, predictive_window(q.h, 'ships', q.low) WHERE",
-      "bounds q, predictive_window(9, 'ships', q.x0, q.x1) WHERE",
-      "predictive_position WHERE at = 3 AND tbl = NULL AND",
-      "predictive_position(3, NULL) WHERE",
-  };
-  db.exec("CREATE TABLE bounds(x0, x1); INSERT INTO bounds VALUES (NULL, 90)");
-  // A plan must not depend on the statement before.
-  for (const char* before : {"a = 1 OR b = 1", "a = 1", "a IN (1, 2)"})
-    for (const std::string call : calls)
-      for (const char* ids :
-           {"(id = 1 OR id = 2)", "(id = '1' OR id = 2)", "id IN (1, 2)", "(id = 2 OR id > 2)", "id = 2"}) {
-        db.rows(std::string("SELECT * FROM predictive_join(9, NULL) WHERE ") + before);
-        const std::string condition = ids,
-                          rows = db.rows("SELECT id FROM " + call + " " + condition + " ORDER BY id");
-        std::string scanned = condition;
-        if (condition.find('\'') == std::string::npos) {  // else the id's affinity matters
-          for (std::size_t at = 0; (at = scanned.find("id ", at)) != std::string::npos; at += 4)
-            scanned.insert(at, "+");
-          EXPECT_EQ(rows, db.rows("SELECT id FROM " + call + " " + scanned + " ORDER BY id"))
-              << call << condition;
-        } else {
-          EXPECT_EQ(rows, db.rows("SELECT id FROM " + call + " id IN (1, 2) ORDER BY id"))
-              << call << condition;
-        }
-      }
-}
-
 TEST_F(WindowInSql, KeepsTheRowsOfTwoCallsApart) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_window WHERE (h = 0 AND x0 = 6) OR (h = 9 AND x0 = 6)"),
             db.rows("SELECT (SELECT count(*) FROM predictive_window(0, 'ships', 6)) + "
