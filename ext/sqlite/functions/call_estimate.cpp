@@ -14,7 +14,8 @@ namespace {
 constexpr double decoded_object = 6;  // read, decoded, returned
 constexpr double looked_up_object = 80;
 constexpr double joined_object = 12, joined_row = 2;
-constexpr double search = 500, search_of_one = 600, found_object = 50, nearest_object = 300;
+constexpr double search = 500, found_object = 50, nearest_object = 300;
+constexpr double search_of_one = 600;  // above `search`: even in a tiny table the whole search comes first
 constexpr double probe = 100, probed_level = 50;  // of one object, per binary logarithm of all objects
 
 constexpr double instants = 60, moved_object = 2;                        // per track
@@ -85,7 +86,7 @@ CallEstimate estimate_window(const CallSizes& sizes) {
   return {search + found_object * rows, rows};
 }
 
-CallEstimate estimate_window_of_one(const CallSizes&, bool /*by its one id*/) {
+CallEstimate estimate_window_of_one(const CallSizes&, bool /*of its one id*/) {
   return {search_of_one, 1};
 }
 

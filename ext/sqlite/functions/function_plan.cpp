@@ -123,10 +123,10 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
 ///
 /// After such a call SQLite evaluates `input = NULL` again, which is not true, and loses every row. So no side may be
 /// planned if an input is a literal NULL, or comes from another table and may be NULL in some row. Plans of whole
-/// calls show this, and SQLite makes one of them before it plans a side: without conditions on ids, with a list of ids
-/// (`a = 3 OR a = 5`), or without the values of other tables. A side itself may look like a whole call (SQLite 3.53).
-/// An input that is bound later counts as not NULL if SQLite lets the call refuse a NULL (host_sqlite.h), and else as
-/// NULL.
+/// calls show this. SQLite makes one of three before it plans a side: one without conditions on ids, one with a
+/// list of ids (`a = 3 OR a = 5`), or one without the values of other tables. A side itself may look like a whole
+/// call (SQLite 3.53). An input that is bound later counts as not NULL if SQLite lets the call refuse a NULL
+/// (host_sqlite.h), and else as NULL.
 void estimate(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               FunctionPlan& plan, sqlite3_index_info& info) {
   const bool whole = (plan.inputs_given & 1) != 0, lost_rows_before = earlier.or_loses_rows;

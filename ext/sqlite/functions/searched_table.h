@@ -14,7 +14,7 @@ struct SearchInputs {
   int tbl, now, method, schema;
 };
 
-/// The one object that a search is about, and how long after `now`.
+/// The one object that a search is about, and the horizon, from which its plan is read.
 struct SearchedObject {
   std::int64_t id;
   double h;
@@ -26,7 +26,8 @@ struct SearchedTable {
   Frame frame;
 };
 
-/// Throws Error if the table does not exist, and for an unknown method. With `only`, of that object alone, in a scene.
+/// Throws Error if the table does not exist, and for an unknown method. With `only`, of that object
+/// alone, in a scene, whatever the method.
 SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs,
                              const std::optional<SearchedObject>& only = {});
 

@@ -122,8 +122,12 @@ void TableCursor::next_leaf() {
   table_.store().expect_objects(found_);
 }
 
+void TableCursor::throw_aborted() const {
+  throw StoreError(SQLITE_ABORT, table_.name + ": a rollback ended the scan");
+}
+
 void TableCursor::next() {
-  if (aborted_) throw StoreError(SQLITE_ABORT, table_.name + ": a rollback ended the scan");
+  if (aborted_) throw_aborted();
   ++position_;
   report_of_ = nullptr;
   switch (source_) {
@@ -137,22 +141,20 @@ void TableCursor::next() {
   }
 }
 
-/// Moves to the first id at or after the position whose object exists, and reads it.
 void TableCursor::seek_in_walk() {
+  records_.clear();
+  if (position_ < ids_.size()) return;
+  position_ = 0;
+  if (!table_.store().next_ids(*walk_, ids_)) source_ = Source::list;
+}
+
+void TableCursor::read_record() const {
+  if (aborted_) throw_aborted();
   Store& store = table_.store();
-  for (;; ++position_) {
-    if (position_ == ids_.size()) {
-      position_ = 0;
-      if (!store.next_ids(*walk_, ids_)) break;
-    }
-    const std::int64_t id = ids_[position_];
-    if (const auto first = rising_.next(id)) store.fetch_ahead(*first, RisingIds::batch);
-    const std::span<const double> record = store.find(id, statement_state_);
-    if (record.empty()) continue;
-    records_.assign(record.begin(), record.end());
-    return;
-  }
-  source_ = Source::list;
+  if (const auto first = rising_.next(rowid())) store.fetch_ahead(*first, RisingIds::batch);
+  const std::span<const double> record = store.find(rowid(), statement_state_);
+  if (record.empty()) store.damaged("object " + std::to_string(rowid()) + " is in no leaf");
+  records_.assign(record.begin(), record.end());
 }
 
 /// Moves to the first id at or after the position whose object still exists, and reads it.
@@ -172,6 +174,7 @@ void TableCursor::keep_ids() {
 }
 
 void TableCursor::keep_walk() {
+  record();  // of the current row as it is before the change
   std::vector<std::int64_t> rest(ids_.begin() + static_cast<std::ptrdiff_t>(position_), ids_.end());
   IdWalk walk = *walk_;  // a copy: if the map cannot be read, the scan keeps its state
   for (std::vector<std::int64_t> ids; table_.store().next_ids(walk, ids);)

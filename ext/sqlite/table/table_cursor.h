@@ -46,9 +46,12 @@ class TableCursor : public sqlite3_vtab_cursor {
   void keep_leaves();
   void keep_walk();
   void seek_in_walk();
+  [[noreturn]] void throw_aborted() const;
   void seek_existing();
-  /// The record of the current row.
+  void read_record() const;
+  /// The record of the current row. A walk reads it when it is needed.
   const double* record() const {
+    if (records_.empty()) read_record();
     return records_.data() + (source_ == Source::leaves ? position_ * (records_.size() / ids_.size()) : 0);
   }
   void result_degrees(sqlite3_context* context, GeoColumn column) const;
@@ -58,7 +61,7 @@ class TableCursor : public sqlite3_vtab_cursor {
 
   MovingObjectsTable& table_;
   std::vector<std::int64_t> ids_;
-  std::vector<double> records_;  ///< of the id at position_; of leaves: of all ids_
+  mutable std::vector<double> records_;  ///< of the id at position_; of leaves: of all ids_
   std::size_t position_ = 0;
   Source source_ = Source::list;
   std::int64_t leaf_ = 0;
@@ -67,7 +70,7 @@ class TableCursor : public sqlite3_vtab_cursor {
   mutable StatementReadState statement_state_;
   mutable Flight report_ = {};                 ///< of the current row, in a table in degrees
   mutable const double* report_of_ = nullptr;  ///< … if this is its record
-  RisingIds rising_;
+  mutable RisingIds rising_;
   bool handle_ = false;  ///< the only row has the table's number
   bool aborted_ = false;
 };

@@ -35,6 +35,33 @@ bool is_bound(unsigned char op) {
   return is_lower_bound(op) || is_upper_bound(op);
 }
 
+bool is_limit(unsigned char op) {
+  return op == SQLITE_INDEX_CONSTRAINT_LIMIT || op == SQLITE_INDEX_CONSTRAINT_OFFSET;
+}
+
+/// No other column than the id is read.
+bool reads_only_ids(const sqlite3_index_info& info) {
+  return (info.colUsed & ~(sqlite3_uint64{1} << MovingObjectsTable::id_column)) == 0;
+}
+
+/// Whether few rows are wanted, whatever they contain: with LIMIT, and no condition but bounds of the id.
+bool wants_first_rows(const sqlite3_index_info& info) {
+  const std::span constraints(info.aConstraint, static_cast<std::size_t>(info.nConstraint));
+  return std::any_of(constraints.begin(), constraints.end(),
+                     [](const auto& one) { return is_limit(one.op); }) &&
+         std::all_of(constraints.begin(), constraints.end(),
+                     [](const auto& one) { return is_limit(one.op) || (is_id(one) && is_bound(one.op)); });
+}
+
+/// The order of ids, if the query wants it and a look-up of each row costs less than a scan and a sort.
+std::optional<IdOrder> order_of_ids(const sqlite3_index_info& info) {
+  if (info.nOrderBy == 0) return std::nullopt;
+  const int column = info.aOrderBy[0].iColumn;
+  if (column >= 0 && column != MovingObjectsTable::id_column) return std::nullopt;
+  if (!reads_only_ids(info) && !wants_first_rows(info)) return std::nullopt;
+  return info.aOrderBy[0].desc ? IdOrder::descending : IdOrder::ascending;
+}
+
 /// The first bounds of the id become the first arguments.
 TablePlan plan_of_ids(sqlite3_index_info& info) {
   TablePlan plan;
@@ -50,11 +77,7 @@ TablePlan plan_of_ids(sqlite3_index_info& info) {
   };
   plan.has_first = find(is_lower_bound);
   plan.has_last = find(is_upper_bound);
-  if (info.nOrderBy > 0) {
-    const int column = info.aOrderBy[0].iColumn;
-    if (column < 0 || column == MovingObjectsTable::id_column)
-      plan.order = info.aOrderBy[0].desc ? IdOrder::descending : IdOrder::ascending;
-  }
+  plan.order = order_of_ids(info);
   if (plan.has_first || plan.has_last || plan.order) plan.kind = TablePlan::ids;
   return plan;
 }
@@ -103,10 +126,12 @@ double likely_rows(sqlite3_index_info& info, double objects) {
   return std::max(1.0, std::min(rows, ids_between_bounds(info, objects)));
 }
 
-/// The part of a scan's work that the plan takes: a look-up by id costs as much as three objects of a scan.
+/// The part of a scan's work that the plan takes. A look-up by id costs as much as three objects of a scan or more, which
+/// walk_ids() compares; an id alone costs less.
 double share_to_read(sqlite3_index_info& info, const TablePlan& plan, double objects) {
   if (plan.kind != TablePlan::ids) return 1;
-  const double by_id = 3, bounds = (plan.has_first ? 0.25 : 1) * (plan.has_last ? 0.25 : 1);
+  const double by_id = reads_only_ids(info) ? 0.5 : 3,
+               bounds = (plan.has_first ? 0.25 : 1) * (plan.has_last ? 0.25 : 1);
   const double share = by_id * std::min(bounds, ids_between_bounds(info, objects) / std::max(objects, 1.0));
   return plan.order ? share : std::min(share, 1.0);
 }

@@ -29,13 +29,14 @@ struct TablePlan {
            (order == IdOrder::descending ? descending_bit : 0);
   }
   static TablePlan of(int number) {
-    TablePlan plan{static_cast<Kind>(number & ids), (number & first_bit) != 0, (number & last_bit) != 0};
+    TablePlan plan{static_cast<Kind>(number & kind_bits), (number & first_bit) != 0,
+                   (number & last_bit) != 0};
     if (number & order_bit) plan.order = number & descending_bit ? IdOrder::descending : IdOrder::ascending;
     return plan;
   }
 
  private:
-  static constexpr int first_bit = 4, last_bit = 8, order_bit = 16, descending_bit = 32;
+  static constexpr int kind_bits = 3, first_bit = 4, last_bit = 8, order_bit = 16, descending_bit = 32;
 };
 
 constexpr const char* handle_word = "foresee-handle";

@@ -1,6 +1,5 @@
 #include "storage/nodes/id_map.h"
 
-#include <functional>
 #include <utility>
 
 #include "base/interrupt_steps.h"
@@ -26,6 +25,7 @@ const IdBlock& IdMap::block(std::int64_t id) {
 
 void IdMap::set(std::int64_t id, std::int64_t leaf) {
   join();
+  unwritten_ids_.reset();
   if (!is_marked()) {
     leaves_.exchange(id, leaf);
     started_empty_ = false;
@@ -61,38 +61,75 @@ void IdMap::void_stored() {
   log_all(true);
   started_empty_ &= is_marked();
   leaves_.reset();
+  unwritten_ids_.reset();
   stored_is_void_ = true;
   filter_.reset();
 }
 
 // --- reading in order
 
-IdWalk::IdWalk(IdMap& map, const IdRange& range, IdOrder order) : map_(&map), rest_(range), order_(order) {
-  for (const IdHashMap::Entry& entry : map.leaves_.known())
-    if (entry.value != IdMap::erased && range.has(entry.id)) placed_.push_back(entry.id);
-  if (order == IdOrder::ascending)
-    std::sort(placed_.begin(), placed_.end(), std::greater<>());
-  else
-    std::sort(placed_.begin(), placed_.end());
+std::shared_ptr<const IdMap::Ids> IdMap::unwritten_ids() {
+  if (unwritten_ids_) return unwritten_ids_;
+  auto ids = std::make_shared<Ids>();
+  for (const IdHashMap::Entry& entry : leaves_.known())
+    if (entry.value != erased) ids->push_back(entry.id);
+  std::sort(ids->begin(), ids->end());
+  unwritten_ids_ = std::move(ids);
+  return unwritten_ids_;
+}
+
+std::optional<IdRange> IdMap::extent() {
+  std::optional<IdRange> all;
+  if (!stored_is_void_) all = rows_->map().read_extent();
+  if (const auto ids = unwritten_ids(); !ids->empty()) {
+    const IdRange stored = all.value_or(IdRange{ids->front(), ids->back()});
+    all = IdRange{std::min(stored.first, ids->front()), std::max(stored.last, ids->back())};
+  }
+  return all;
+}
+
+IdWalk::IdWalk(IdMap& map, const IdRange& range, IdOrder order)
+    : map_(&map),
+      rest_(range),
+      order_(order),
+      end_(order == IdOrder::ascending ? range.last : range.first),
+      placed_(map.unwritten_ids()) {
+  const auto first = order == IdOrder::ascending
+                         ? std::lower_bound(placed_->begin(), placed_->end(), range.first)
+                         : std::upper_bound(placed_->begin(), placed_->end(), range.last);
+  next_placed_ = static_cast<std::size_t>(first - placed_->begin());
+}
+
+/// Appends the placed ids that come before the rest of the range.
+void IdWalk::add_placed(std::vector<std::int64_t>& ids) {
+  const std::vector<std::int64_t>& placed = *placed_;
+  if (order_ == IdOrder::ascending) {
+    for (; next_placed_ < placed.size() && placed[next_placed_] <= end_; ++next_placed_) {
+      if (!rest_.is_empty() && rest_.first <= placed[next_placed_]) break;
+      ids.push_back(placed[next_placed_]);
+    }
+  } else {
+    for (; next_placed_ > 0 && end_ <= placed[next_placed_ - 1]; --next_placed_) {
+      if (!rest_.is_empty() && placed[next_placed_ - 1] <= rest_.last) break;
+      ids.push_back(placed[next_placed_ - 1]);
+    }
+  }
 }
 
 bool IdWalk::next(std::vector<std::int64_t>& ids) {
   constexpr std::int64_t max_rows = 256;
+  const auto comes_before = [this](std::int64_t a, std::int64_t b) {
+    return order_ == IdOrder::ascending ? a < b : b < a;
+  };
   ids.clear();
   while (ids.empty() && !rest_.is_empty()) {
-    if (map_->stored_is_void_)
-      rest_ = {1, 0};
-    else
-      rest_ = map_->rows_->map().read_ids(rest_, order_, rows_, ids);
+    rest_ = map_->stored_is_void_ ? IdRange{1, 0} : map_->rows_->map().read_ids(rest_, order_, rows_, ids);
     rows_ = std::min(max_rows, 4 * rows_ + 4);
     if (map_->has_unwritten())
       std::erase_if(ids, [&](std::int64_t id) { return map_->find_unwritten(id) == IdMap::erased; });
     const std::size_t stored = ids.size();
-    for (; !placed_.empty() && !rest_.has(placed_.back()); placed_.pop_back()) ids.push_back(placed_.back());
+    add_placed(ids);
     if (ids.size() == stored) continue;
-    const auto comes_before = [&](std::int64_t a, std::int64_t b) {
-      return order_ == IdOrder::ascending ? a < b : b < a;
-    };
     std::inplace_merge(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(stored), ids.end(),
                        comes_before);
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -130,6 +167,7 @@ void IdMap::note_written() {
   log_all(false);
   stored_is_void_ = false;
   leaves_.reset();
+  unwritten_ids_.reset();
   held_after_writing_ = held();
 }
 
@@ -174,6 +212,7 @@ void IdMap::write_list(const std::optional<IdSum>& expected, Interrupt& interrup
 void IdMap::rewind(std::size_t position) noexcept {
   forget_stored();
   list_.reset();
+  unwritten_ids_.reset();
   if (position == 0 && started_empty_) return clear();  // fast path: a bulk load is rolled back
   for (; log_.size() > position; log_.pop_back()) {
     const IdHashMap::Entry& before = log_.back();
@@ -193,6 +232,7 @@ void IdMap::forget() noexcept {
 
 void IdMap::clear() noexcept {
   leaves_.clear();
+  unwritten_ids_.reset();
   log_.clear();
   held_after_writing_ = 0;
   stored_is_void_ = false;

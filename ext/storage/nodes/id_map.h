@@ -12,6 +12,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "base/error.h"
@@ -41,6 +42,8 @@ class IdMap final : public Journal::Participant {
   }
   /// False only if the stored map does not have the id.
   bool may_be_stored(std::int64_t id) const noexcept { return !filter_ || filter_->may_have(id); }
+  /// From the smallest id to the largest, and perhaps beyond; nothing without ids.
+  std::optional<IdRange> extent();
   bool has_block(std::int64_t id) const { return last_block_ && last_block_->base() == IdBlock::base_of(id); }
   /// The stored block of an id, read unless it was read last.
   const IdBlock& block(std::int64_t id);
@@ -75,6 +78,9 @@ class IdMap final : public Journal::Participant {
 
  private:
   friend class IdWalk;
+  using Ids = std::vector<std::int64_t>;
+  /// The ids that are placed and not written, ascending. Cost: a sort after the last change.
+  std::shared_ptr<const Ids> unwritten_ids();
   std::size_t keep() override { return log_.size(); }
   void rewind(std::size_t position) noexcept override;
   void forget() noexcept override;
@@ -90,6 +96,7 @@ class IdMap final : public Journal::Participant {
   const QualifiedName& name_;
   TreeRows* rows_ = nullptr;
   IdHashMap leaves_;
+  std::shared_ptr<const Ids> unwritten_ids_;  ///< of leaves_; null: not known
   bool stored_is_void_ = false;
   std::vector<IdHashMap::Entry> log_;  ///< old values, oldest first
   bool started_empty_ = true;          ///< nothing was unwritten when the log was empty
@@ -100,8 +107,8 @@ class IdMap final : public Journal::Participant {
   bool lists_new_ = false;          ///< the filter lacks the listed ids
 };
 
-/// The ids of a range in order, some at once: few at first. Writing the map does not change what follows; no other
-/// change is allowed.
+/// The ids of a range in order, some at once: few at first. Writing the map does not change what follows. Before any
+/// other change the owner reads on to the end; after a rollback it stops (table_cursor.h).
 class IdWalk {
  public:
   /// The map must outlive it. Requires: none of its ids is listed.
@@ -111,11 +118,15 @@ class IdWalk {
   bool next(std::vector<std::int64_t>& ids);
 
  private:
+  void add_placed(std::vector<std::int64_t>& ids);
+
   IdMap* map_;
   IdRange rest_;
   IdOrder order_;
-  std::int64_t rows_ = 0;             ///< of the next batch, beside its first block
-  std::vector<std::int64_t> placed_;  ///< of the rest, unwritten at the start; the next one last
+  std::int64_t end_;                                         ///< the last id of the walk
+  std::int64_t rows_ = 0;                                    ///< of the next batch, beside its first block
+  std::shared_ptr<const std::vector<std::int64_t>> placed_;  ///< unwritten at the start, ascending
+  std::size_t next_placed_;  ///< the place of the next one, or one beyond it in descending order
 };
 
 }  // namespace foresee

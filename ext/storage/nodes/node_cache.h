@@ -68,7 +68,8 @@ class NodeCache final : public Pages, public Journal::Participant {
   const double* find_record(std::int64_t id);
   /// find_record() without reading rows; null: not known in memory.
   const double* find_record_in_memory(std::int64_t id);
-  /// The ids of a range, without those of pending objects.
+  /// As IdMap::extent(), and the ids of a range, both without pending objects.
+  std::optional<IdRange> id_extent() { return ids_.extent(); }
   IdWalk walk_ids(const IdRange& range, IdOrder order) { return IdWalk(ids_, range, order); }
   /// Prefetches the memory that find_record_in_memory() reads for `many` ids from `first` on. Requires: none
   /// of these ids overflows.

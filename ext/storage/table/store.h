@@ -50,8 +50,8 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   /// frame() of a table that holds objects: SQLITE_CORRUPT_VTAB for degrees without an origin.
   const Frame& frame_of_objects(StatementReadState* statement_state = nullptr);
 
-  // --- reading: as this connection sees the contents now
-  /// Their version. Cost: one look-up.
+  // --- reading
+  /// The version of the contents that this connection sees now. Cost: one look-up.
   ContentVersion read_version();
   bool contains(std::int64_t id);
   std::optional<std::vector<double>> read(std::int64_t id);
@@ -67,10 +67,9 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
                 const std::optional<KindTest>& wanted = {});
   /// Reads the leaf after leaf `after` (0: the first one). Returns its number, or 0 at the end.
   std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
-  /// The ids of a range in order; next_ids() reads on, false at the end. Nothing if no order is wanted and a scan is
-  /// likely to cost less than a look-up per id.
+  /// The ids of a range in order. Nothing if no order is wanted and a scan probably costs less than their look-ups.
   std::optional<IdWalk> walk_ids(const IdRange& range, std::optional<IdOrder> order);
-  bool next_ids(IdWalk& walk, std::vector<std::int64_t>& ids);
+  bool next_ids(IdWalk& walk, std::vector<std::int64_t>& ids);  ///< as IdWalk::next()
   /// Sets the auxiliary column of `id`, or NULL, as the result of `context`.
   void result_auxiliary(sqlite3_context* context, std::int64_t id, int column);
   /// A snapshot of the tree, which no change, commit or rollback affects. It must not outlive the statement.

@@ -62,6 +62,11 @@ class LeafRows {
   std::vector<double> records_;  ///< of one leaf
 };
 
+/// So few that the share of all ids need not be known.
+bool has_few_ids(const IdRange& range) {
+  return static_cast<std::uint64_t>(range.last) - static_cast<std::uint64_t>(range.first) < 256;
+}
+
 /// The share of all ids that are in the range, if they are spread evenly.
 double likely_share(const std::optional<IdRange>& all, const IdRange& range) {
   if (!all) return 1;
@@ -205,7 +210,7 @@ std::optional<IdWalk> Store::walk_ids(const IdRange& range, std::optional<IdOrde
   const bool fits = static_cast<double>(likely_objects()) * static_cast<double>(format_.record_size) <
                     static_cast<double>(memory_->max_kept());
   const double small_share = fits ? 0.1 : 0.016;
-  if (!order && likely_share(shadow_rows().tree().map().read_extent(), range) > small_share)
+  if (!order && !has_few_ids(range) && likely_share(nodes().id_extent(), range) > small_share)
     return std::nullopt;
   return nodes().walk_ids(range, order.value_or(IdOrder::ascending));
 }
