@@ -126,8 +126,8 @@ double likely_rows(sqlite3_index_info& info, double objects) {
   return std::max(1.0, std::min(rows, ids_between_bounds(info, objects)));
 }
 
-/// The part of a scan's work that the plan takes. A look-up by id costs as much as three objects of a scan or more, which
-/// walk_ids() compares; an id alone costs less.
+/// The part of a scan's work that the plan takes. A look-up by id costs as much as three objects of a scan or more
+/// (walk_ids() compares them when it runs); an id alone costs less.
 double share_to_read(sqlite3_index_info& info, const TablePlan& plan, double objects) {
   if (plan.kind != TablePlan::ids) return 1;
   const double by_id = reads_only_ids(info) ? 0.5 : 3,
