@@ -76,7 +76,7 @@ GIVEN = {
     "space_constraint.h": {"drones": "const Bodies&"},
     "form_pieces.h": {"pieces": "ObjectPieces&", "ships": "const Bodies&"},
     "object_pieces.h": {"ships": "const Bodies&"},
-    "flat_traits.h": {"best": "double&", "context": "const PairContext<FlatTraits<2, 1>>&", "space": "FlatSpace&"},
+    "flat_traits.h": {"best": "double&", "context": "const PairContext<FlatTraits<2, 1>>&", "space": "FlatSpace<1>&"},
     "possible_intervals.h": {"intervals": "PairIntervals<FlatTraits<2, 1>>&", "until": "double"},
     "pair_tests.h": {"tests": "PieceTests<2, 1>&", "best": "double&"},
     "contact_set.h": {"at_a": "const Offsets&", "at_b": "const Offsets&", "within": "double"},

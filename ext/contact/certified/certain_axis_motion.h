@@ -61,7 +61,8 @@ CertainAxisMotion<Real> axis_of_any_age(const AxisMotion<Real>& a, const AxisMot
 
 /// The motion on one axis by powers of the time after tau. Requires: 0 <= tau <= h.
 template <int Degree, class Real>
-CertainAxisMotion<Real> view_from(const CertainAxisMotion<Real>& r, const Real& tau, const Real& underflow) {
+[[gnu::always_inline]] inline CertainAxisMotion<Real> view_from(const CertainAxisMotion<Real>& r,
+                                                                const Real& tau, const Real& underflow) {
   using std::abs;
   constexpr double u = unit_roundoff;
   if constexpr (Degree < 2)

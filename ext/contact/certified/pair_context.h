@@ -77,7 +77,8 @@ template <class Traits>
 struct PairContext : PairInput<typename Traits::Pieces> {
   using Input = PairInput<typename Traits::Pieces>;
 
-  explicit PairContext(const Input& input)
+  /// Inline, so that the input is not copied in memory.
+  [[gnu::always_inline]] explicit PairContext(const Input& input)
       : Input(input),
         relative(certain_motion_of<Traits::axes, Traits::degree>(input.setup, input.row_a, input.row_b)),
         queried(queried_of(input.lifetime)),

@@ -199,11 +199,14 @@ template <int K, class Feature, class T, std::size_t D>
 Coefficients<T, K> beyond(const Constraint<Feature>& constraint,
                           const std::array<T, Feature::axes>& direction,
                           const std::array<Coefficients<T, K>, D>& x) {
-  const auto gap = gap_from<K>(constraint, x);
+  const auto at = constraint.feature.template origin<T>(constraint.sign);
   Coefficients<T, K> p{};
   for (std::size_t k = 0; k <= K; ++k) {
-    T sum = Feature::product(direction[0], gap[0][k]);
-    for (std::size_t j = 1; j < gap.size(); ++j) sum = sum + Feature::product(direction[j], gap[j][k]);
+    const auto along = [&](std::size_t j) {
+      return Feature::product(direction[j], k == 0 ? x[j][0] - at[j] : x[j][k]);
+    };
+    T sum = along(0);
+    for (std::size_t j = 1; j < at.size(); ++j) sum = sum + along(j);
     p[k] = constraint.sign < 0 ? -sum : sum;
   }
   return p;

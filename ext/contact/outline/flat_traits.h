@@ -23,9 +23,18 @@
 
 namespace foresee {
 
+/// An edge of the sum; and how far d is beyond its line, times the length of its direction.
+template <int Degree>
+struct EdgeLine {
+  SumEdge edge;
+  Coefficients<Bounded, Degree> beyond;
+  Bounded length;
+};
+
 /// The memory of the tests, used for one pair of objects after another.
+template <int Degree>
 struct FlatSpace : PieceWorkspace<FlatConstraint> {
-  std::vector<SumEdge> edges;  ///< of the pair in work
+  std::vector<EdgeLine<Degree>> edges;  ///< of the pair in work, if R is more than 0
 };
 
 template <int D, int Degree>
@@ -35,7 +44,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, FlatConstraint> {
  public:
   /// As PairTests.
   template <class Context>
-  PieceTests(const Context& context, FlatSpace& space)
+  PieceTests(const Context& context, FlatSpace<Degree>& space)
       : Base(context, space),
         a_(context.a),
         b_(context.b),
@@ -79,22 +88,24 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, FlatConstraint> {
     edges_.clear();
     SumEdge edge;
     for (ConvexSum sum(a, b); !space_.clipped.empty() && sum.next(edge);) {
-      edges_.push_back(edge);
-      space_.clipped.keep(beside(edge, 1));
+      edges_.push_back(line_of(edge));
+      space_.clipped.keep(beside(edges_.back(), 1));
     }
     if (space_.clipped.empty()) return;
     share();
     const Interval<double> all = reached(space_.outer);
-    for (const SumEdge& one : edges_) keep({.feature = {.edge = one}});
+    for (const EdgeLine<Degree>& line : edges_)
+      keep({.feature = {.edge = line.edge}}, sublevel_intervals(line.beyond, lost_, queried_.end.high));
     const Interval<double> inside = surely_held(space_.clipped);
     end_part();
-    for (const SumEdge& one : edges_) {
+    for (const EdgeLine<Degree>& line : edges_) {
       if (is_decided()) return;
+      const SumEdge& one = line.edge;
       const Interval<double> near = near_edge(one, all);
       if (!(near.begin <= near.end) || (inside.begin <= near.begin && near.end <= inside.end)) continue;
       start_part();
       for (const int side : {-1, 1}) keep({.sign = side, .feature = {Direction::along, one}});
-      for (const int side : {-1, 1}) keep({.kind = Kind::slab, .feature = {.edge = one}}, beside(one, side));
+      for (const int side : {-1, 1}) keep({.kind = Kind::slab, .feature = {.edge = one}}, beside(line, side));
       end_part();
       start_part();
       keep({.kind = Kind::ball, .feature = {.edge = one}});
@@ -144,13 +155,20 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, FlatConstraint> {
     });
   }
 
-  /// The times at which d is at most R from the line of an edge, on one side: half the degree of both sides.
-  SublevelIntervals beside(const SumEdge& edge, int side) const {
-    const FlatConstraint line{.sign = side, .feature = {.edge = edge}};
-    const std::array<Bounded, 2> direction = line.feature.direction<Bounded>();
-    Coefficients<Bounded, Degree> p = beyond<Degree>(line, direction, x_);
+  EdgeLine<Degree> line_of(const SumEdge& edge) const {
+    const FlatConstraint inside{.feature = {.edge = edge}};
+    const std::array<Bounded, 2> direction = inside.feature.direction<Bounded>();
     // R may be large, so the underflow of the square counts before the product.
-    subtract_multiple<Degree>(p, sizes_.radius, sqrt(with_lost(squared_length(direction), 0x1p-1060)));
+    return {edge, beyond<Degree>(inside, direction, x_),
+            sqrt(with_lost(squared_length(direction), 0x1p-1060))};
+  }
+
+  /// The times at which d is at most R from the line of an edge, on one side: half the degree of both sides.
+  SublevelIntervals beside(const EdgeLine<Degree>& line, int side) const {
+    Coefficients<Bounded, Degree> p = line.beyond;
+    if (side < 0)
+      for (Bounded& c : p) c = -c;
+    subtract_multiple<Degree>(p, sizes_.radius, line.length);
     return sublevel_intervals(p, lost_, queried_.end.high);
   }
 
@@ -166,7 +184,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, FlatConstraint> {
   const CertainMotion<D>& relative_;
   const PairSizes<Bounded> sizes_;
   const double lost_;
-  std::vector<SumEdge>& edges_;
+  std::vector<EdgeLine<Degree>>& edges_;
   const std::array<Coefficients<Bounded, Degree>, D> x_;  ///< the motion after now
   const Chord<D> chord_;
 };
@@ -181,7 +199,7 @@ struct FlatTraits {
   using PieceConstraint = FlatConstraint;
   template <class T>
   using Sizes = PairSizes<T>;
-  using Space = FlatSpace;
+  using Space = FlatSpace<Degree>;
   using Tests = PieceTests<D, Degree>;
   using Walk = TreeWalk<D, ObjectPieces, BoxTests<D, ObjectPieces>>;
   using Containment = NoContainment;

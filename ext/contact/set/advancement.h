@@ -167,10 +167,9 @@ class CertainSet {
 template <int D, int Degree>
 class Advancement {
  public:
-  /// `lifetime`: when both objects exist; kept rounded outward, and rounded inward. `near`: the pair can
-  /// touch at no other times.
-  Advancement(const CertainSet<D, Degree>& certain, const PairLifetime& lifetime,
-              const Interval<double>& near)
+  /// `certain`: of the pair, must outlive this. `lifetime`: when both objects exist; kept rounded outward, and rounded
+  /// inward. `near`: the pair can touch at no other times.
+  Advancement(CertainSet<D, Degree>& certain, const PairLifetime& lifetime, const Interval<double>& near)
       : certain_(certain) {
     constexpr double u = unit_roundoff;
     const double begin = lifetime.dt_start, end = lifetime.dt_end;
@@ -219,8 +218,6 @@ class Advancement {
     return left ? Verdict::yes : Verdict::uncertain;
   }
 
-  CertainSet<D, Degree>& certain() { return certain_; }
-
  private:
   static double room_from(double tau, double end) { return (end - tau) * (1 + 4 * unit_roundoff); }
   /// CertainSet::apart(), up to near_end_.
@@ -232,7 +229,7 @@ class Advancement {
     return foresee::witness(predicate, bracket, earliest, inner_end_);
   }
 
-  CertainSet<D, Degree> certain_;
+  CertainSet<D, Degree>& certain_;
   double begin_, inner_start_, inner_end_, end_;
   double near_end_;  ///< the pair does not touch later
 };

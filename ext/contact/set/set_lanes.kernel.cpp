@@ -84,12 +84,6 @@ class PairRegister {
     return {select(usual_, near.begin, lives_.queried.begin), select(usual_, near.end, lives_.queried.end)};
   }
 
-  /// Whether both exist already and certainly touch now.
-  DoublesMask touches_at_start() const {
-    const Doubles now(0.0);
-    return (lives_.queried.begin <= now) & touches(now);
-  }
-
   /// Whether they certainly touch at `time`.
   DoublesMask touches(const Doubles& time) const {
     Coefficients<BoundedDoubles, 0> x[D];
@@ -159,10 +153,9 @@ void classify_lanes(const LanesQuestion& q, SetLanes& lanes) {
     const Interval<Doubles> interval = pairs.interval();
     store(lanes.begin + l, interval.begin.of);
     store(lanes.end + l, interval.end.of);
-    DoublesMask found = interval.begin <= interval.end;
-    if (any(found))
-      found = found & (q.times_wanted ? pairs.touches_at_start()
-                                      : pairs.touches(0.5 * (interval.begin + interval.end)));
+    const Doubles time = q.times_wanted ? Doubles(0.0) : 0.5 * (interval.begin + interval.end);
+    DoublesMask found = (interval.begin <= interval.end) & (interval.begin <= time);
+    if (any(found)) found = found & pairs.touches(time);
     store(lanes.touches + l, select(found, Doubles(1.0), Doubles(0.0)).of);
   }
 }

@@ -36,7 +36,7 @@ class SetPieces {
 /// The input of all stages for a pair, as PairContext is for pieces under trees. The set is that of `a`.
 template <int D, int Degree>
 struct SetPairContext : PairInput<SetPieces> {
-  [[gnu::flatten]] explicit SetPairContext(const PairInput<SetPieces>& input)
+  [[gnu::always_inline]] explicit SetPairContext(const PairInput<SetPieces>& input)
       : PairInput(input), relative(certain_motion_of<D, Degree>(setup, row_a, row_b)) {}
 
   const CertainMotion<D> relative;
@@ -152,8 +152,11 @@ class SetPair {
   SetPair(const Context& context, SetSpace& space)
       : context_(context),
         space_(space),
-        advancement_({context.a.set(), context.relative, context.a.lengths().data(), space.known},
-                     context.lifetime, context.near) {}
+        certain_(context.a.set(), context.relative, context.a.lengths().data(), space.known),
+        advancement_(certain_, context.lifetime, context.near) {}
+
+  SetPair(const SetPair&) = delete;  // advancement_ refers to certain_
+  SetPair& operator=(const SetPair&) = delete;
 
   /// Whether they touch. Stops at the first time at which they certainly do.
   Verdict touches() { return advancement_.touches(); }
@@ -187,11 +190,12 @@ class SetPair {
   /// The time in the bracket at which the pair enters or leaves the set, rounded once, or unknown.
   template <CrossingDirection direction>
   Instant crossing(const Bracket& bracket) {
-    return SetCrossing<direction, D, Degree>(context_, advancement_.certain(), bracket, space_).instant();
+    return SetCrossing<direction, D, Degree>(context_, certain_, bracket, space_).instant();
   }
 
   const Context& context_;
   SetSpace& space_;
+  CertainSet<D, Degree> certain_;
   Advancement<D, Degree> advancement_;
   Bracket first_;
 };

@@ -44,7 +44,7 @@ TEST(ManyPieces, ThatAllMayTouchAreTestedAgainWhenNeededAgain) {
 TEST(ManyPieces, OfAPairTakeBoundedMemory) {
   for (const bool times_wanted : {false, true}) {
     StagedScene staged(interleaved(190, 1));
-    const FlatSpace& space = staged.space;
+    const FlatSpace<1>& space = staged.space;
     UnionPair<FlatTraits<2, 1>> pair = staged.pair(times_wanted);
     if (times_wanted) {
       EXPECT_EQ(pair.first_contact().touches, Verdict::yes);

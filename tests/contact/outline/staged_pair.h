@@ -37,7 +37,7 @@ struct StagedScene {
   const PairLifetime lifetime;
   const ConvexPieces cut_a, cut_b;
   ObjectPieces a, b;
-  FlatSpace space;
+  FlatSpace<1> space;
   NeverInterrupt never;
   Steps steps{never};
   std::optional<PairContext<FlatTraits<2, 1>>> context;  ///< of the last pair
