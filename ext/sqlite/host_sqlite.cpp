@@ -14,7 +14,6 @@ namespace {
 constexpr int oldest_supported = 3031000;
 constexpr int reports_constraints = 3038000;  // sqlite3_vtab_in, sqlite3_vtab_rhs_value
 constexpr int reports_schemas = 3039000;      // sqlite3_db_name
-constexpr int reads_first_since = 3040000, reads_first_until = 3041000;  // reads_to_compare()
 
 bool host_has(int since) {
   return sqlite3_libversion_number() >= since;
@@ -36,8 +35,11 @@ bool is_spare_list(sqlite3_index_info& info, int i, int other) {
   return may_be_list(info, i) && (other < i || !may_be_list(info, other));
 }
 
-bool reads_to_compare() {
-  return host_has(reads_first_since) && !host_has(reads_first_until);
+sqlite3_stmt* statement_in_preparation(sqlite3* db) {
+  // SQLite lists the newest statement first, and stores the text at the end of the preparation.
+  sqlite3_stmt* statement = sqlite3_next_stmt(db, nullptr);
+  while (statement && sqlite3_sql(statement)) statement = sqlite3_next_stmt(db, statement);
+  return statement;
 }
 
 sqlite3_value* written_value(sqlite3_index_info& info, int i) {

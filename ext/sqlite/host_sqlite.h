@@ -26,10 +26,8 @@ bool may_be_list(sqlite3_index_info& info, int i);
 /// combination of two lists would be a call.
 bool is_spare_list(sqlite3_index_info& info, int i, int other);
 
-/// Whether SQLite reads a column of a function before it compares it with a value that is NULL. Only then can
-/// the function refuse; else the row is lost without an error. True for 3.40, false for 3.53 and for all
-/// other versions, which were not tested.
-bool reads_to_compare();
+/// The statement that SQLite is preparing, to be compared alone; null outside of a preparation.
+sqlite3_stmt* statement_in_preparation(sqlite3* db);
 
 /// The value that constraint `i` compares with, if it is a literal in the statement; else, and before 3.38,
 /// null.

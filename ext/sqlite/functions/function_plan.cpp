@@ -45,12 +45,10 @@ struct FunctionPlan {
   std::uint32_t inputs_given = 0, inputs_unusable = 0;
   std::uint32_t inputs_unknown = 0;      ///< not literals in the statement: bound, or computed
   std::uint32_t inputs_compared = 0;     ///< SQLite compares them again
-  bool null_inputs = false;              ///< an input is, or may be, NULL
-  bool null_literals = false;            ///< an input is NULL in the text of the statement
+  bool null_inputs = false;              ///< an input is NULL in the text of the statement
   bool about_ids = false;                ///< an id is compared with a value, usable in this plan or not
   std::uint32_t probed_by = 0;           ///< bit set: this id is compared with a usable value
   bool compares_other_id = false;        ///< SQLite compares the other id with a list
-  bool has_id_list = false;              ///< an id is compared with a list, usable in this plan or not
   int equalities = 0, inequalities = 0;  ///< conditions: on ids, and on other outputs
 };
 
@@ -94,8 +92,7 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
     return;
   }
   const bool probes = is_id_equality(function, info, i);
-  if (probes) plan.about_ids = true;
-  if (probes && may_be_list(info, i)) plan.has_id_list = true;
+  plan.about_ids |= probes;
   if (!constraint.usable) return;
   if (probes && leaves_list_to_sqlite(function, info, i)) {
     plan.compares_other_id = true;
@@ -106,8 +103,7 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   if (is_input && input > 0) {
     sqlite3_value* written = plan.written[static_cast<std::size_t>(input)] = written_value(info, i);
     if (!written) plan.inputs_unknown |= 1u << input;
-    plan.null_literals |= written && sqlite3_value_type(written) == SQLITE_NULL;
-    plan.null_inputs |= plan.null_literals || (!written && !reads_to_compare());
+    plan.null_inputs |= written && sqlite3_value_type(written) == SQLITE_NULL;
   }
   if (!is_input) ++(probes ? plan.equalities : plan.inequalities);
   if (probes) plan.probed_by |= 1u << constraint.iColumn;
@@ -116,27 +112,38 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   info.aConstraintUsage[i].omit = is_input;
 }
 
+/// Whether info is about one side of an OR of the call that was planned last. SQLite 3.46 offers a side without
+/// the inputs, 3.48 with all conditions of the call behind its own.
+bool is_side_of_or(const FunctionPlan& plan, const EarlierPlans& earlier, const sqlite3_index_info& info) {
+  if (((plan.inputs_given | plan.inputs_unusable) & 1) == 0) return true;
+  const std::span all(info.aConstraint, static_cast<std::size_t>(info.nConstraint));
+  if (earlier.call.empty() || all.size() <= earlier.call.size()) return false;
+  const auto shared = all.last(earlier.call.size());
+  const int shift = shared[0].iTermOffset - earlier.call[0].iTermOffset;
+  return shift > 0 && std::ranges::equal(shared, earlier.call, [&](const auto& one, const auto& other) {
+           return one.iColumn == other.iColumn && one.op == other.op &&
+                  one.iTermOffset == other.iTermOffset + shift;
+         });
+}
+
+/// Remembers a call that is not a side of an OR; `null_inputs`: an input is, or may be, NULL.
+void remember(EarlierPlans& earlier, const sqlite3_index_info& info, bool null_inputs) {
+  const std::span all(info.aConstraint, static_cast<std::size_t>(info.nConstraint));
+  const bool again = std::ranges::equal(all, earlier.call, [](const auto& one, const auto& other) {
+    return one.iColumn == other.iColumn && one.op == other.op && one.iTermOffset == other.iTermOffset;
+  });
+  earlier.null_inputs = null_inputs || (again && earlier.null_inputs);
+  earlier.call.assign(all.begin(), all.end());
+}
+
 /// Fills in the cost and the number of rows. A join about one id searches the tree. A call without its first
-/// input fails, so that plan gets the highest cost, except with a condition on an id. To plan
-/// `a = 42 OR b = 42`, SQLite offers one side of the OR alone and adds the inputs only when it generates that
-/// side's program.
+/// input fails, so that plan gets the highest cost.
 ///
-/// After such a call SQLite evaluates `input = NULL` again, which is not true, and loses every row. So no side may be
-/// planned if an input is a literal NULL, or comes from another table and may be NULL in some row. Plans of whole
-/// calls show this. SQLite makes one of three before it plans a side: one without conditions on ids, one with a
-/// list of ids (`a = 3 OR a = 5`), or one without the values of other tables. A side itself may look like a whole
-/// call (SQLite 3.53). An input that is bound later counts as not NULL if SQLite lets the call refuse a NULL
-/// (host_sqlite.h), and else as NULL.
-void estimate(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
-              FunctionPlan& plan, sqlite3_index_info& info) {
-  const bool whole = (plan.inputs_given & 1) != 0, lost_rows_before = earlier.or_loses_rows;
-  if (whole && (!plan.about_ids || plan.has_id_list)) earlier.or_loses_rows = plan.null_inputs;
-  // A join by an id of another table: it should not be slower after a statement that was planned and not run.
-  if (whole && plan.about_ids && !plan.has_id_list && plan.equalities == 0)
-    earlier.or_loses_rows = plan.null_literals;
-  if (whole && !plan.about_ids) earlier.one_side_was_planned = false;
-  if (plan.equalities > 0 && !whole) earlier.one_side_was_planned = true;
-  if (earlier.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
+/// To run `a = 42 OR b = 42`, SQLite may make a call for each side and then evaluate `input = NULL` again, which is
+/// not true, and lose every row. So no side may be planned if an input is a literal NULL, or comes from another table
+/// and may be NULL in some row. An input that is bound later counts as not NULL: the call refuses a NULL.
+void estimate(const TableFunction& function, const Connection& connection, const FunctionPlan& plan,
+              bool loses_rows, sqlite3_index_info& info) {
   const CallSizes sizes = call_sizes(function, connection, plan.written, plan.inputs_given);
   const bool by_first = plan.probed_by & 1,
              by_both = plan.compares_other_id || (plan.probed_by & (plan.probed_by - 1)) != 0;
@@ -146,9 +153,8 @@ void estimate(const TableFunction& function, const Connection& connection, Earli
   if (by_both) rows = 1;
   if (plan.inequalities > 0) rows /= 4;
   rows = std::max(1.0, rows);
-  // The list that is planned first may be chosen itself.
-  const bool loses_rows = whole && plan.has_id_list ? lost_rows_before : earlier.or_loses_rows;
-  if (plan.equalities > 0 ? loses_rows || !(whole || has_two_ids(function)) : !whole) cost = 1e50;
+  const bool fails = (plan.inputs_given & 1) == 0 && plan.equalities == 0;
+  if (loses_rows || fails) cost = 1e50;
   info.estimatedCost = cost;
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
 }
@@ -222,13 +228,21 @@ int plan_call(const TableFunction& function, const Connection& connection, Earli
   FunctionPlan plan;
   plan.written.resize(function.inputs.size());
   for (int i = 0; i < info.nConstraint; ++i) take(plan, function, info, i);
-  if (const std::uint32_t missing = plan.inputs_unusable & ~plan.inputs_given) {
-    earlier.or_loses_rows |= (missing & ~1u) != 0;  // from another table
-    return SQLITE_CONSTRAINT;
+  const std::uint32_t missing = plan.inputs_unusable & ~plan.inputs_given;  // from a table that is read later
+  sqlite3_stmt* statement = statement_in_preparation(connection.db());
+  if (earlier.statement != statement) earlier = {statement, {}, false, false};
+  const bool is_side = is_side_of_or(plan, earlier, info);
+  if (is_side) {
+    earlier.side_was_planned = true;
+  } else {
+    remember(earlier, info, plan.null_inputs || (missing & ~1u) != 0);
+    if (!plan.about_ids) earlier.side_was_planned = false;  // another call of the statement
   }
+  if (missing) return SQLITE_CONSTRAINT;
+  if (earlier.side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
   info.idxNum = take_order(function, info);
   if (info.idxNum != 0) take_row_limit(function, info, plan.arguments);
-  estimate(function, connection, earlier, plan, info);
+  estimate(function, connection, plan, is_side && (earlier.null_inputs || !has_two_ids(function)), info);
   info.idxStr = sqlite3_mprintf("%016llx%s", info.colUsed, described(plan, output_count(function)).c_str());
   if (!info.idxStr) return SQLITE_NOMEM;
   info.needToFreeIdxStr = 1;

@@ -15,16 +15,22 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "sqlite/functions/table_function.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 
-/// What earlier plans of the same statement have shown. SQLite does not say where a statement starts: what a statement
-/// has shown that was planned and not run may make the next plan slower, or a NULL refused.
+/// What the plans of a statement have shown. SQLite may give a later statement the same address: what is left of one
+/// that was prepared and never run may make its plan slower, or a NULL refused.
 struct EarlierPlans {
-  bool or_loses_rows = false;         ///< the plan of one side of an OR would
-  bool one_side_was_planned = false;  ///< one side of an OR was planned separately
+  using Condition = sqlite3_index_info::sqlite3_index_constraint;
+
+  sqlite3_stmt* statement = nullptr;
+  std::vector<Condition> call;    ///< all of the last call that was not a side of an OR
+  bool null_inputs = false;       ///< one of its inputs is, or may be, NULL
+  bool side_was_planned = false;  ///< of an OR
 };
 
 /// The work of xBestIndex: fills in `info`. Returns SQLITE_OK, SQLITE_NOMEM, or SQLITE_CONSTRAINT if an input
