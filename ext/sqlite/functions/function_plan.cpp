@@ -112,6 +112,16 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   info.aConstraintUsage[i].omit = is_input;
 }
 
+/// Whether conditions are those of an earlier call, `shift` places further on.
+bool are_same(std::span<const EarlierPlans::Condition> conditions,
+              std::span<const EarlierPlans::Condition> earlier, int shift) {
+  return std::equal(conditions.begin(), conditions.end(), earlier.begin(), earlier.end(),
+                    [shift](const auto& one, const auto& other) {
+                      return one.iColumn == other.iColumn && one.op == other.op &&
+                             one.iTermOffset == other.iTermOffset + shift;
+                    });
+}
+
 /// Whether info is about one side of an OR of the call that was planned last. SQLite 3.46 offers a side without
 /// the inputs, 3.48 with all conditions of the call behind its own.
 bool is_side_of_or(const FunctionPlan& plan, const EarlierPlans& earlier, const sqlite3_index_info& info) {
@@ -120,18 +130,13 @@ bool is_side_of_or(const FunctionPlan& plan, const EarlierPlans& earlier, const 
   if (earlier.call.empty() || all.size() <= earlier.call.size()) return false;
   const auto shared = all.last(earlier.call.size());
   const int shift = shared[0].iTermOffset - earlier.call[0].iTermOffset;
-  return shift > 0 && std::ranges::equal(shared, earlier.call, [&](const auto& one, const auto& other) {
-           return one.iColumn == other.iColumn && one.op == other.op &&
-                  one.iTermOffset == other.iTermOffset + shift;
-         });
+  return shift > 0 && are_same(shared, earlier.call, shift);
 }
 
 /// Remembers a call that is not a side of an OR; `null_inputs`: an input is, or may be, NULL.
 void remember(EarlierPlans& earlier, const sqlite3_index_info& info, bool null_inputs) {
   const std::span all(info.aConstraint, static_cast<std::size_t>(info.nConstraint));
-  const bool again = std::ranges::equal(all, earlier.call, [](const auto& one, const auto& other) {
-    return one.iColumn == other.iColumn && one.op == other.op && one.iTermOffset == other.iTermOffset;
-  });
+  const bool again = are_same(all, earlier.call, 0);
   earlier.null_inputs = null_inputs || (again && earlier.null_inputs);
   earlier.call.assign(all.begin(), all.end());
 }
