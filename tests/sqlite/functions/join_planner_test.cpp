@@ -125,17 +125,16 @@ TEST_F(JoinPlanner, ProbesBesideOtherCallsAndStatementsWithBoundInputs) {
     const std::string text = plan(sql), of_k = text.substr(text.find(" k VIRTUAL TABLE"));
     EXPECT_NE(of_k.find("A="), std::string::npos) << text;
   };
+  const std::string inputs = "k.h = ?1 AND k.within = ?2";
   probes(
-      "SELECT j.a, k.b FROM predictive_join j CROSS JOIN predictive_join k WHERE j.h = ?1 AND j.within = ?2 "
-      "AND "
-      "k.a = j.b AND k.h = ?1 AND k.within = ?2");
+      "SELECT * FROM predictive_join j CROSS JOIN predictive_join k WHERE j.h = ?1 AND j.within = ?2 AND "
+      "k.a = j.b AND " +
+      inputs);
   sqlite3_stmt* prepared = nullptr;  // and not run
   const char* const all = "SELECT * FROM predictive_join WHERE h = ?1 AND within = ?2";
   ASSERT_EQ(sqlite3_prepare_v2(db.handle(), all, -1, &prepared, nullptr), SQLITE_OK);
-  probes("SELECT * FROM predictive_join k WHERE a = ?3 AND h = ?1 AND within = ?2");
-  probes(
-      "SELECT * FROM ships s JOIN predictive_join k ON k.a = s.id WHERE k.h = ?1 AND k.within = ?2 AND s.id "
-      "< 5");
+  probes("SELECT * FROM predictive_join k WHERE a = ?3 AND " + inputs);
+  probes("SELECT * FROM ships s JOIN predictive_join k ON k.a = s.id WHERE s.id < 5 AND " + inputs);
   sqlite3_finalize(prepared);
 }
 

@@ -173,20 +173,29 @@ TEST_F(TableScanWrites, RefusedWritesLeaveTheScanAlone) {
             500);
 }
 
+/// A write reads the rest of an open scan, or of a walk in the order of ids, before it changes anything.
 TEST_F(TableScanWrites, AWriteThatFailsToReadTheRestLeavesTheScanAlone) {
-  db.exec("CREATE TABLE whole AS SELECT * FROM ships_node; BEGIN");
-  sqlite3_stmt* statement = nullptr;
-  sqlite3_prepare_v2(db.handle(), "SELECT id FROM ships", -1, &statement, nullptr);
-  EXPECT_EQ(sqlite3_step(statement), SQLITE_ROW);
-  db.exec("UPDATE ships_node SET data = x'00' WHERE nodeno = (SELECT max(nodeno) FROM whole)");
-  EXPECT_EQ(db.code_of("INSERT INTO ships(x) VALUES(1)") & 0xff, SQLITE_CORRUPT);
-  db.exec("REPLACE INTO ships_node SELECT * FROM whole");
-  int rows = 1, rc;
-  while ((rc = sqlite3_step(statement)) == SQLITE_ROW) ++rows;
-  EXPECT_EQ(rc, SQLITE_DONE) << sqlite3_errmsg(db.handle());
-  EXPECT_EQ(rows, 500);
-  sqlite3_finalize(statement);
-  db.exec("ROLLBACK");
+  const struct {
+    const char *query, *shadow, *damage;
+  } cases[] = {
+      {"SELECT id FROM ships", "ships_node",
+       "UPDATE ships_node SET data = x'00' WHERE nodeno = (SELECT max(nodeno) FROM whole)"},
+      {"SELECT id FROM ships ORDER BY id", "ships_map", "UPDATE ships_map SET leaf = x'00' WHERE id = 256"}};
+  for (const auto& [query, shadow, damage] : cases) {
+    db.exec(std::string("CREATE TABLE whole AS SELECT * FROM ") + shadow + "; BEGIN");
+    sqlite3_stmt* statement = nullptr;
+    sqlite3_prepare_v2(db.handle(), query, -1, &statement, nullptr);
+    EXPECT_EQ(sqlite3_step(statement), SQLITE_ROW);
+    db.exec(damage);
+    EXPECT_EQ(db.code_of("INSERT INTO ships(x) VALUES(1)") & 0xff, SQLITE_CORRUPT) << query;
+    db.exec(std::string("REPLACE INTO ") + shadow + " SELECT * FROM whole");
+    int rows = 1, rc;
+    while ((rc = sqlite3_step(statement)) == SQLITE_ROW) ++rows;
+    EXPECT_EQ(rc, SQLITE_DONE) << query << ": " << sqlite3_errmsg(db.handle());
+    EXPECT_EQ(rows, 500) << query;
+    sqlite3_finalize(statement);
+    db.exec("ROLLBACK; DROP TABLE whole");
+  }
 }
 
 TEST_F(TableScanWrites, ARollbackDuringAScanEndsIt) {
