@@ -161,12 +161,24 @@ void IdMap::add_to_filter(std::span<const IdHashMap::Entry> changes) {
   filter_->add(ids);
 }
 
+/// Logs that all changes are written. If nothing was unwritten at the newest mark, a rewind to it has nothing to do: a
+/// statement that erases millions of rows would log each of them.
+void IdMap::log_write() {
+  join();
+  std::size_t newest = 0;
+  for_each_position([&](std::size_t position) { newest = std::max(newest, position); });
+  if (empty_at_ == newest)
+    log_.resize(newest);
+  else
+    log_all(false);
+}
+
 void IdMap::note_written() {
   if (!is_marked()) return clear();
   last_block_.reset();
-  log_all(false);
+  log_write();
   stored_is_void_ = false;
-  leaves_.reset();
+  log_.empty() ? leaves_.clear() : leaves_.reset();  // ids in the log stay prepared
   unwritten_ids_.reset();
   held_after_writing_ = held();
 }
@@ -209,6 +221,14 @@ void IdMap::write_list(const std::optional<IdSum>& expected, Interrupt& interrup
 
 // --- rollbacks
 
+std::size_t IdMap::keep() {
+  if (!has_unwritten())
+    empty_at_ = log_.size();
+  else if (empty_at_ == log_.size())
+    empty_at_.reset();
+  return log_.size();
+}
+
 void IdMap::rewind(std::size_t position) noexcept {
   forget_stored();
   list_.reset();
@@ -226,6 +246,7 @@ void IdMap::rewind(std::size_t position) noexcept {
 
 void IdMap::forget() noexcept {
   log_.clear();
+  empty_at_.reset();
   started_empty_ = !has_unwritten();
   held_after_writing_ = std::min(held_after_writing_, held());
 }
@@ -234,6 +255,7 @@ void IdMap::clear() noexcept {
   leaves_.clear();
   unwritten_ids_.reset();
   log_.clear();
+  empty_at_.reset();
   held_after_writing_ = 0;
   stored_is_void_ = false;
   started_empty_ = true;

@@ -81,7 +81,7 @@ class IdMap final : public Journal::Participant {
   using Ids = std::vector<std::int64_t>;
   /// The ids that are placed and not written, ascending. Cost: a sort after the last change.
   std::shared_ptr<const Ids> unwritten_ids();
-  std::size_t keep() override { return log_.size(); }
+  std::size_t keep() override;
   void rewind(std::size_t position) noexcept override;
   void forget() noexcept override;
   void end(Journal::Ended how) noexcept override;
@@ -89,6 +89,7 @@ class IdMap final : public Journal::Participant {
   bool has_no_ids() const { return leaves_.none_known() && (stored_is_void_ || rows_->map().is_empty()); }
   void set(std::int64_t id, std::int64_t leaf);
   void log_all(bool voids);
+  void log_write();
   void add_to_filter(std::span<const IdHashMap::Entry> changes);
   void note_written();
   std::size_t held() const { return leaves_.memory() + log_.size() * sizeof(IdHashMap::Entry); }
@@ -98,8 +99,9 @@ class IdMap final : public Journal::Participant {
   IdHashMap leaves_;
   std::shared_ptr<const Ids> unwritten_ids_;  ///< of leaves_; null: not known
   bool stored_is_void_ = false;
-  std::vector<IdHashMap::Entry> log_;  ///< old values, oldest first
-  bool started_empty_ = true;          ///< nothing was unwritten when the log was empty
+  std::vector<IdHashMap::Entry> log_;    ///< old values, oldest first
+  bool started_empty_ = true;            ///< nothing was unwritten when the log was empty
+  std::optional<std::size_t> empty_at_;  ///< the last position of a mark at which nothing was unwritten
   std::size_t held_after_writing_ = 0;
   std::optional<IdBlock> last_block_;
   std::optional<IdFilter> filter_;  ///< of the stored ids, and some that are gone

@@ -69,6 +69,7 @@ void NodeCache::write(Interrupt& interrupt) {
 void NodeCache::write_nodes(Deletions deletions) {
   const std::span<const NodeNumber> dirty = changed_.dirty(slots_);
   const std::vector<NodeNumber> numbers(dirty.begin(), dirty.end());
+  const std::size_t kept_before = history_.end();
   for (const NodeNumber number : numbers) {
     Slot& slot = *slots_.find(number);
     const Node* node = slot.state.node.get();
@@ -83,10 +84,12 @@ void NodeCache::write_nodes(Deletions deletions) {
     slot.learned = false;
     if (!node) slots_.erase(number);
   }
+  compact(kept_before);  // a long statement writes a node many times, and needs its first state alone
 }
 
-// Places that wait take more memory than those in the list.
+// Places that wait take more memory and time than those in the list.
 void NodeCache::finish_placing(Interrupt& interrupt) {
+  if (!is_marked()) return write_places({}, interrupt);
   const std::size_t places = ids_.listed() * IdMap::bytes_per_change;
   const std::size_t nodes = slots_.dirty_held() * format_.node_size;
   if (share_.budget().too_much_would_wait(nodes + places)) return write_places({}, interrupt);

@@ -68,6 +68,23 @@ void PendingObjects::remove_all() {
   now_ = std::move(none);
 }
 
+// Objects that were all added and removed after the newest mark left are gone: a statement that inserts millions of
+// rows would keep them all.
+void PendingObjects::merge(std::size_t /*newer*/) noexcept {
+  const auto removes_all = [](const Change& change) { return change.kind == Change::Kind::all_removed; };
+  if (log_.empty() || !removes_all(log_.back())) return;
+  std::size_t newest = 0;
+  for_each_position([&](std::size_t position) { newest = std::max(newest, position); });
+  if (newest == log_.size()) return;
+  const auto mark = log_.rend() - static_cast<std::ptrdiff_t>(newest);
+  const auto since = std::find_if(std::next(log_.rbegin()), mark, removes_all).base();
+  const auto added = std::count_if(since, log_.end(),
+                                   [](const Change& change) { return change.kind == Change::Kind::added; });
+  if (static_cast<std::size_t>(added) != removed_.back().ids.size()) return;
+  log_.erase(since, log_.end());
+  removed_.pop_back();
+}
+
 // Drops the holes too, if they are the larger part.
 void PendingObjects::forget() noexcept {
   log_.clear();

@@ -23,6 +23,8 @@ class PendingObjects final : public Journal::Participant {
 
   std::size_t count() const { return now_.count; }
   std::size_t memory() const;
+  /// The number of changes that a rewind may undo.
+  std::size_t kept() const { return log_.size(); }
   /// Valid until the next add() or replace().
   const double* find(std::int64_t id) const noexcept;
 
@@ -63,6 +65,7 @@ class PendingObjects final : public Journal::Participant {
   std::size_t keep() override { return log_.size(); }
   void rewind(std::size_t position) noexcept override;
   void undo(const Change& change) noexcept;
+  void merge(std::size_t newer) noexcept override;
   void forget() noexcept override;
   void end(Journal::Ended how) noexcept override;
 

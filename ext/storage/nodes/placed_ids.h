@@ -5,13 +5,16 @@
 //   placed.for_each_chunk([&](auto entries) { … });          // all ids ascending, some thousand per call
 //
 // IdMap (id_map.h) supports rollback and queries at 50 to 100 bytes per id; this class is for ten million ids.
-// Ids are sorted in blocks, which the processor's caches hold, and the blocks are merged when they are read. Cost: 12
-// bytes per id. The list grows without copies, which would take as much again.
+// Ids are sorted in blocks, which the processor's caches hold, by their digits (LSD radix sort; Knuth, The Art of
+// Computer Programming 3, 5.2.5). The blocks are merged when they are read. Cost: 12 bytes per id, and one more block.
+// The list grows without copies, which would take as much again.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -97,12 +100,30 @@ class PlacedIds {
     if (!blocks_.empty()) sort(blocks_.back());
     blocks_.emplace_back().reserve(block_size);
   }
-  static void sort(Block& block) {
-    std::sort(block.begin(), block.end(), [](const Placed& a, const Placed& b) { return a.id() < b.id(); });
+  /// Only by the digits that differ: ids of a table are mostly close together.
+  void sort(Block& block) {
+    constexpr unsigned digit_bits = 11, digits = 1 << digit_bits;
+    const auto [min, max] = std::minmax_element(block.begin(), block.end(), is_before);
+    const auto base = static_cast<std::uint64_t>(min->id());
+    const std::uint64_t range = static_cast<std::uint64_t>(max->id()) - base;
+    sorted_.reserve(block_size);
+    sorted_.resize(block.size());
+    for (unsigned shift = 0; shift < 64 && range >> shift != 0; shift += digit_bits) {
+      const auto digit = [=](const Placed& placed) {
+        return (static_cast<std::uint64_t>(placed.id()) - base) >> shift & (digits - 1);
+      };
+      std::array<std::uint32_t, digits> places{};
+      for (const Placed& placed : block) ++places[digit(placed)];
+      std::exclusive_scan(places.begin(), places.end(), places.begin(), std::uint32_t{0});
+      for (const Placed& placed : block) sorted_[places[digit(placed)]++] = placed;
+      block.swap(sorted_);
+    }
   }
+  static bool is_before(const Placed& a, const Placed& b) { return a.id() < b.id(); }
   static bool is_after(const Rest& a, const Rest& b) { return a.front().id() > b.front().id(); }
 
   std::vector<Block> blocks_;  ///< all but the last are sorted
+  Block sorted_;               ///< temporary
   IdSum sum_;
 };
 

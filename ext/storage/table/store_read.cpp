@@ -132,11 +132,10 @@ std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
 
 bool Store::contains(std::int64_t id) {
   resolve_doubt();
-  if (tree_.pending().find(id)) return true;
   // New ascending ids, the common case, are larger than any known id.
   const LargestId& largest = totals_->largest;
   if (largest.known && (!largest.id || *largest.id < id)) return false;
-  return find_leaf(id).has_value();
+  return tree_.pending().find(id) || find_leaf(id).has_value();
 }
 
 std::optional<std::vector<double>> Store::read(std::int64_t id) {

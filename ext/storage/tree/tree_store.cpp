@@ -76,6 +76,8 @@ auto TreeStore::with_pending(Use use) const {
 
 void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
   if (!must_merge(reason)) return;
+  constexpr std::size_t many = 1 << 14;
+  if (reason == Reason::commit && pending_.count() >= many) cache_.start_commit();
   reporting_damage([&] {
     const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
     const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());

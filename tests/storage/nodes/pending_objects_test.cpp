@@ -40,5 +40,38 @@ TEST(PendingObjects, ObjectsThatComeAndGoTakeNoMemory) {
   EXPECT_EQ(pending.find(-1), nullptr);
 }
 
+// As one statement does that writes more rows than may wait.
+TEST(PendingObjects, WhatGoesIntoTheTreeWithinAMarkIsForgotten) {
+  for (const std::int64_t before : {0, 3}) {
+    Journal journal;
+    PendingObjects pending(journal, record.size());
+    journal.begin();
+    for (std::int64_t id = 1; id <= before; ++id) pending.add(-id, record);
+    const Journal::Mark statement = journal.set_mark();
+    std::size_t kept = 0;
+    for (int flush = 0; flush < 4; ++flush) {
+      for (std::int64_t id = 0; id < 100; ++id) pending.add(id, record);
+      pending.replace(50, record);
+      pending.erase(51);
+      const Journal::Mark change = journal.set_mark();
+      pending.remove_all();
+      EXPECT_EQ(pending.count(), 0u);
+      if (flush == 2) {
+        journal.rewind(change);
+        EXPECT_EQ(pending.count(), 99u);
+        pending.remove_all();
+      }
+      journal.forget(change);
+      if (flush == 0) kept = pending.kept();
+      EXPECT_EQ(pending.kept(), kept);
+    }
+    EXPECT_EQ(kept > 0, before > 0);
+    pending.add(7, record);
+    journal.rewind(statement);
+    EXPECT_EQ(pending.count(), static_cast<std::size_t>(before));
+    EXPECT_EQ(pending.find(7), nullptr);
+  }
+}
+
 }  // namespace
 }  // namespace foresee

@@ -1,6 +1,8 @@
 #include "index/tpr_tree/update/choose_child.h"
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace foresee {
 namespace {
@@ -41,24 +43,68 @@ ChildChoice<D>::ChildChoice(const Node& inner, const VisitCost<D>& cost)
       cost_(cost),
       any_ends_(any_child_ends<D>(inner)),
       query_(typical_query(inner, cost, any_ends_)),
+      slots_(children_),
       faces_(children_ * faces * D),
       widths_(children_ * faces / 2 * D),
       product_(children_),
+      outside_(children_),
       before_(children_),
       after_(children_) {
-  for (std::size_t slot = 0; slot < children_; ++slot) {
-    const double* from = inner.values.data() + slot * entry_size(D) + times_size;
-    for (std::size_t part = 0; part < faces * D; ++part) faces_[part * children_ + slot] = from[part];
-  }
   if (any_ends_) {
     times_.resize(times_size * children_);
     elapsed_.resize(3 * children_);
     weights_.resize(children_);
-    for (std::size_t slot = 0; slot < children_; ++slot)
-      for (std::size_t part = 0; part < times_size; ++part)
-        times_[part * children_ + slot] = inner.values[slot * entry_size(D) + part];
   }
+  std::iota(slots_.begin(), slots_.end(), std::size_t{0});
+  read(inner);
   costs_with({}, before_);
+  std::stable_sort(slots_.begin(), slots_.end(),
+                   [&](std::size_t a, std::size_t b) { return before_[a] < before_[b]; });
+  std::sort(before_.begin(), before_.end());
+  read(inner);
+}
+
+/// The entries of the children, in the order of slots_.
+template <int D>
+void ChildChoice<D>::read(const Node& inner) {
+  for (std::size_t child = 0; child < children_; ++child) {
+    const double* from = inner.values.data() + slots_[child] * entry_size(D);
+    if (any_ends_)
+      for (std::size_t part = 0; part < times_size; ++part) times_[part * children_ + child] = from[part];
+    from += times_size;
+    for (std::size_t part = 0; part < faces * D; ++part) faces_[part * children_ + child] = from[part];
+  }
+}
+
+/// The first child whose entry does not grow, in the order of slots_. Few children have the right place, so only those
+/// are compared in everything.
+template <int D>
+std::optional<std::size_t> ChildChoice<D>::cheapest_containing(const Entry<D>& added) {
+  std::fill(outside_.begin(), outside_.end(), 0);
+  for (int axis = 0; axis < D; ++axis) {
+    const double *lowest = face(x_lower, axis), *highest = face(x_upper, axis);
+    const double low = added.bounds.x_lower[axis], high = added.bounds.x_upper[axis];
+    for (std::size_t child = 0; child < children_; ++child)
+      outside_[child] |= (lowest[child] <= low ? 0 : 1) | (high <= highest[child] ? 0 : 1);
+  }
+  for (std::size_t child = 0; child < children_; ++child)
+    if (outside_[child] == 0 && contains_otherwise(child, added)) return slots_[child];
+  return std::nullopt;
+}
+
+/// Whether a child's entry contains `added`, apart from its position.
+template <int D>
+bool ChildChoice<D>::contains_otherwise(std::size_t child, const Entry<D>& added) const {
+  const Bounds<D>& bounds = added.bounds;
+  for (int axis = 0; axis < D; ++axis)
+    if (!(face(v_lower, axis)[child] <= bounds.v_lower[axis] &&
+          bounds.v_upper[axis] <= face(v_upper, axis)[child] &&
+          face(a_lower, axis)[child] <= bounds.a_lower[axis] &&
+          bounds.a_upper[axis] <= face(a_upper, axis)[child]))
+      return false;
+  if (!any_ends_) return true;
+  const double* times = times_.data() + child;
+  return Times{times[0], times[children_], times[2 * children_]}.contains(added.times);
 }
 
 /// The width of each child with `added` in it.
@@ -128,18 +174,15 @@ void ChildChoice<D>::costs_with(const Entry<D>& added, std::vector<double>& cost
 
 template <int D>
 std::size_t ChildChoice<D>::choose(const Entry<D>& added) {
+  if (const auto slot = cheapest_containing(added)) return *slot;
   costs_with(added, after_);
   std::size_t best = 0;
-  double min_growth = std::numeric_limits<double>::infinity(), min_cost = min_growth;
-  for (std::size_t slot = 0; slot < children_; ++slot) {
-    const double growth = after_[slot] - before_[slot];
-    if (growth < min_growth || (growth == min_growth && before_[slot] < min_cost)) {
-      best = slot;
-      min_growth = growth;
-      min_cost = before_[slot];
-    }
+  double min_growth = std::numeric_limits<double>::infinity();
+  for (std::size_t child = 0; child < children_; ++child) {
+    const double growth = after_[child] - before_[child];
+    if (growth < min_growth) best = child, min_growth = growth;
   }
-  return best;
+  return slots_[best];
 }
 
 template <int D>

@@ -4,11 +4,13 @@
 //   ChildChoice<2> choice(*inner, state.cost(inner->epoch));     // for as many objects as there are
 //   const std::size_t slot = choice.choose(entry_of(object, inner->epoch));
 //
-// Ties go to the cheaper child. Cost: the node's entries are read once. Then each object costs about thirty
-// multiplications per child, in vector instructions.
+// Ties go to the cheaper child, so an object that some children contain goes to the cheapest of them. Cost: the node's
+// entries are read once. Then each object costs some comparisons per child, and about thirty multiplications per child
+// if none contains it, in vector instructions.
 #pragma once
 
 #include <compare>
+#include <optional>
 #include <vector>
 
 #include "index/tpr_tree/tree_state.h"
@@ -29,6 +31,9 @@ class ChildChoice {
   const double* face(int which, int axis) const {
     return faces_.data() + static_cast<std::size_t>(which * D + axis) * children_;
   }
+  void read(const Node& inner);
+  std::optional<std::size_t> cheapest_containing(const Entry<D>& added);
+  bool contains_otherwise(std::size_t child, const Entry<D>& added) const;
   void costs_with(const Entry<D>& added, std::vector<double>& costs);
   void set_widths(const Bounds<D>& added);
   void set_windows(const Times& added);
@@ -37,9 +42,11 @@ class ChildChoice {
   VisitCost<D> cost_;
   bool any_ends_;
   TypicalQuery query_;
+  std::vector<std::size_t> slots_;         ///< of the children, by ascending cost: the order of all columns
   std::vector<double> faces_;              ///< of all children in columns: by face, then by axis
   std::vector<double> times_;              ///< of all children in columns; empty if no child ends
   std::vector<double> widths_, product_;   ///< temporary
+  std::vector<std::int64_t> outside_;      ///< temporary: not 0 if the child does not contain the position
   std::vector<double> elapsed_, weights_;  ///< temporary: the windows of the children, if any ends
   std::vector<double> before_, after_;     ///< the cost of each child
 };
