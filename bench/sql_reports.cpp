@@ -22,8 +22,9 @@
 //              slowest, and how many pages a commit writes. (--quick: 10,000, S-100000.)
 //   --loads    S-500000 into a file, with the default journal (--wal: with WAL), ids ascending or shuffled, in
 //              1, 20 and 100 transactions, each beside an ordinary table; of twenty, shuffled, then one UPDATE
-//              of all rows, 'optimize' and 'rebuild'. Each in a process of its own, with the bytes that it
-//              writes and its peak memory beyond that of an empty table. us a row are compared with the first
+//              of all rows, 'optimize', 'rebuild', and a DELETE of a third (us per row of the table). Each in a
+//              process of its own, with the bytes that it writes and its peak memory beyond that of an empty
+//              table. us a row are compared with the first
 //              load of the first scene: --loads S-500000 S-10000000 shows how they grow. Then a load in one
 //              transaction against the R*Tree, for scenes up to a million. (--quick: S-100000.)
 //   --lookups  S-1000000, in memory: x of a fifth of the ids, drawn at random, in that or in rising order: by

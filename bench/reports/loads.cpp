@@ -113,6 +113,10 @@ double measure(const Workload& w, Medium medium, double first) {
       print_file("  then UPDATE of all", loader.run("UPDATE ships SET x = x + 1, y = y - 1", files.ours));
       print_file("  then 'optimize'", loader.run("INSERT INTO ships(ships) VALUES('optimize')", files.ours));
       print_file("  then 'rebuild'", loader.run("INSERT INTO ships(ships) VALUES('rebuild')", files.ours));
+      const std::string third = "BEGIN; DELETE FROM ships WHERE id % 3 = 0; COMMIT";
+      const Cost deletion = loader.run(third, files.ours);
+      print_file("  then DELETE of a third", deletion);
+      print_ratio(deletion, ordinary.run(third, files.theirs));
     }
   }
   return first;

@@ -49,14 +49,7 @@ class Tree final : public TprTree {
     return true;
   }
 
-  bool erase(std::int64_t id) override {
-    const auto leaf = state_.pages.find_leaf(id);
-    if (!leaf) return false;
-    const std::size_t slot = slot_in_leaf(*state_.pages.read(*leaf), id);
-    take_out(state_, *leaf, slot);
-    state_.pages.forget(id);
-    return true;
-  }
+  bool erase(std::int64_t id) override { return erase_object(state_, id); }
 
   bool replace(std::int64_t id, std::int64_t new_id, std::span<const double> record) override {
     const auto leaf = state_.pages.find_leaf(id);
@@ -109,6 +102,10 @@ class Tree final : public TprTree {
       const Node some = objects_at(part_of(order, i, portions), ids, records, size);
       merge_neighbours(some.keys, some.values, interrupt);
     }
+  }
+
+  void erase_all(std::span<const std::int64_t> ids, std::size_t max_leaves, Interrupt& interrupt) override {
+    erase_objects(state_, ids, max_leaves, interrupt);
   }
 
   bool packs_new(std::size_t objects) override { return objects >= few && takes_runs(state_, objects); }

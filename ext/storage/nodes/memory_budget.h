@@ -46,6 +46,7 @@ class MemoryBudget {
   explicit MemoryBudget(const MemoryLimits& limits = {}) : limits_(limits) {}
 
   std::size_t max_kept() const { return limits_.memory; }
+  std::size_t max_waiting() const { return limits_.waiting; }
   std::size_t max_ordered() const { return limits_.ordered; }
   bool too_much_waits() const { return pending_ > limits_.pending || waiting_ + map_ > limits_.memory; }
   /// True if a table that holds `own` bytes of unwritten nodes should write them during a change. Then the

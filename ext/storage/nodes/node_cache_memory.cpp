@@ -35,6 +35,7 @@ void NodeCache::make_room() {
   if (!share_.budget().too_many_nodes_wait(slots_.dirty_held() * format_.node_size)) return;
   prepare_early_write();
   write_nodes(Deletions::defer);  // a deleted number may be used again
+  if (!history_.has_snapshots()) history_.drop_stored();
   evict_if_full();
 }
 

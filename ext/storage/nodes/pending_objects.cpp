@@ -15,13 +15,23 @@ void reserve_more(std::vector<T>& values, std::size_t more) {
 }  // namespace
 
 std::size_t PendingObjects::memory() const {
-  return now_.ids.size() * sizeof(std::int64_t) + now_.records.size() * sizeof(double) + now_.slots.memory() +
-         log_.size() * sizeof(Change);
+  constexpr std::size_t per_erased = 100;  // until the tree has erased all of them
+  return now_.ids.size() * sizeof(std::int64_t) + now_.records.size() * sizeof(double) +
+         now_.erased.size() * per_erased + now_.slots.memory() + log_.size() * sizeof(Change);
 }
 
 const double* PendingObjects::find(std::int64_t id) const noexcept {
   const std::int64_t slot = now_.slots.find(id);
-  return slot == IdHashMap::unknown ? nullptr : record_at(static_cast<std::size_t>(slot)).data();
+  return slot < 0 ? nullptr : record_at(static_cast<std::size_t>(slot)).data();
+}
+
+std::vector<std::int64_t> PendingObjects::erased_ids() const {
+  std::vector<std::int64_t> ids;
+  std::copy_if(now_.erased.begin(), now_.erased.end(), std::back_inserter(ids),
+               [this](std::int64_t id) { return is_erased(id); });
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
 }
 
 void PendingObjects::reserve(std::int64_t id, std::size_t changes) {
@@ -35,9 +45,10 @@ void PendingObjects::reserve(std::int64_t id, std::size_t changes) {
 void PendingObjects::add(std::int64_t id, std::span<const double> record) {
   reserve(id, 1);
   const std::size_t slot = now_.ids.size();
+  const auto kind = is_erased(id) ? Change::Kind::added_again : Change::Kind::added;
   now_.ids.push_back(id);
   now_.records.insert(now_.records.end(), record.begin(), record.end());
-  if (is_marked()) log_.push_back({Change::Kind::added, static_cast<std::uint32_t>(slot)});
+  if (is_marked()) log_.push_back({kind, static_cast<std::uint32_t>(slot)});
   now_.slots.set(id, static_cast<std::int64_t>(slot));
   ++now_.count;
 }
@@ -48,6 +59,16 @@ void PendingObjects::erase(std::int64_t id) {
   if (is_marked()) log_.push_back({Change::Kind::erased, static_cast<std::uint32_t>(now_.slots.find(id))});
   now_.slots.set(id, IdHashMap::unknown);
   --now_.count;
+}
+
+void PendingObjects::erase_stored(std::int64_t id) {
+  join();
+  reserve_more(now_.erased, 1);
+  reserve_more(log_, 1);
+  now_.slots.prepare(id);
+  now_.erased.push_back(id);
+  if (is_marked()) log_.push_back({Change::Kind::stored_erased});
+  now_.slots.set(id, erased);
 }
 
 void PendingObjects::replace(std::int64_t id, std::span<const double> record) {
@@ -78,9 +99,12 @@ void PendingObjects::merge(std::size_t /*newer*/) noexcept {
   if (newest == log_.size()) return;
   const auto mark = log_.rend() - static_cast<std::ptrdiff_t>(newest);
   const auto since = std::find_if(std::next(log_.rbegin()), mark, removes_all).base();
-  const auto added = std::count_if(since, log_.end(),
-                                   [](const Change& change) { return change.kind == Change::Kind::added; });
-  if (static_cast<std::size_t>(added) != removed_.back().ids.size()) return;
+  std::size_t added = 0, stored_erased = 0;
+  std::for_each(since, log_.end(), [&](const Change& change) {
+    added += change.kind == Change::Kind::added || change.kind == Change::Kind::added_again;
+    stored_erased += change.kind == Change::Kind::stored_erased;
+  });
+  if (added != removed_.back().ids.size() || stored_erased != removed_.back().erased.size()) return;
   log_.erase(since, log_.end());
   removed_.pop_back();
 }
@@ -93,6 +117,11 @@ void PendingObjects::forget() noexcept {
   if (now_.ids.size() < few || now_.ids.size() < 2 * now_.count) return;
   try {
     Objects fresh;
+    for (const std::int64_t id : erased_ids()) {
+      fresh.erased.push_back(id);
+      fresh.slots.prepare(id);
+      fresh.slots.set(id, erased);
+    }
     for_each([&](std::int64_t id, std::span<const double> record) {
       fresh.slots.prepare(id);
       fresh.slots.set(id, static_cast<std::int64_t>(fresh.count++));
@@ -110,6 +139,7 @@ void PendingObjects::end(Journal::Ended) noexcept {
   removed_.clear();
   now_.ids.clear();
   now_.records.clear();
+  now_.erased.clear();
   now_.slots.clear();
   now_.count = 0;
 }
@@ -119,18 +149,26 @@ void PendingObjects::rewind(std::size_t position) noexcept {
 }
 
 void PendingObjects::undo(const Change& change) noexcept {
-  if (change.kind == Change::Kind::all_removed) {
-    now_ = std::move(removed_.back());
-    removed_.pop_back();
-    return;
+  switch (change.kind) {
+    case Change::Kind::all_removed:
+      now_ = std::move(removed_.back());
+      removed_.pop_back();
+      return;
+    case Change::Kind::stored_erased:
+      now_.slots.set(now_.erased.back(), IdHashMap::unknown);
+      now_.erased.pop_back();
+      return;
+    case Change::Kind::erased:
+      now_.slots.set(now_.ids[change.slot], change.slot);
+      ++now_.count;
+      return;
+    case Change::Kind::added:
+    case Change::Kind::added_again:
+      now_.slots.set(now_.ids[change.slot], change.kind == Change::Kind::added ? IdHashMap::unknown : erased);
+      --now_.count;
+      now_.ids.pop_back();
+      now_.records.resize(now_.records.size() - record_size_);
   }
-  const bool added = change.kind == Change::Kind::added;
-  const std::int64_t id = now_.ids[change.slot];
-  now_.slots.set(id, added ? IdHashMap::unknown : change.slot);
-  now_.count = added ? now_.count - 1 : now_.count + 1;
-  if (!added) return;
-  now_.ids.pop_back();
-  now_.records.resize(now_.records.size() - record_size_);
 }
 
 }  // namespace foresee

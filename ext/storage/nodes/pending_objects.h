@@ -1,12 +1,14 @@
-// Objects that INSERT and UPDATE have written and that are not in the tree yet.
+// Changes of objects that the tree does not have yet: records that INSERT and UPDATE have written, and the ids of
+// objects that DELETE has erased.
 //
 //   pending.add(42, record);
 //   pending.find(42)                           // its record, or null
-//   pending.remove_all();                      // the tree has them now
+//   pending.erase_stored(7);                   // of an object that the tree has
+//   pending.remove_all();                      // the tree has all changes now
 //
-// Written objects wait here, so that objects of many statements go into the tree together; until then the
-// tree has the old record of an updated object. Objects are only appended. An erased or replaced object
-// leaves a hole, so a rollback truncates the end and fills holes again.
+// Changes wait here, so that those of many statements go into the tree together. Until then the tree has the old
+// record of an updated object, and the objects that are erased. Objects are only appended. One that is erased
+// or replaced while it is pending leaves a hole, so a rollback truncates the end and fills holes again.
 #pragma once
 
 #include <span>
@@ -21,18 +23,30 @@ class PendingObjects final : public Journal::Participant {
   PendingObjects(Journal& journal, std::size_t record_size)
       : Participant(journal, Scope::marks), record_size_(record_size) {}
 
+  /// Of the records.
   std::size_t count() const { return now_.count; }
+  bool is_empty() const { return now_.count == 0 && now_.erased.empty(); }
   std::size_t memory() const;
   /// The number of changes that a rewind may undo.
   std::size_t kept() const { return log_.size(); }
   /// Valid until the next add() or replace().
   const double* find(std::int64_t id) const noexcept;
+  /// Whether the tree has the object, but should not.
+  bool is_erased(std::int64_t id) const noexcept {
+    return !now_.erased.empty() && now_.slots.find(id) == erased;
+  }
+  /// At least the number of those objects.
+  std::size_t erased_count() const { return now_.erased.size(); }
+  /// Of the objects in the tree, ascending.
+  std::vector<std::int64_t> erased_ids() const;
 
   // Each of these is atomic.
-  /// Requires: the id is not pending. Cost: a copy of the record.
+  /// Requires: no record of the id is pending. Cost: a copy of the record.
   void add(std::int64_t id, std::span<const double> record);
-  /// Requires: the id is pending.
+  /// Requires: a record of the id is pending.
   void erase(std::int64_t id);
+  /// Requires: the tree has the object, and nothing of it is pending.
+  void erase_stored(std::int64_t id);
   void replace(std::int64_t id, std::span<const double> record);
   /// Removes all objects; a rewind brings them back.
   void remove_all();
@@ -51,14 +65,16 @@ class PendingObjects final : public Journal::Participant {
   }
 
  private:
+  static constexpr std::int64_t erased = -2;  ///< in place of a slot
   struct Objects {
+    std::vector<std::int64_t> erased = {};  ///< of the tree, with some that are pending again
     std::vector<std::int64_t> ids = {};
     std::vector<double> records = {};
     IdHashMap slots = {};
     std::size_t count = 0;
   };
   struct Change {
-    enum class Kind : std::uint8_t { added, erased, all_removed } kind;
+    enum class Kind : std::uint8_t { added, added_again, erased, stored_erased, all_removed } kind;
     std::uint32_t slot = 0;
   };
 

@@ -135,12 +135,13 @@ bool Store::contains(std::int64_t id) {
   // New ascending ids, the common case, are larger than any known id.
   const LargestId& largest = totals_->largest;
   if (largest.known && (!largest.id || *largest.id < id)) return false;
-  return tree_.pending().find(id) || find_leaf(id).has_value();
+  return tree_.pending().find(id) || (!tree_.pending().is_erased(id) && find_leaf(id));
 }
 
 std::optional<std::vector<double>> Store::read(std::int64_t id) {
   resolve_doubt();
   const auto size = static_cast<std::size_t>(format_.at.size);
+  if (tree_.pending().is_erased(id)) return std::nullopt;
   const double* found = tree_.pending().find(id);
   if (!found && version_.written_here()) found = nodes().find_record(id);
   if (found) return std::vector<double>(found, found + size);
@@ -154,6 +155,7 @@ std::span<const double> Store::find(std::int64_t id, StatementReadState& stateme
   const auto found = [size](const double* record) { return std::span(record, record ? size : 0); };
   resolve_doubt();
   if (const double* record = tree_.pending().find(id)) return found(record);
+  if (tree_.pending().is_erased(id)) return found(nullptr);
   if (version_.written_here()) return found(nodes().find_record(id));
   if (version_.is_checked(&statement_state)) {
     if (const double* record = nodes().find_record_in_memory(id)) return found(record);

@@ -49,8 +49,7 @@ void Store::write_new_stamp(bool same_contents) {
 const LargestId& Store::read_largest() {
   // Unknown: no object was added in this transaction.
   if (!totals_->largest.known)
-    totals_.change().largest = {true, !tree_.nodes().has_unwritten(),
-                                shadow_rows().tree().map().read_largest_id()};
+    totals_.change().largest = {true, !tree_.has_unwritten(), shadow_rows().tree().map().read_largest_id()};
   return totals_->largest;
 }
 

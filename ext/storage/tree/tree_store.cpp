@@ -15,6 +15,9 @@ constexpr double min_reload_ratio = 1.0 / 8;
 // New objects alone are packed beside the others: then only half of the table is worth it.
 constexpr double min_reload_of_new = 0.5;
 
+/// Objects that are looked up in their leaves when they are erased.
+constexpr std::size_t few_erased = 32;
+
 constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::max();
 
 }  // namespace
@@ -44,25 +47,39 @@ void TreeStore::note_memory() noexcept {
 
 // --- changes
 
+void TreeStore::insert(std::int64_t id, std::span<const double> record) {
+  if (pending_.is_erased(id) && !pending_updates_.get()) pending_updates_.change() = true;
+  pending_.add(id, record);
+}
+
 bool TreeStore::update(std::int64_t id, std::span<const double> record) {
   if (pending_.find(id)) {
     pending_.replace(id, record);
     return true;
   }
-  if (!cache_.find_record(id)) return false;
+  if (pending_.is_erased(id) || !cache_.find_record(id)) return false;
   if (!pending_updates_.get()) pending_updates_.change() = true;
   pending_.add(id, record);
   return true;
 }
 
 bool TreeStore::erase(std::int64_t id) {
+  if (pending_.is_erased(id)) return false;
   const bool is_pending = pending_.find(id) != nullptr;
+  // If a leaf is damaged, this fails, and not the COMMIT. Of many objects reading the map takes long enough.
+  const auto is_in_tree = [&] {
+    return pending_.erased_count() < few_erased ? cache_.find_record(id) != nullptr
+                                                : cache_.find_leaf(id).has_value();
+  };
+  const bool is_stored = (!is_pending || pending_updates_.get()) && is_in_tree();
   if (is_pending) pending_.erase(id);
-  return tree_->erase(id) || is_pending;
+  if (is_stored) pending_.erase_stored(id);
+  return is_pending || is_stored;
 }
 
 bool TreeStore::replace(std::int64_t id, std::int64_t new_id, std::span<const double> record) {
-  return !pending_.find(id) && tree_->replace(id, new_id, record);
+  const bool waits = pending_.find(id) || pending_.is_erased(id) || pending_.is_erased(new_id);
+  return !waits && tree_->replace(id, new_id, record);
 }
 
 template <class Use>
@@ -76,34 +93,42 @@ auto TreeStore::with_pending(Use use) const {
 
 void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
   if (!must_merge(reason)) return;
-  constexpr std::size_t many = 1 << 14;
-  if (reason == Reason::commit && pending_.count() >= many) cache_.start_commit();
   reporting_damage([&] {
-    const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
-    const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
-    const bool many = pending > stored * (packs_new ? min_reload_of_new : min_reload_ratio);
-    const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
-    const bool packs_runs = reason == Reason::commit && has_runs_.get();
-    if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count())) {
-      add_run(interrupt);  // of a large load: the commit packs everything once
-    } else if (stored > 0 && !many && !packs_runs) {
-      with_pending([&](auto ids, auto records) {  // a few objects: the common case
-        if (pending_updates_.get())
-          tree_->merge(ids, records, interrupt);
-        else
-          tree_->merge_new(ids, records, interrupt);
-      });
-    } else {  // the whole tree is built
-      const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
-      if (stored > 0 && bytes > static_cast<double>(memory_.max_ordered()))
-        load_partitioned(interrupt);  // more than may be sorted together
-      else
-        reload(interrupt);
-      note_packed();
-    }
+    const std::vector<std::int64_t> erased = pending_.erased_ids();
+    constexpr std::size_t many = 1 << 14;
+    if (reason == Reason::commit && pending_.count() + erased.size() >= many) cache_.start_commit();
+    const std::size_t max_leaves =
+        memory_.max_waiting() / format_.node_size / 2;  // each as it was and as it becomes
+    tree_->erase_all(erased, std::max<std::size_t>(max_leaves, 1), interrupt);
+    if (pending_.count() > 0 || has_runs_.get()) merge_records(reason, interrupt);
   });
   pending_.remove_all();
   if (pending_updates_.get()) pending_updates_.change() = false;
+}
+
+void TreeStore::merge_records(Reason reason, Interrupt& interrupt) {
+  const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
+  const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
+  const bool many = pending > stored * (packs_new ? min_reload_of_new : min_reload_ratio);
+  const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
+  const bool packs_runs = reason == Reason::commit && has_runs_.get();
+  if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count())) {
+    add_run(interrupt);  // of a large load: the commit packs everything once
+  } else if (stored > 0 && !many && !packs_runs) {
+    with_pending([&](auto ids, auto records) {  // a few objects: the common case
+      if (pending_updates_.get())
+        tree_->merge(ids, records, interrupt);
+      else
+        tree_->merge_new(ids, records, interrupt);
+    });
+  } else {  // the whole tree is built
+    const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
+    if (stored > 0 && bytes > static_cast<double>(memory_.max_ordered()))
+      load_partitioned(interrupt);  // more than may be sorted together
+    else
+      reload(interrupt);
+    note_packed();
+  }
 }
 
 // Their places are written at once: in memory each would take five times as much until the transaction ends.

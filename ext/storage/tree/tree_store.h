@@ -1,4 +1,4 @@
-// One TPR-tree of a table: written objects that wait, the tree over nodes in memory, and their rows.
+// One TPR-tree of a table: changes of objects that wait, the tree over nodes in memory, and their rows.
 //
 //   TreeStore tree(db, format, name, 60, journal, memory, [] {});
 //   tree.connect(rows);
@@ -43,12 +43,12 @@ class TreeStore final : private MemoryHolder {
   NodeCache& nodes() { return cache_; }
   const NodeCache& nodes() const { return cache_; }
   const PendingObjects& pending() const { return pending_; }
-  bool has_unwritten() const { return pending_.count() > 0 || cache_.has_unwritten(); }
+  bool has_unwritten() const { return !pending_.is_empty() || cache_.has_unwritten(); }
   void note_memory() noexcept;
 
   // --- changes; requires: in a change
   /// Requires: no object has this id. Atomic, so that it may be outside a change.
-  void insert(std::int64_t id, std::span<const double> record) { pending_.add(id, record); }
+  void insert(std::int64_t id, std::span<const double> record);
   /// False if there is no such object.
   bool update(std::int64_t id, std::span<const double> record);
   /// False if there is no such object.
@@ -57,13 +57,13 @@ class TreeStore final : private MemoryHolder {
   bool replace(std::int64_t id, std::int64_t new_id, std::span<const double> record);
   /// Why pending objects go into the tree: a query or command needs it, memory is full, or the transaction ends.
   enum class Reason : std::uint8_t { query, memory, commit };
-  /// Moves all pending objects into the tree: in memory, as far as the budget allows. If memory is full in the
+  /// Moves all pending changes into the tree: in memory, as far as the budget allows. If memory is full in the
   /// middle of a large load, they become a run beside the other objects (TprTree::add_run()); the commit packs
   /// everything once. Does nothing unless must_merge().
   void merge_pending(Reason reason, Interrupt& interrupt);
   /// True if merge_pending() has something to do.
   bool must_merge(Reason reason) const {
-    return pending_.count() > 0 || (reason == Reason::commit && has_runs_.get());
+    return !pending_.is_empty() || (reason == Reason::commit && has_runs_.get());
   }
   /// Writes all nodes, the map and the root. Requires: nothing is pending. If it fails half-way the rest stays
   /// unwritten; writing the same again is harmless.
@@ -108,6 +108,7 @@ class TreeStore final : private MemoryHolder {
   void write_out() override { write_out_(); }
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
   [[noreturn]] void damaged(const std::string& what) const;
+  void merge_records(Reason reason, Interrupt& interrupt);
   void add_run(Interrupt& interrupt);
   void note_packed() {
     if (has_runs_.get()) has_runs_.change() = false;

@@ -68,6 +68,15 @@ struct TreeModel {
     tree->merge(ids, records, never);
   }
 
+  /// Erases a share of the objects, drawn at random.
+  void erase_share(double share, std::size_t max_leaves, Random& random) {
+    std::vector<std::int64_t> ids;
+    for (const auto& [id, record] : objects)
+      if (random.in(0, 1) < share) ids.push_back(id);
+    for (const std::int64_t id : ids) objects.erase(id);
+    tree->erase_all(ids, max_leaves, never);
+  }
+
   /// Adds the objects of `scene` as a run, with other ids.
   void add_run(const RandomScene& scene) { tree->add_run(add_new(scene), scene.records, never); }
   /// The same by merge_new().

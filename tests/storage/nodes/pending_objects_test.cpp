@@ -73,5 +73,55 @@ TEST(PendingObjects, WhatGoesIntoTheTreeWithinAMarkIsForgotten) {
   }
 }
 
+TEST(PendingObjects, ErasedObjectsMayComeAgain) {
+  using Ids = std::vector<std::int64_t>;
+  Journal journal;
+  PendingObjects pending(journal, record.size());
+  journal.begin();
+  pending.erase_stored(5);
+  pending.erase_stored(2);
+  EXPECT_EQ(pending.erased_ids(), (Ids{2, 5}));
+  EXPECT_EQ(pending.find(5), nullptr);
+  EXPECT_EQ(pending.count(), 0u);
+  EXPECT_FALSE(pending.is_empty());
+  const Journal::Mark mark = journal.set_mark();
+  pending.add(5, record);
+  EXPECT_FALSE(pending.is_erased(5));
+  EXPECT_EQ(pending.erased_ids(), Ids{2});
+  pending.erase(5);
+  pending.erase_stored(5);
+  EXPECT_EQ(pending.erased_ids(), (Ids{2, 5}));
+  pending.add(2, record);
+  pending.erase_stored(9);
+  const Journal::Mark change = journal.set_mark();
+  pending.remove_all();
+  EXPECT_TRUE(pending.is_empty());
+  EXPECT_FALSE(pending.is_erased(5));
+  journal.rewind(change);
+  EXPECT_EQ(pending.erased_ids(), (Ids{5, 9}));
+  EXPECT_EQ(ids_in(pending), Ids{2});
+  journal.rewind(mark);
+  EXPECT_EQ(pending.erased_ids(), (Ids{2, 5}));
+  EXPECT_EQ(ids_in(pending), Ids{});
+  journal.end(Journal::Ended::rolled_back);
+  EXPECT_TRUE(pending.is_empty());
+}
+
+TEST(PendingObjects, WithoutHolesTheyAreStillErased) {
+  Journal journal;
+  PendingObjects pending(journal, record.size());
+  journal.begin();
+  for (std::int64_t id = 0; id < 200; ++id) {
+    const Journal::Mark change = journal.set_mark();
+    pending.erase_stored(id);
+    pending.add(id, record);
+    pending.erase(id);
+    pending.erase_stored(id);
+    journal.forget(change);  // drops the holes
+  }
+  EXPECT_EQ(pending.erased_ids().size(), 200u);
+  EXPECT_EQ(pending.count(), 0u);
+}
+
 }  // namespace
 }  // namespace foresee

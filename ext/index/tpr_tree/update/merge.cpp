@@ -21,16 +21,48 @@ class Merge {
     for (std::size_t level = 1; level + 1 < levels; ++level) rise(level);
     for (std::size_t level = levels; level-- > 1;) batch_.sink(level);
     settle_leaves();
-    for (std::size_t level = 1; level < levels; ++level)
+    settle_inner_nodes();
+  }
+
+  /// An object and its leaf.
+  using Found = std::pair<NodeNumber, std::int64_t>;
+
+  /// Erases objects, sorted by leaf.
+  void erase(std::span<const Found> found) {
+    std::vector<std::int64_t> some;
+    for (std::size_t first = 0, last; first < found.size(); first = last) {
+      const NodeNumber number = found[first].first;
+      some.clear();
+      for (last = first; last < found.size() && found[last].first == number; ++last)
+        some.push_back(found[last].second);
+      visit_upward(number, *leaf_at(number));
+      Node& leaf = state_.pages.modify(number);
+      for (const std::int64_t id : some) {
+        batch_.step();
+        remove_slot(leaf, slot_of(leaf, id), state_.reader.record_size());
+        state_.pages.forget(id);
+      }
+    }
+    settle_inner_nodes();
+  }
+
+ private:
+  using Visit = typename BatchDescent<D>::Visit;
+
+  std::shared_ptr<const Node> leaf_at(NodeNumber number) {
+    auto leaf = state_.pages.read(number);
+    if (!leaf->is_leaf()) throw BrokenTree("an object is not in a leaf of the tree");
+    return leaf;
+  }
+
+  void settle_inner_nodes() {
+    for (std::size_t level = 1; level < batch_.levels(); ++level)
       for (auto& [number, visit] : batch_.at(level)) {
         batch_.step();
         even_out(state_, number, visit.children);
       }
     even_out_root(state_);
   }
-
- private:
-  using Visit = typename BatchDescent<D>::Visit;
 
   /// Visits a node and all its ancestors; returns the visit of its parent.
   Visit& visit_upward(NodeNumber number, const Node& node) {
@@ -77,8 +109,7 @@ class Merge {
     Entry<D> entry;
     double epoch;
     {
-      const auto leaf = state_.pages.read(number);
-      if (!leaf->is_leaf()) throw BrokenTree("an object is not in a leaf of the tree");
+      const auto leaf = leaf_at(number);
       parent = &visit_upward(number, *leaf);
       const auto above = state_.pages.read(leaf->parent);
       entry = without_newest(entry_at<D>(*above, slot_of(*above, number))), epoch = above->epoch;
@@ -146,11 +177,71 @@ void merge_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::
   Merge<D>(state, ids, records, interrupt).run();
 }
 
-template void merge_objects<1>(TreeState<1>&, std::span<const std::int64_t>, std::span<const double>,
-                               Interrupt&);
-template void merge_objects<2>(TreeState<2>&, std::span<const std::int64_t>, std::span<const double>,
-                               Interrupt&);
-template void merge_objects<3>(TreeState<3>&, std::span<const std::int64_t>, std::span<const double>,
-                               Interrupt&);
+namespace {
+
+/// The objects with their leaves, sorted by leaf. The ids are sorted first: so the map is read in its order.
+template <int D>
+std::vector<typename Merge<D>::Found> find_leaves(TreeState<D>& state, std::vector<std::int64_t>& ids,
+                                                  Steps& step) {
+  const auto steps = [&](const auto& a, const auto& b) {
+    step();
+    return a < b;
+  };
+  std::sort(ids.begin(), ids.end(), steps);
+  std::vector<typename Merge<D>::Found> found;
+  found.reserve(ids.size());
+  for (const std::int64_t id : ids) {
+    step();
+    const auto leaf = state.pages.find_leaf(id);
+    if (!leaf) throw BrokenTree("the map lacks an object of the tree");
+    found.emplace_back(*leaf, id);
+  }
+  std::sort(found.begin(), found.end(), steps);
+  return found;
+}
+
+}  // namespace
+
+template <int D>
+void erase_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::size_t max_leaves,
+                   Interrupt& interrupt) {
+  constexpr std::size_t few = 32;
+  Steps step(interrupt);
+  const auto erase_one_by_one = [&](std::span<const std::int64_t> some) {
+    for (const std::int64_t id : some) {
+      step();
+      if (!erase_object(state, id)) throw BrokenTree("the map lacks an object of the tree");
+    }
+  };
+  if (ids.size() < few) return erase_one_by_one(ids);
+  std::vector<std::int64_t> some(ids.begin(), ids.end());
+  const auto all = find_leaves(state, some, step);
+  for (std::size_t first = 0, last; first < all.size(); first = last) {
+    std::size_t leaves = 0;
+    for (last = first; last < all.size(); ++last) {
+      leaves += last == first || all[last].first != all[last - 1].first;
+      if (leaves > max_leaves) break;
+    }
+    some.clear();
+    for (std::size_t i = first; i < last; ++i) some.push_back(all[i].second);
+    if (state.pages.read(state.pages.find_root())->is_leaf()) {
+      erase_one_by_one(some);
+    } else {
+      // Objects of a later portion may have got other leaves.
+      const auto found = last - first == all.size() ? all : find_leaves(state, some, step);
+      Merge<D>(state, {}, {}, interrupt).erase(found);
+    }
+    state.pages.make_room();
+  }
+}
+
+#define FORESEE_OF_AXES(D)                                                                              \
+  template void merge_objects<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
+                                 Interrupt&);                                                           \
+  template void erase_objects<D>(TreeState<D>&, std::span<const std::int64_t>, std::size_t, Interrupt&)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee

@@ -24,6 +24,11 @@ template <int D>
 void merge_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
                    Interrupt& interrupt);
 
+/// Erases these objects. Requires: as TprTree::erase_all().
+template <int D>
+void erase_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::size_t max_leaves,
+                   Interrupt& interrupt);
+
 // Batch insertion of many new objects as loose leaves, packed beside the leaves that are there.
 //
 //   const Remainder rest = merge_runs(state, ids, records, interrupt);

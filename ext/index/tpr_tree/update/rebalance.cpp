@@ -51,7 +51,7 @@ class EvenOut {
   }
 
   void run(std::span<const NodeNumber> children) {
-    std::vector<NodeNumber> uneven;
+    std::vector<NodeNumber> uneven, sparse;
     for (const NodeNumber child : children) {
       const auto node = state_.pages.read(child);
       if (node->size() == 0) {
@@ -59,8 +59,12 @@ class EvenOut {
         continue;
       }
       renew(child, *node);
-      if (!is_even(*node)) uneven.push_back(child);
+      if (is_even(*node)) continue;
+      uneven.push_back(child);
+      if (node->size() < state_.capacity(node->level)) sparse.push_back(child);
     }
+    // With one sibling each would be sparse again.
+    if (parent_.level == 1 && sparse.size() > 2 && 2 * sparse.size() >= parent_.size()) pack(sparse);
     for (const NodeNumber child : uneven)
       if (has(child)) parent_.level > 1 ? even_out_inner(child) : even_out_leaf(child);
     if (parent_.size() == 0) return;
@@ -100,7 +104,7 @@ class EvenOut {
   }
 
   void even_out_inner(NodeNumber child) {
-    if (key_count(state_.pages, child) < state_.min_size(parent_.level - 1)) {
+    while (key_count(state_.pages, child) < state_.min_size(parent_.level - 1)) {
       const NodeNumber sibling = parent_.keys[closest_sibling(state_, parent_, child)];
       if (sibling == child) return;
       take_up(child, sibling);
@@ -121,6 +125,8 @@ class EvenOut {
     const Node gone = *state_.pages.read(child);
     Node& taker = state_.pages.modify(sibling);
     expect_below(taker, number_, gone.level);
+    std::vector<NodeNumber> children = gone.keys;
+    if (taker.size() == 1) children.push_back(taker.keys[0]);
     for (std::size_t slot = 0; slot < gone.size(); ++slot) {
       expect_no_child(taker, gone.keys[slot]);
       Entry<D> entry = entry_at<D>(gone, slot);
@@ -129,7 +135,7 @@ class EvenOut {
       add_children(state_, unread_child(child, gone, slot), sibling);
     }
     let_go(child);
-    EvenOut(state_, sibling).run(gone.keys);  // children that had no sibling have siblings now
+    EvenOut(state_, sibling).run(children);  // those that had no sibling have siblings now
     renew(sibling, taker);
   }
 

@@ -132,6 +132,21 @@ bool take_out(TreeState<D>& state, NodeNumber leaf, std::size_t slot) {
 }
 
 template <int D>
+bool erase_object(TreeState<D>& state, std::int64_t id) {
+  const auto number = state.pages.find_leaf(id);
+  if (!number) return false;
+  std::size_t slot;
+  {
+    const auto leaf = state.pages.read(*number);
+    if (!leaf->is_leaf()) throw BrokenTree("an object is not in a leaf of the tree");
+    slot = slot_of(*leaf, id);
+  }
+  take_out(state, *number, slot);
+  state.pages.forget(id);
+  return true;
+}
+
+template <int D>
 void tighten_upward(TreeState<D>& state, NodeNumber number) {
   for (;;) {
     const auto node = state.pages.read(number);
@@ -189,6 +204,7 @@ void refresh_newest(TreeState<D>& state, NodeNumber number) {
 
 #define FORESEE_OF_AXES(D)                                                                 \
   template bool is_outermost(TreeState<D>&, NodeNumber, std::size_t, const NewObject<D>&); \
+  template bool erase_object<D>(TreeState<D>&, std::int64_t);                              \
   template void lower_root<D>(TreeState<D>&);                                              \
   template bool take_out<D>(TreeState<D>&, NodeNumber, std::size_t);                       \
   template void tighten_upward<D>(TreeState<D>&, NodeNumber);                              \

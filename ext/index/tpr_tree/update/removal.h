@@ -7,6 +7,10 @@
 
 namespace foresee {
 
+/// False if the tree does not have the object.
+template <int D>
+bool erase_object(TreeState<D>& state, std::int64_t id);
+
 /// Removes the object in `slot` from a leaf and restores the invariants. True if the leaf still exists.
 template <int D>
 bool take_out(TreeState<D>& state, NodeNumber leaf, std::size_t slot);

@@ -78,5 +78,48 @@ TEST(Merge, LeavesRemainThreeQuartersFullWhileTheyGrow) {
   EXPECT_LT(static_cast<double>(model.pages.node_count()), full / 0.75 * 1.1);
 }
 
+TEST(EraseAll, KeepsTheTreeSoundInEveryLayoutWhateverTheShare) {
+  for (const Layout& layout : varied_layouts()) {
+    SCOPED_TRACE(name_of(layout));
+    const RandomScene scene = random_scene({.layout = layout, .count = 400, .seed = 12});
+    for (const std::size_t max_leaves : {1, 7, 1000})
+      for (const double share : {0.02, 0.5, 0.9, 0.99, 1.0}) {
+        SCOPED_TRACE(std::to_string(share) + " of all, at most " + std::to_string(max_leaves) +
+                     " leaves at a time");
+        TreeModel model(layout, 3);
+        Random random(11);
+        model.load(scene);
+        model.erase_share(share, max_leaves, random);
+        model.expect_sound();
+        model.merge(scene, 90, random);
+        model.expect_sound();
+        model.erase_share(share, max_leaves, random);
+        model.expect_sound();
+      }
+  }
+}
+
+TEST(EraseAll, LeavesFullLeaves) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 20000, .seed = 13});
+  for (const double share : {0.3, 0.6, 0.9}) {
+    TreeModel model(boats, 60, 20);
+    Random random(8);
+    model.load(scene);
+    model.erase_share(share, 100, random);
+    model.expect_sound();
+    EXPECT_LT(model.pages.node_count(), model.objects.size() / 10);  // two thirds full, with the inner nodes
+  }
+}
+
+TEST(EraseAll, RefusesAnObjectThatTheTreeDoesNotHave) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 300, .seed = 14});
+  TreeModel model(boats, 60);
+  model.load(scene);
+  std::vector<std::int64_t> ids(scene.ids.begin(), scene.ids.begin() + 40);
+  ids.push_back(9999);
+  EXPECT_THROW(model.tree->erase_all(ids, 10, model.never), BrokenTree);
+  EXPECT_THROW(model.tree->erase_all({&ids.back(), 1}, 10, model.never), BrokenTree);
+}
+
 }  // namespace
 }  // namespace foresee
