@@ -40,6 +40,26 @@ TEST_F(LoadRuns, QueriesWithinTheTransactionSeeEveryObject) {
   expect_model();
 }
 
+TEST_F(LoadRuns, MayBeErasedInTheirTransaction) {
+  for (const std::int64_t every : {2, 1}) {
+    begin(db, *store);
+    for (int i = 1; i <= objects; ++i) insert((i * 7919LL) % 10'007 - 300);
+    store->take_snapshot();
+    std::vector<std::int64_t> ids;
+    for (const auto& [id, mark] : model)
+      if (id % every == 0) ids.push_back(id);
+    for (const std::int64_t id : ids) erase(id);  // more than may wait
+    commit(db, *store);
+    expect_model();
+    begin(db, *store);
+    while (!model.empty()) erase(model.begin()->first);
+    commit(db, *store);
+    expect_model();
+    EXPECT_EQ(db.number("SELECT count(*) FROM ships_node"), 0);
+    EXPECT_EQ(db.number("SELECT count(*) FROM ships_map"), 0);
+  }
+}
+
 TEST_F(LoadRuns, SavepointsAndUpdatesAmongThem) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     random.seed(seed);
