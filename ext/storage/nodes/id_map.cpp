@@ -161,16 +161,20 @@ void IdMap::add_to_filter(std::span<const IdHashMap::Entry> changes) {
   filter_->add(ids);
 }
 
-/// Logs that all changes are written. If nothing was unwritten at the newest mark, a rewind to it has nothing to do: a
-/// statement that erases millions of rows would log each of them.
+/// Logs that all changes are written. What was logged since nothing was unwritten, after the newest mark, cancels itself:
+/// a statement that erases millions of rows would log each of them.
 void IdMap::log_write() {
   join();
   std::size_t newest = 0;
   for_each_position([&](std::size_t position) { newest = std::max(newest, position); });
-  if (empty_at_ == newest)
-    log_.resize(newest);
+  if (empty_at_ && *empty_at_ >= newest)
+    log_.resize(*empty_at_);
   else
     log_all(false);
+  IdHashMap prepared;
+  for (const IdHashMap::Entry& entry : log_) prepared.prepare(entry.id);
+  leaves_ = std::move(prepared);
+  empty_at_ = log_.size();
 }
 
 void IdMap::note_written() {
@@ -178,7 +182,6 @@ void IdMap::note_written() {
   last_block_.reset();
   log_write();
   stored_is_void_ = false;
-  log_.empty() ? leaves_.clear() : leaves_.reset();  // ids in the log stay prepared
   unwritten_ids_.reset();
   held_after_writing_ = held();
 }
@@ -234,6 +237,7 @@ void IdMap::rewind(std::size_t position) noexcept {
   list_.reset();
   unwritten_ids_.reset();
   if (position == 0 && started_empty_) return clear();  // fast path: a bulk load is rolled back
+  if (empty_at_ && *empty_at_ > position) empty_at_.reset();
   for (; log_.size() > position; log_.pop_back()) {
     const IdHashMap::Entry& before = log_.back();
     if (before.value == was_void || before.value == was_not_void)

@@ -101,7 +101,7 @@ class IdMap final : public Journal::Participant {
   bool stored_is_void_ = false;
   std::vector<IdHashMap::Entry> log_;    ///< old values, oldest first
   bool started_empty_ = true;            ///< nothing was unwritten when the log was empty
-  std::optional<std::size_t> empty_at_;  ///< the last position of a mark at which nothing was unwritten
+  std::optional<std::size_t> empty_at_;  ///< the last position at which nothing was unwritten
   std::size_t held_after_writing_ = 0;
   std::optional<IdBlock> last_block_;
   std::optional<IdFilter> filter_;  ///< of the stored ids, and some that are gone

@@ -114,7 +114,7 @@ void PendingObjects::forget() noexcept {
   log_.clear();
   removed_.clear();
   constexpr std::size_t few = 64;
-  if (now_.ids.size() < few || now_.ids.size() < 2 * now_.count) return;
+  if (now_.ids.size() < few || now_.ids.size() < 2 * now_.count + now_.erased.size()) return;
   try {
     Objects fresh;
     for (const std::int64_t id : erased_ids()) {

@@ -60,8 +60,8 @@ ChildChoice<D>::ChildChoice(const Node& inner, const VisitCost<D>& cost)
   costs_with({}, before_);
   std::stable_sort(slots_.begin(), slots_.end(),
                    [&](std::size_t a, std::size_t b) { return before_[a] < before_[b]; });
-  std::sort(before_.begin(), before_.end());
   read(inner);
+  costs_with({}, before_);
 }
 
 /// The entries of the children, in the order of slots_.
