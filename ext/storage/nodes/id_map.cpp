@@ -161,8 +161,8 @@ void IdMap::add_to_filter(std::span<const IdHashMap::Entry> changes) {
   filter_->add(ids);
 }
 
-/// Logs that all changes are written. What was logged since nothing was unwritten, after the newest mark, cancels itself:
-/// a statement that erases millions of rows would log each of them.
+/// Logs that all changes are written. What was logged since nothing was unwritten, after the newest mark, cancels
+/// itself: a statement that erases millions of rows would log each of them.
 void IdMap::log_write() {
   join();
   std::size_t newest = 0;

@@ -101,8 +101,8 @@ class NodeCache final : public Pages, public Journal::Participant {
   /// As start_placing() and finish_placing(), but all objects are new, and all places are written at once.
   void start_placing_new(std::size_t count) { ids_.start_list_of_new(count); }
   void write_places(const std::optional<IdSum>& expected, Interrupt& interrupt);
-  /// Call it before a large change that a COMMIT needs. If that fails, SQLite rolls the whole transaction back (unless
-  /// it is busy, which a table that has its lock is not), so no old state is kept for the newest mark.
+  /// Call it before a large change that a COMMIT needs. If that fails, SQLite rolls the whole transaction back, so no
+  /// old state is kept for the newest mark. (If it only were busy, it would not; but the transaction has its lock.)
   void start_commit() { prepare_early_write(); }
   /// Returns what is wrong with a node's bytes; null: nothing.
   const char* fault(NodeNumber number, std::span<const std::byte> blob) const;

@@ -8,7 +8,8 @@
 // few leaves as hold them with some free slots: two full leaves become three. A leaf that is less than half
 // full is repacked too, if one leaf holds both. The sibling is one of the few that the leaf overlaps most:
 // the first that has enough free slots, otherwise the first. If half of the leaves of a parent have become less
-// than half full, and they are more than two, they are packed together. Inner nodes are split in two, or merged into the sibling that they overlap most.
+// than half full, and they are more than two, they are packed together. Inner nodes are split in two, or merged
+// into the sibling that they overlap most.
 #pragma once
 
 #include "index/tpr_tree/tree_state.h"
