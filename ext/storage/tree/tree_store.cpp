@@ -100,7 +100,8 @@ void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
     const std::size_t max_leaves =
         memory_.max_waiting() / format_.node_size / 2;  // each as it was and as it becomes
     tree_->erase_all(erased, std::max<std::size_t>(max_leaves, 1), interrupt);
-    if (pending_.count() > 0 || (reason == Reason::commit && has_runs_.get())) merge_records(reason, interrupt);
+    if (pending_.count() > 0 || (reason == Reason::commit && has_runs_.get()))
+      merge_records(reason, interrupt);
   });
   pending_.remove_all();
   if (pending_updates_.get()) pending_updates_.change() = false;
