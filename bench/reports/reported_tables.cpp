@@ -1,5 +1,5 @@
-// Queries of a table all of whose objects have reported, or after each of the twenty transactions that load it. A
-// table of the same objects that was loaded at once is the rival. Both must give the same results.
+// Queries of a table again and again while its objects report, or after each of the twenty transactions that load it.
+// A table of the same objects that was loaded at once is the rival. Both must give the same results.
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -122,20 +122,6 @@ double bytes_of(Table& table) {
   return bytes;
 }
 
-void compare_with_fresh(const std::string& how, Table& used, const Workload& w, int repetitions) {
-  Table fresh(Table::foresee, w, Medium::memory, "");
-  fresh.insert_all(writes_of(w));
-  if (!same_rows(used, fresh)) throw Error(how + ": other rows than were reported");
-  std::printf("%s, %s: %.2f times the bytes of a fresh one (mark: 1.3)\n", w.name.c_str(), how.c_str(),
-              bytes_of(used) / bytes_of(fresh));
-  for (const Question& question : all_questions(w, w.count)) {
-    const Comparison times = compare(question, used, fresh, repetitions);
-    std::printf("  %-24s used %9.2f   fresh %9.2f ms   %5.2fx (mark: 0.85x)\n", question.what.c_str(),
-                median(times.ours) * 1e3, median(times.rivals) * 1e3, median(times.ratios));
-    std::fflush(stdout);
-  }
-}
-
 /// write() of all but the first `begin` of the first `end` rows, in one transaction.
 void transaction_of(Table& table, const Writes& writes, std::size_t begin, std::size_t end,
                     void (Table::*write)(const Writes&, std::size_t)) {
@@ -144,50 +130,87 @@ void transaction_of(Table& table, const Writes& writes, std::size_t begin, std::
   table.db().run("COMMIT");
 }
 
+/// The speed of every query, as a multiple of that in a fresh table, at several times.
+class Ratios {
+ public:
+  explicit Ratios(int repetitions) : repetitions_(repetitions) {}
+
+  /// `stored` of the scene's objects are in both tables.
+  void add(const Workload& w, std::size_t stored, Table& used, Table& fresh) {
+    bytes_.push_back(bytes_of(used) / bytes_of(fresh));
+    const std::vector<Question> questions = all_questions(w, stored);
+    names_.resize(questions.size()), ratios_.resize(questions.size());
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      names_[q] = questions[q].what;
+      ratios_[q].push_back(median(compare(questions[q], used, fresh, repetitions_).ratios));
+    }
+  }
+
+  void print(const std::string& title) const {
+    std::printf("%s (marks: median 0.85x, slowest 0.80x); %.2f times the bytes (mark: 1.3)\n", title.c_str(),
+                median(bytes_));
+    for (std::size_t q = 0; q < ratios_.size(); ++q) {
+      const auto slowest = std::min_element(ratios_[q].begin(), ratios_[q].end());
+      std::printf("  %-24s median %5.2fx   slowest %5.2fx, after %td\n", names_[q].c_str(),
+                  median(ratios_[q]), *slowest, slowest - ratios_[q].begin() + 1);
+    }
+    std::fflush(stdout);
+  }
+
+ private:
+  int repetitions_;
+  std::vector<std::string> names_;
+  std::vector<double> bytes_;
+  std::vector<std::vector<double>> ratios_;  ///< by query
+};
+
+/// Every query each time that all objects have reported once, in random order.
+void compare_while_it_is_reported(const std::string& name, std::size_t transactions, int repetitions) {
+  constexpr int rounds = 10;
+  Feed feed(make_workload(name));
+  const Workload& w = feed.objects();
+  Table reported(Table::foresee, w, Medium::memory, "");
+  reported.insert_all(writes_of(w));
+  Ratios ratios(repetitions);
+  for (int round = 0; round < rounds; ++round) {
+    const Writes reports = writes_of(feed.reports_of_all(), w);
+    for (std::size_t k = 0; k < transactions; ++k)
+      transaction_of(reported, reports, k * w.count / transactions, (k + 1) * w.count / transactions,
+                     &Table::update);
+    Table fresh(Table::foresee, w, Medium::memory, "");
+    fresh.insert_all(writes_of(w));
+    if (!same_rows(reported, fresh)) throw Error(name + ": other rows than were reported");
+    ratios.add(w, w.count, reported, fresh);
+  }
+  ratios.print(name + ", after each of " + std::to_string(rounds) + " reports of every object, " +
+               std::to_string(transactions) + " transactions each");
+}
+
 /// Every query after each of the transactions that load a table.
 void compare_while_it_grows(const Workload& w, std::size_t transactions, int repetitions) {
   Table grown(Table::foresee, w, Medium::memory, "");
   const Writes writes = writes_of(w);
-  std::vector<std::vector<double>> ratios(all_questions(w, w.count).size());
+  Ratios ratios(repetitions);
   for (std::size_t k = 0; k < transactions; ++k) {
     const std::size_t stored = (k + 1) * w.count / transactions;
     transaction_of(grown, writes, k * w.count / transactions, stored, &Table::insert);
     Table fresh(Table::foresee, w, Medium::memory, "");
     transaction_of(fresh, writes, 0, stored, &Table::insert);
-    const std::vector<Question> questions = all_questions(w, stored);
-    for (std::size_t q = 0; q < questions.size(); ++q)
-      ratios[q].push_back(median(compare(questions[q], grown, fresh, repetitions).ratios));
+    ratios.add(w, stored, grown, fresh);
   }
-  std::printf("%s, after each of %zu transactions that load it (marks: median 0.85x, slowest 0.80x)\n",
-              w.name.c_str(), transactions);
-  for (std::size_t q = 0; q < ratios.size(); ++q) {
-    const auto slowest = std::min_element(ratios[q].begin(), ratios[q].end());
-    std::printf("  %-24s median %5.2fx   slowest %5.2fx, after %td\n",
-                all_questions(w, w.count)[q].what.c_str(), median(ratios[q]), *slowest,
-                slowest - ratios[q].begin() + 1);
-  }
-  std::fflush(stdout);
+  ratios.print(w.name + ", after each of " + std::to_string(transactions) + " transactions that load it");
 }
 
 }  // namespace
 
 void measure_after(const Options& options) {
   const bool quick = options.has("--quick");
-  const int repetitions = quick ? 3 : 7;
+  const int repetitions = quick ? 1 : 3;
   const std::vector<std::string> few = {"S-100000"}, all = {"S-100000", "S-1000000"};
   for (const std::string& name : options.names(quick ? few : all)) {
-    Feed feed(make_workload(name));
-    Table reported(Table::foresee, feed.objects(), Medium::memory, "");
-    reported.insert_all(writes_of(feed.objects()));
-    const std::size_t n = feed.objects().count;
-    for (int round = 0; round < 10; ++round) {
-      const Writes reports = writes_of(feed.reports_of_all(), feed.objects());
-      for (std::size_t k = 0; k < 10; ++k)
-        transaction_of(reported, reports, k * n / 10, (k + 1) * n / 10, &Table::update);
-    }
-    compare_with_fresh("every object reported ten times, a random tenth a transaction", reported,
-                       feed.objects(), repetitions);
-    compare_while_it_grows(feed.objects(), 20, quick ? 1 : 3);
+    for (const std::size_t transactions : {10, 100, 1000})
+      compare_while_it_is_reported(name, transactions, repetitions);
+    compare_while_it_grows(make_workload(name), 20, repetitions);
   }
 }
 

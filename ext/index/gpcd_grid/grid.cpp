@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/stratified_sample.h"
+#include "base/repeatable_choice.h"
 #include "index/gpcd_grid/moving_source.h"
 
 namespace foresee::gpcd {

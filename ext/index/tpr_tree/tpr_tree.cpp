@@ -17,9 +17,8 @@ constexpr std::size_t few = 32;
 /// The max number of objects merged at once, and the memory for the case that each of them is in another
 /// leaf. During a merge, memory holds the leaves as they were and as they become.
 constexpr std::size_t max_merged = 1 << 15, merge_memory = 64 << 20;
-/// One of so many updates repacks around its leaf. For merged objects the number is larger, because a merge
-/// recomputes the entries above them anyway.
-constexpr std::size_t between_repacks = 24, between_merged = 512;
+/// One of so many updates repacks around its leaf.
+constexpr std::size_t between_repacks = 24;
 
 template <int D>
 class Tree final : public TprTree {
@@ -95,12 +94,16 @@ class Tree final : public TprTree {
       return;
     }
     observe_newest(records);
+    const auto merge_some = [&](std::span<const std::int64_t> some, std::span<const double> theirs) {
+      merge_objects(state_, some, theirs, interrupt);
+      state_.pages.make_room();
+    };
     const std::size_t portions = (ids.size() + merge_size() - 1) / merge_size();
-    if (portions == 1) return merge_neighbours(ids, records, interrupt);
+    if (portions == 1) return merge_some(ids, records);
     const auto order = leaf_order(state_, records, {portions, 1}, {0, portions}, interrupt);
     for (std::size_t i = 0; i < portions; ++i) {
       const Node some = objects_at(part_of(order, i, portions), ids, records, size);
-      merge_neighbours(some.keys, some.values, interrupt);
+      merge_some(some.keys, some.values);
     }
   }
 
@@ -161,19 +164,6 @@ class Tree final : public TprTree {
   }
 
  private:
-  /// Merges objects that are near each other, if there are many: then they are in few nodes.
-  void merge_neighbours(std::span<const std::int64_t> ids, std::span<const double> records,
-                        Interrupt& interrupt) {
-    merge_objects(state_, ids, records, interrupt);
-    state_.pages.make_room();
-    for (const std::int64_t id : ids) {
-      if (++merged_ % between_merged != 0) continue;
-      interrupt.check();
-      repack_around(state_, leaf_of(id), merged_ / between_merged);
-      state_.pages.make_room();
-    }
-  }
-
   int root_level() { return read(state_.pages, unread_root(state_.pages))->level; }
 
   /// Requires: the tree has the object.
@@ -258,7 +248,7 @@ class Tree final : public TprTree {
   }
 
   TreeState<D> state_;
-  std::size_t updates_ = 0, merged_ = 0;
+  std::size_t updates_ = 0;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "base/stratified_sample.h"
+#include "base/repeatable_choice.h"
 #include "query/legs/leg_scene.h"
 
 namespace foresee {

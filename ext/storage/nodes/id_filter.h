@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "storage/rows/id_hash_map.h"
+#include "base/repeatable_choice.h"
 
 namespace foresee {
 

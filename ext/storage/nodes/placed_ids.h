@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "base/repeatable_choice.h"
 #include "storage/format/id_block.h"
 #include "storage/rows/id_hash_map.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/repeatable_choice.h"
 #include "storage/rows/sqlite_api.h"
 
 namespace foresee {

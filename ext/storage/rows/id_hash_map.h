@@ -15,13 +15,6 @@
 
 namespace foresee {
 
-/// The finalizer of MurmurHash3: every bit of the number changes about half of the result's.
-constexpr std::uint64_t hash_of(std::uint64_t number) {
-  number = (number ^ number >> 33) * 0xff51afd7ed558ccd;
-  number = (number ^ number >> 33) * 0xc4ceb9fe1a85ec53;
-  return number ^ number >> 33;
-}
-
 class IdHashMap {
  public:
   static constexpr std::int64_t unknown = -1;  ///< find() of an id without a value

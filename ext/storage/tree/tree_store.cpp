@@ -4,16 +4,27 @@
 #include <limits>
 
 #include "base/interrupt_steps.h"
+#include "base/repeatable_choice.h"
 #include "storage/format/leaf_node.h"
 #include "storage/rows/store_error.h"
 
 namespace foresee {
 namespace {
 
-// Per object a bulk load of the whole table costs a twentieth of an insert, and it gives a better tree.
-constexpr double min_reload_ratio = 1.0 / 8;
+// The whole table is loaded again if more than this share of its objects is pending. Per object a load costs a
+// twentieth of an insert, and it gives a better tree.
+constexpr double always_reloaded = 1.0 / 8;
+// Merges make the tree worse in time. So a smaller share is loaded with itself as probability: about once when every
+// object has been reported once. Below this share a merge is several times as fast as a load.
+constexpr double never_reloaded = 1.0 / 24;
 // New objects alone are packed beside the others: then only half of the table is worth it.
 constexpr double min_reload_of_new = 0.5;
+
+/// The share of pending objects above which the table is loaded. A hash of one decides: the same changes give the same
+/// tree.
+double min_reload_of(std::span<const double> record) {
+  return std::clamp(fraction_of(hash_of(record)), never_reloaded, always_reloaded);
+}
 
 /// Objects that are looked up in their leaves when they are erased.
 constexpr std::size_t few_erased = 32;
@@ -110,7 +121,9 @@ void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
 void TreeStore::merge_records(Reason reason, Interrupt& interrupt) {
   const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
   const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
-  const bool many = pending > stored * (packs_new ? min_reload_of_new : min_reload_ratio);
+  const std::size_t one = pending_.count() > 0 ? format_.record_size / sizeof(double) : 0;
+  const double min_reload = packs_new ? min_reload_of_new : min_reload_of(pending_.all_records().first(one));
+  const bool many = pending > stored * min_reload;
   const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
   const bool packs_runs = reason == Reason::commit && has_runs_.get();
   if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count())) {

@@ -1,4 +1,4 @@
-// Updates of single objects: the nodes that they change, and the quality of the tree after many of them.
+// Updates of objects: the nodes that they change, and the quality of the tree after many of them.
 #include <gtest/gtest.h>
 
 #include "index/tpr_tree/search/window_walk.h"
@@ -147,35 +147,58 @@ std::size_t leaves_in_windows(TreeModel& model, double side, double now) {
   return leaves;
 }
 
-TEST(TprTreeUpdates, RemainTightAndFullWhileObjectsDrift) {
+/// The state after many reports, as a multiple of that of a tree built from the same objects.
+struct Decay {
+  double nodes, leaves_in_windows;
+};
+
+/// Objects drift, and report in batches of this size; a batch of one is an update.
+Decay decay_by_reports(std::size_t batch) {
   constexpr std::size_t count = 4000;
   constexpr double side = 400, duration = 20;
   TreeModel model(boats, 60, 20);
   Random random(6);
+  const auto boat = [&random](double t, double x, double y) {
+    return std::vector<double>{t, x, y, random.in(-3, 3), random.in(-3, 3), 0.5};
+  };
   std::vector<std::int64_t> ids;
   std::vector<double> records;
   for (std::size_t i = 0; i < count; ++i) {
-    ids.push_back(static_cast<std::int64_t>(i));
-    for (double number :
-         {0.0, random.in(0, side), random.in(0, side), random.in(-3, 3), random.in(-3, 3), 0.5})
-      records.push_back(number);
+    const auto id = static_cast<std::int64_t>(i);
+    const auto& record = model.objects[id] = boat(0, random.in(0, side), random.in(0, side));
+    ids.push_back(id), records.insert(records.end(), record.begin(), record.end());
   }
   model.tree->bulk_load(ids, records, model.never);
-  for (std::size_t i = 0; i < count; ++i)
-    model.objects[ids[i]].assign(records.begin() + static_cast<std::ptrdiff_t>(6 * i),
-                                 records.begin() + static_cast<std::ptrdiff_t>(6 * i + 6));
-  for (std::size_t i = 0; i < 2 * count; ++i) {
-    const auto id = static_cast<std::int64_t>(random.below(count));
-    const double now = duration * static_cast<double>(i) / (2 * count);
-    std::vector<double> record = model.objects[id];
-    record[1] += record[3] * (now - record[0]), record[2] += record[4] * (now - record[0]), record[0] = now;
-    model.update(id, {now, record[1], record[2], random.in(-3, 3), random.in(-3, 3), 0.5});
+  for (std::size_t done = 0; done < 2 * count; done += batch) {
+    const double now = duration * static_cast<double>(done) / (2 * count);
+    ids.clear(), records.clear();
+    while (ids.size() < batch) {
+      const auto id = static_cast<std::int64_t>(random.below(count));
+      if (std::find(ids.begin(), ids.end(), id) != ids.end()) continue;
+      std::vector<double>& record = model.objects[id];
+      const double past = now - record[0];
+      record = boat(now, record[1] + record[3] * past, record[2] + record[4] * past);
+      ids.push_back(id), records.insert(records.end(), record.begin(), record.end());
+    }
+    if (batch > 1)
+      model.tree->merge(ids, records, model.never);
+    else
+      EXPECT_TRUE(model.tree->update(ids[0], records));
   }
   model.expect_sound();
-  const std::size_t nodes = model.pages.node_count(), leaves = leaves_in_windows(model, side, duration);
+  const auto nodes = static_cast<double>(model.pages.node_count());
+  const auto leaves = static_cast<double>(leaves_in_windows(model, side, duration));
   model.tree->rebuild(model.never);
-  EXPECT_LT(nodes, 1.6 * static_cast<double>(model.pages.node_count()));
-  EXPECT_LT(leaves, 2.0 * static_cast<double>(leaves_in_windows(model, side, duration)));
+  return {nodes / static_cast<double>(model.pages.node_count()),
+          leaves / static_cast<double>(leaves_in_windows(model, side, duration))};
+}
+
+TEST(TprTreeUpdates, RemainTightAndFullWhileObjectsDrift) {
+  for (const std::size_t batch : {1, 50, 250}) {
+    const Decay decay = decay_by_reports(batch);
+    EXPECT_LT(decay.nodes, 1.6) << batch;
+    EXPECT_LT(decay.leaves_in_windows, batch == 1 ? 2 : 1.6) << batch;
+  }
 }
 
 TEST(TprTreeUpdates, EstimatesTheNumberOfObjectsOfUnevenTrees) {

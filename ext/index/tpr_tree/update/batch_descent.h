@@ -23,6 +23,7 @@ class BatchDescent {
   struct Visit {
     NodeNumber parent = 0;
     std::vector<NodeNumber> children = {};    ///< the children with work, too
+    std::size_t changes = 0;                  ///< of objects beneath; counted for parents of leaves
     std::vector<std::uint32_t> objects = {};  ///< that need a leaf beneath this node, or enter this leaf
   };
   using Visits = std::map<NodeNumber, Visit>;

@@ -1,5 +1,6 @@
 #include "index/tpr_tree/update/merge.h"
 
+#include "base/repeatable_choice.h"
 #include "index/tpr_tree/update/batch_descent.h"
 #include "index/tpr_tree/update/insertion.h"
 #include "index/tpr_tree/update/rebalance.h"
@@ -7,6 +8,10 @@
 
 namespace foresee {
 namespace {
+
+/// The leaves of a parent are packed together once about this fraction of their objects has changed. A smaller one
+/// gives better leaves and more writes.
+constexpr double changed_when_packed = 0.4;
 
 template <int D>
 class Merge {
@@ -59,9 +64,21 @@ class Merge {
     for (std::size_t level = 1; level < batch_.levels(); ++level)
       for (auto& [number, visit] : batch_.at(level)) {
         batch_.step();
+        const bool due = level == 1 && is_due(number, visit);
+        if (due && pack_all_leaves(state_, number)) continue;
         even_out(state_, number, visit.children);
+        if (due && state_.pages.read(number)->size() > 0) renew_entries(state_, number);
       }
     even_out_root(state_);
+  }
+
+  /// Nothing is stored about the changes since leaves were packed, so their share is the probability. A hash decides:
+  /// the same merges give the same tree.
+  bool is_due(NodeNumber parent, const Visit& visit) const {
+    if (visit.changes == 0) return false;
+    const std::uint64_t draw = hash_of(static_cast<std::uint64_t>(parent)) ^ hash_of(batch_.object(0).record);
+    const auto objects = static_cast<double>(state_.pages.read(parent)->size() * state_.packed_size());
+    return fraction_of(hash_of(draw)) * changed_when_packed * objects < static_cast<double>(visit.changes);
   }
 
   /// Visits a node and all its ancestors; returns the visit of its parent.
@@ -111,6 +128,7 @@ class Merge {
     {
       const auto leaf = leaf_at(number);
       parent = &visit_upward(number, *leaf);
+      parent->changes += reports.size();
       const auto above = state_.pages.read(leaf->parent);
       entry = without_newest(entry_at<D>(*above, slot_of(*above, number))), epoch = above->epoch;
     }
@@ -150,6 +168,7 @@ class Merge {
     std::vector<std::int64_t> arriving;
     for (auto& [number, visit] : batch_.at(0)) {
       if (visit.objects.empty()) continue;
+      batch_.at(1).at(visit.parent).changes += visit.objects.size();
       Node& leaf = state_.pages.modify(number);
       arriving.clear();
       for (const std::uint32_t i : visit.objects) {

@@ -3,13 +3,15 @@
 //
 //   merge_objects(state, ids, records, interrupt);
 //
-// Objects that the tree already has are position reports. Each overwrites its record if its leaf's entry
-// remains true, as in bottom-up updates (Lee et al., "Supporting Frequent Updates in R-Trees: A Bottom-Up
-// Approach", VLDB 2003). Other objects move up, level by level, to the lowest node that contains them; new
-// objects start at the root. From there each moves down to the leaf whose visit cost increases least. Then
-// nodes are settled from the leaves up. Overfull and underfull nodes share with a sibling before they are
-// split (B*-trees, Knuth, The Art of Computer Programming 3, 6.2.4). Every entry above a changed node is
-// recomputed once.
+// Objects that the tree already has are position reports. Each overwrites its record if its leaf's entry remains true,
+// as in bottom-up updates (Lee et al., "Supporting Frequent Updates in R-Trees: A Bottom-Up Approach", VLDB 2003).
+// Other objects move up, level by level, to the lowest node that contains them; new objects start at the root. From
+// there each moves down to the leaf whose visit cost increases least. Then nodes are settled from the leaves up.
+// Overfull and underfull nodes share with a sibling before they are split (B*-trees, Knuth, The Art of Computer
+// Programming 3, 6.2.4). Every entry above a changed node is recomputed once.
+//
+// As objects move, those of a leaf are no longer neighbours, and a window visits more leaves. So all leaves of a parent
+// are packed together once some 40 % of their objects have changed, if that makes them better.
 //
 // Cost per object: one read of its leaf, and if it leaves that leaf, a choice among the children of one to a
 // few nodes. All objects of a leaf share the cost of writing it.

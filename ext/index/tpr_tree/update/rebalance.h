@@ -47,4 +47,10 @@ void even_out_root(TreeState<D>& state);
 template <int D>
 void repack_around(TreeState<D>& state, NodeNumber leaf, std::size_t turn);
 
+/// Packs all leaves of a parent into as few as hold their objects, if that reduces their visit cost. Else it
+/// returns false, and writes nothing. For the parent, requires and leaves what even_out() does. Leaves may be
+/// overfull or empty. Cost: reads each leaf; if it packs, writes each, and page map rows for the objects that move.
+template <int D>
+bool pack_all_leaves(TreeState<D>& state, NodeNumber parent);
+
 }  // namespace foresee

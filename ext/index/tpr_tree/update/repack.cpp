@@ -1,3 +1,5 @@
+#include <numeric>
+
 #include "index/tpr_tree/leaf_pack.h"
 #include "index/tpr_tree/update/choose_child.h"
 #include "index/tpr_tree/update/insertion.h"
@@ -83,31 +85,42 @@ void move_where_it_costs_less(TreeState<D>& state, NodeNumber leaf) {
   move_leaf(state, leaf, from, to, above_number);
 }
 
-/// Returns false if the result is not worth it with so many siblings, or if too many objects would move.
+/// Packs leaves of a parent, into as many or as few as hold their objects. Returns false if the result is not worth it,
+/// or if too many objects would move. New entries, and the visit costs that are compared, are for this epoch.
 template <int D>
-bool pack_with_siblings(TreeState<D>& state, NodeNumber number, NodeNumber leaf, std::size_t together) {
+bool pack_leaves(TreeState<D>& state, NodeNumber number, std::span<const std::size_t> slots, double epoch,
+                 bool into_few, std::size_t max_arriving) {
   LeafPack<D> pack(state);
   std::vector<Entry<D>> before, after;
   {
     const auto parent = state.pages.read(number);
-    const VisitCost<D> cost = state.cost(parent->epoch);
+    const VisitCost<D> cost = state.cost(epoch);
     TypicalQuery query;
-    for (const std::size_t slot : closest_children(state, *parent, leaf, together)) {
+    for (const std::size_t slot : slots) {
       const auto old = read_below(state.pages, number, *parent, slot);
-      before.push_back(summary(*old, state.reader, parent->epoch));
+      pack.add(parent->keys[slot], *old);
+      if (old->size() == 0) continue;
+      before.push_back(summary(*old, state.reader, epoch));
       const TypicalQuery half = cost.query_like(0.5, before.back());
       query.side += half.side, query.duration += half.duration;
-      pack.add(parent->keys[slot], *old);
     }
+    if (before.empty()) return false;
     const auto count = static_cast<double>(before.size());
     query.side /= count, query.duration /= count;
-    pack.arrange(before.size());
-    after = pack.summaries(parent->epoch);
-    if (pack.arriving() > std::max(max_moved, state.capacity(0))) return false;
+    pack.arrange(into_few ? state.leaves_for(pack.objects()) : before.size());
+    after = pack.summaries(epoch);
+    if (pack.arriving() > max_arriving) return false;
     if (!(total(after, cost, query) < worth_packing * total(before, cost, query))) return false;
   }
   pack.write_beneath(number, state.pages.modify(number), after);
   return true;
+}
+
+template <int D>
+bool pack_with_siblings(TreeState<D>& state, NodeNumber number, NodeNumber leaf, std::size_t together) {
+  const auto parent = state.pages.read(number);
+  const auto slots = closest_children(state, *parent, leaf, together);
+  return pack_leaves(state, number, slots, parent->epoch, false, std::max(max_moved, state.capacity(0)));
 }
 
 }  // namespace
@@ -128,8 +141,22 @@ void repack_around(TreeState<D>& state, NodeNumber leaf, std::size_t turn) {
   if (turn % 16 == 0 && above != 0) renew_entries(state, above);
 }
 
-template void repack_around<1>(TreeState<1>&, NodeNumber, std::size_t);
-template void repack_around<2>(TreeState<2>&, NodeNumber, std::size_t);
-template void repack_around<3>(TreeState<3>&, NodeNumber, std::size_t);
+template <int D>
+bool pack_all_leaves(TreeState<D>& state, NodeNumber parent) {
+  const double epoch = state.epoch_for(*state.pages.read(parent));
+  std::vector<std::size_t> slots(state.pages.read(parent)->size());
+  std::iota(slots.begin(), slots.end(), std::size_t{0});
+  if (!pack_leaves(state, parent, slots, epoch, true, std::numeric_limits<std::size_t>::max())) return false;
+  state.pages.modify(parent).epoch = epoch;
+  return true;
+}
+
+#define FORESEE_OF_AXES(D)                                                \
+  template void repack_around<D>(TreeState<D>&, NodeNumber, std::size_t); \
+  template bool pack_all_leaves<D>(TreeState<D>&, NodeNumber)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/repeatable_choice.h"
 #include "index/tpr_tree/bulk_load/bulk_load.h"
 #include "index/tpr_tree/update/batch_descent.h"
 #include "index/tpr_tree/update/insertion.h"
@@ -20,8 +21,7 @@ constexpr double main_fill = 0.75;
 
 /// max_loose times 0.7 to 1.3.
 double max_loose_in(NodeNumber partition) {
-  const auto hash = (static_cast<std::uint64_t>(partition) * 0x9e3779b97f4a7c15) >> 32;
-  return max_loose * (0.7 + 0.6 * static_cast<double>(hash) * 0x1p-32);
+  return max_loose * (0.7 + 0.6 * fraction_of(hash_of(static_cast<std::uint64_t>(partition))));
 }
 
 template <int D>
