@@ -67,9 +67,14 @@ class Merge {
         const bool due = level == 1 && is_due(number, visit);
         if (due && pack_all_leaves(state_, number)) continue;
         even_out(state_, number, visit.children);
-        if (due && state_.pages.read(number)->size() > 0) renew_entries(state_, number);
+        if (due) renew_if_older(number);
       }
     even_out_root(state_);
+  }
+
+  void renew_if_older(NodeNumber parent) {
+    const auto node = state_.pages.read(parent);
+    if (node->size() > 0 && node->epoch != state_.epoch_for(*node)) renew_entries(state_, parent);
   }
 
   /// Nothing is stored about the changes since leaves were packed, so their share is the probability. A hash decides:

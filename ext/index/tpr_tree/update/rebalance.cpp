@@ -51,6 +51,9 @@ class EvenOut {
   }
 
   void run(std::span<const NodeNumber> children) {
+    const bool is_new_epoch =
+        2 * children.size() > parent_.size() && parent_.epoch != state_.epoch_for(parent_);
+    if (is_new_epoch) start_epoch(children);
     std::vector<NodeNumber> uneven, sparse;
     for (const NodeNumber child : children) {
       const auto node = state_.pages.read(child);
@@ -67,18 +70,29 @@ class EvenOut {
     if (parent_.level == 1 && sparse.size() > 2 && 2 * sparse.size() >= parent_.size()) pack(sparse);
     for (const NodeNumber child : uneven)
       if (has(child)) parent_.level > 1 ? even_out_inner(child) : even_out_leaf(child);
-    if (parent_.size() == 0) return;
-    if (2 * children.size() > parent_.size() && parent_.epoch != state_.epoch_for(parent_))
-      renew_entries(state_, number_);
-    else
-      for (const NodeNumber child : children)
-        if (has(child) && renew_if_stale(state_, number_, slot_of(parent_, child))) break;
+    if (parent_.size() == 0 || is_new_epoch) return;
+    for (const NodeNumber child : children)
+      if (has(child) && renew_if_stale(state_, number_, slot_of(parent_, child))) break;
   }
 
  private:
   bool is_even(const Node& node) const {
     return node.size() <= state_.capacity(node.level) &&
            node.size() >= (node.is_leaf() ? state_.capacity(0) / 2 : state_.min_size(node.level));
+  }
+
+  /// Renews the entries of all children but these at a new epoch.
+  void start_epoch(std::span<const NodeNumber> but) {
+    std::vector<NodeNumber> sorted(but.begin(), but.end());
+    std::sort(sorted.begin(), sorted.end());
+    const double epoch = state_.epoch_for(parent_);
+    for (std::size_t slot = 0; slot < parent_.size(); ++slot) {
+      if (std::binary_search(sorted.begin(), sorted.end(), parent_.keys[slot])) continue;
+      Entry<D> entry = summary(*read_below(state_.pages, number_, parent_, slot), state_.reader, epoch);
+      entry.bounds.narrow_to(carried(bounds_at<D>(parent_, slot), parent_.epoch, epoch));
+      set_entry(parent_, slot, entry);
+    }
+    parent_.epoch = epoch;
   }
 
   bool has(NodeNumber child) const { return has_child(parent_, child); }
