@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <numeric>
 
 #include "measure.h"
 #include "reports/modes.h"
@@ -122,12 +123,14 @@ double bytes_of(Table& table) {
   return bytes;
 }
 
-/// write() of all but the first `begin` of the first `end` rows, in one transaction.
-void transaction_of(Table& table, const Writes& writes, std::size_t begin, std::size_t end,
-                    void (Table::*write)(const Writes&, std::size_t)) {
-  table.db().run("BEGIN");
-  for (std::size_t i = begin; i < end; ++i) (table.*write)(writes, i);
-  table.db().run("COMMIT");
+/// write() of all but the first `begin` of the first `end` rows, in one transaction. Returns the seconds that it took.
+double transaction_of(Table& table, const Writes& writes, std::size_t begin, std::size_t end,
+                      void (Table::*write)(const Writes&, std::size_t)) {
+  return seconds_of([&] {
+    table.db().run("BEGIN");
+    for (std::size_t i = begin; i < end; ++i) (table.*write)(writes, i);
+    table.db().run("COMMIT");
+  });
 }
 
 /// The speed of every query, as a multiple of that in a fresh table, at several times.
@@ -172,11 +175,12 @@ void compare_while_it_is_reported(const std::string& name, std::size_t transacti
   Table reported(Table::foresee, w, Medium::memory, "");
   reported.insert_all(writes_of(w));
   Ratios ratios(repetitions);
+  std::vector<double> seconds;
   for (int round = 0; round < rounds; ++round) {
     const Writes reports = writes_of(feed.reports_of_all(), w);
     for (std::size_t k = 0; k < transactions; ++k)
-      transaction_of(reported, reports, k * w.count / transactions, (k + 1) * w.count / transactions,
-                     &Table::update);
+      seconds.push_back(transaction_of(reported, reports, k * w.count / transactions,
+                                       (k + 1) * w.count / transactions, &Table::update));
     Table fresh(Table::foresee, w, Medium::memory, "");
     fresh.insert_all(writes_of(w));
     if (!same_rows(reported, fresh)) throw Error(name + ": other rows than were reported");
@@ -184,6 +188,11 @@ void compare_while_it_is_reported(const std::string& name, std::size_t transacti
   }
   ratios.print(name + ", after each of " + std::to_string(rounds) + " reports of every object, " +
                std::to_string(transactions) + " transactions each");
+  const double all = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  std::printf("  transactions             %.2f us per report, median %.2f ms, longest %.2f ms\n",
+              1e6 * all / static_cast<double>(rounds * w.count), 1e3 * median(seconds),
+              1e3 * *std::max_element(seconds.begin(), seconds.end()));
+  std::fflush(stdout);
 }
 
 /// Every query after each of the transactions that load a table.

@@ -34,9 +34,15 @@ constexpr double fraction_of(std::uint64_t hash) {
   return static_cast<double>(hash >> 32) * 0x1p-32;
 }
 
+inline constexpr std::uint64_t by_golden_ratio = 0x9e3779b97f4a7c15;
+
+/// From 0 to less than 1; those of consecutive numbers are spread evenly.
+constexpr double spread_fraction(std::uint64_t number) {
+  return fraction_of(number * by_golden_ratio);
+}
+
 /// A number below `count`, chosen by `part`. Requires: count > 0.
 constexpr std::size_t irregular_pick(std::size_t part, std::size_t count) {
-  constexpr std::uint64_t by_golden_ratio = 0x9e3779b97f4a7c15u;
   return static_cast<std::size_t>((part * by_golden_ratio >> 33) % count);
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/repeatable_choice.h"
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/search/tree_join.h"
 #include "index/tpr_tree/tpr_tree.h"
@@ -123,15 +124,18 @@ WantedLeaves find_leaves(NodeSource& source, const KindTest& wanted, Interrupt& 
 
 namespace {
 
-/// Without bias if each child is as likely as the others.
-double estimate_by_path(NodeSource& source, std::uint64_t seed) {
+/// Without bias if each `place`, from 0 to less than 1, is as likely. It chooses a child of the root, and its remainder
+/// one of that child's, and so on.
+double estimate_by_path(NodeSource& source, double place) {
   double objects = 1;
   for (Unread next = unread_root(source);;) {
     const auto node = read(source, next);
-    objects *= static_cast<double>(node->size());
+    const auto size = static_cast<double>(node->size());
+    objects *= size;
     if (node->is_leaf() || node->size() == 0) return objects;
-    seed = seed * 6364136223846793005 + 1442695040888963407;
-    next = unread_child(next.number, *node, (seed >> 32) % node->size());
+    const auto slot = std::min(static_cast<std::size_t>(place * size), node->size() - 1);
+    place = place * size - static_cast<double>(slot);
+    next = unread_child(next.number, *node, slot);
   }
 }
 
@@ -139,11 +143,12 @@ double estimate_by_path(NodeSource& source, std::uint64_t seed) {
 
 double estimate_objects(NodeSource& source, double compared) {
   if (source.find_root() == 0) return 0;
-  const double first = estimate_by_path(source, 1);
+  const double first = estimate_by_path(source, fraction_of(hash_of(1)));
   if (first > 1000 * compared) return first;
   constexpr unsigned paths = 32;
-  double sum = first;
-  for (unsigned path = 2; path <= paths; ++path) sum += estimate_by_path(source, path);
+  double sum = 0;
+  for (unsigned path = 0; path < paths; ++path)
+    sum += estimate_by_path(source, (path + fraction_of(hash_of(path))) / paths);
   return sum / paths;
 }
 

@@ -51,6 +51,8 @@ class PendingObjects final : public Journal::Participant {
   /// Removes all objects; a rewind brings them back.
   void remove_all();
 
+  /// A record that has been pending since the last remove_all(). Requires: count() > 0.
+  std::span<const double> first_record() const { return record_at(0); }
   /// All ids and records, in the order of arrival. Requires: no holes.
   bool has_holes() const { return now_.count != now_.ids.size(); }
   std::span<const std::int64_t> all_ids() const { return now_.ids; }

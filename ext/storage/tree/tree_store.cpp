@@ -11,20 +11,14 @@
 namespace foresee {
 namespace {
 
-// The whole table is loaded again if more than this share of its objects is pending. Per object a load costs a
-// twentieth of an insert, and it gives a better tree.
-constexpr double always_reloaded = 1.0 / 8;
-// Merges make the tree worse in time. So a smaller share is loaded with itself as probability: about once when every
-// object has been reported once. Below this share a merge is several times as fast as a load.
-constexpr double never_reloaded = 1.0 / 24;
+// If a larger share of the objects has changed, the whole tree is loaded. Per object a load costs a twentieth of an
+// insert, and it gives a better tree.
+constexpr double always_loaded = 1.0 / 8;
+// Merges make the tree worse in time. So from this share on, the tree is loaded with the share as probability: about
+// once when each object has been reported once. With a smaller share, a load takes several times as long as a merge.
+constexpr double sometimes_loaded = 1.0 / 24;
 // New objects alone are packed beside the others: then only half of the table is worth it.
-constexpr double min_reload_of_new = 0.5;
-
-/// The share of pending objects above which the table is loaded. A hash of one decides: the same changes give the same
-/// tree.
-double min_reload_of(std::span<const double> record) {
-  return std::clamp(fraction_of(hash_of(record)), never_reloaded, always_reloaded);
-}
+constexpr double min_loaded_of_new = 0.5;
 
 /// Objects that are looked up in their leaves when they are erased.
 constexpr std::size_t few_erased = 32;
@@ -118,12 +112,15 @@ void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
   if (pending_updates_.get()) pending_updates_.change() = false;
 }
 
+double TreeStore::min_loaded() const {
+  if (pending_.count() == 0) return always_loaded;
+  return std::clamp(fraction_of(hash_of(pending_.first_record())), sometimes_loaded, always_loaded);
+}
+
 void TreeStore::merge_records(Reason reason, Interrupt& interrupt) {
   const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
   const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
-  const std::size_t one = pending_.count() > 0 ? format_.record_size / sizeof(double) : 0;
-  const double min_reload = packs_new ? min_reload_of_new : min_reload_of(pending_.all_records().first(one));
-  const bool many = pending > stored * min_reload;
+  const bool many = pending > stored * (packs_new ? min_loaded_of_new : min_loaded());
   const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
   const bool packs_runs = reason == Reason::commit && has_runs_.get();
   if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count())) {

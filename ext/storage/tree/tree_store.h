@@ -109,6 +109,9 @@ class TreeStore final : private MemoryHolder {
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
   [[noreturn]] void damaged(const std::string& what) const;
   void merge_records(Reason reason, Interrupt& interrupt);
+  /// The tree is loaded if a larger share of its objects has changed. It differs between transactions: a hash of a
+  /// record decides, so the same changes give the same tree.
+  double min_loaded() const;
   void add_run(Interrupt& interrupt);
   void note_packed() {
     if (has_runs_.get()) has_runs_.change() = false;

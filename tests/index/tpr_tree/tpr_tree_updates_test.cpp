@@ -219,7 +219,7 @@ TEST(TprTreeUpdates, EstimatesTheNumberOfObjectsOfUnevenTrees) {
       EXPECT_EQ(estimate_objects(model.pages, count / 8), estimate);
     }
   }
-  EXPECT_GT(lowest, 0.5);
+  EXPECT_GT(lowest, 0.6);
   EXPECT_LT(highest, 1.7);
   TreeModel empty(boats, 60);
   EXPECT_EQ(estimate_objects(empty.pages, 5), 0);

@@ -85,31 +85,37 @@ void move_where_it_costs_less(TreeState<D>& state, NodeNumber leaf) {
   move_leaf(state, leaf, from, to, above_number);
 }
 
-/// Packs leaves of a parent, into as many or as few as hold their objects. Returns false if the result is not worth it,
-/// or if too many objects would move. New entries, and the visit costs that are compared, are for this epoch.
+struct Packing {
+  double epoch;  ///< of the new entries, and for the visit costs that are compared
+  bool into_few_leaves;
+  std::size_t max_arriving;  ///< the number of objects that may move to another leaf
+};
+
+/// Packs the leaves in these slots of a parent, into as many leaves or as few as hold their objects. Returns false if
+/// the result is not worth it, or if too many objects would move.
 template <int D>
-bool pack_leaves(TreeState<D>& state, NodeNumber number, std::span<const std::size_t> slots, double epoch,
-                 bool into_few, std::size_t max_arriving) {
+bool pack_leaves(TreeState<D>& state, NodeNumber number, std::span<const std::size_t> slots,
+                 const Packing& packing) {
   LeafPack<D> pack(state);
   std::vector<Entry<D>> before, after;
   {
     const auto parent = state.pages.read(number);
-    const VisitCost<D> cost = state.cost(epoch);
+    const VisitCost<D> cost = state.cost(packing.epoch);
     TypicalQuery query;
     for (const std::size_t slot : slots) {
       const auto old = read_below(state.pages, number, *parent, slot);
       pack.add(parent->keys[slot], *old);
       if (old->size() == 0) continue;
-      before.push_back(summary(*old, state.reader, epoch));
+      before.push_back(summary(*old, state.reader, packing.epoch));
       const TypicalQuery half = cost.query_like(0.5, before.back());
       query.side += half.side, query.duration += half.duration;
     }
     if (before.empty()) return false;
     const auto count = static_cast<double>(before.size());
     query.side /= count, query.duration /= count;
-    pack.arrange(into_few ? state.leaves_for(pack.objects()) : before.size());
-    after = pack.summaries(epoch);
-    if (pack.arriving() > max_arriving) return false;
+    pack.arrange(packing.into_few_leaves ? state.leaves_for(pack.objects()) : before.size());
+    after = pack.summaries(packing.epoch);
+    if (pack.arriving() > packing.max_arriving) return false;
     if (!(total(after, cost, query) < worth_packing * total(before, cost, query))) return false;
   }
   pack.write_beneath(number, state.pages.modify(number), after);
@@ -120,7 +126,10 @@ template <int D>
 bool pack_with_siblings(TreeState<D>& state, NodeNumber number, NodeNumber leaf, std::size_t together) {
   const auto parent = state.pages.read(number);
   const auto slots = closest_children(state, *parent, leaf, together);
-  return pack_leaves(state, number, slots, parent->epoch, false, std::max(max_moved, state.capacity(0)));
+  return pack_leaves(state, number, slots,
+                     {.epoch = parent->epoch,
+                      .into_few_leaves = false,
+                      .max_arriving = std::max(max_moved, state.capacity(0))});
 }
 
 }  // namespace
@@ -146,7 +155,8 @@ bool pack_all_leaves(TreeState<D>& state, NodeNumber parent) {
   const double epoch = state.epoch_for(*state.pages.read(parent));
   std::vector<std::size_t> slots(state.pages.read(parent)->size());
   std::iota(slots.begin(), slots.end(), std::size_t{0});
-  if (!pack_leaves(state, parent, slots, epoch, true, std::numeric_limits<std::size_t>::max())) return false;
+  if (!pack_leaves(state, parent, slots, {.epoch = epoch, .into_few_leaves = true, .max_arriving = SIZE_MAX}))
+    return false;
   state.pages.modify(parent).epoch = epoch;
   return true;
 }

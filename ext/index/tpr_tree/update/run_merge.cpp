@@ -19,9 +19,9 @@ constexpr double max_loose = 1.0 / 4;
 /// Of the leaves of a packed partition: the rest is for loose ones.
 constexpr double main_fill = 0.75;
 
-/// max_loose times 0.7 to 1.3.
+/// max_loose times 0.7 to 1.3. Consecutive numbers differ as evenly as can be (repeatable_choice.h).
 double max_loose_in(NodeNumber partition) {
-  return max_loose * (0.7 + 0.6 * fraction_of(hash_of(static_cast<std::uint64_t>(partition))));
+  return max_loose * (0.7 + 0.6 * spread_fraction(static_cast<std::uint64_t>(partition)));
 }
 
 template <int D>
