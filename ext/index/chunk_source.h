@@ -11,6 +11,7 @@
 // Errors: as the table's; SQLITE_CORRUPT_VTAB for chunks that contradict their objects.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,11 +28,16 @@ struct Chunk {
   std::vector<Leg> legs;           ///< in order of time; the object's `until` has not cut them
 };
 
+/// What reads many chunks prefetches the chunk so many places ahead.
+inline constexpr std::size_t chunks_ahead = 6;
+
 class ChunkSource {
  public:
   virtual ~ChunkSource() = default;
 
   virtual NodeSource& tree() = 0;
+  /// Hides the memory latency of a following read_chunk(); reads no row.
+  virtual void prefetch_chunk(std::int64_t /*number*/) {}
   /// Replaces `chunk`, with its legs that exist at some of these times. Cost: two look-ups, and some 10 ns per leg.
   virtual void read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) = 0;
 };

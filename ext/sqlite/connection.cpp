@@ -53,11 +53,12 @@ ReadScene read_scene(const OpenTable& table, const SceneNeeds& needs, Interrupt&
 
 }  // namespace
 
-void add_object(Store& store, std::int64_t id, std::span<const double> record, Scene& scene) {
+void add_object(Store& store, std::int64_t id, std::span<const double> record,
+                StatementReadState& statement_state, Scene& scene) {
   if (!has_plan(store.format().at, record.data())) return scene.add(id, record.data());
   const std::vector<double> own(record.begin(), record.end());  // the store may reuse its memory
   std::vector<Leg> legs;
-  store.read_legs(id, own, scene.legs_during.from, scene.legs_during.until, legs);
+  store.read_legs(id, own, scene.legs_during, statement_state, legs);
   if (!legs.empty()) scene.add(id, own.data(), legs);
 }
 
@@ -161,7 +162,9 @@ std::shared_ptr<Scene> Connection::load_object(const OpenTable& table, std::int6
   scene->name = table.table;
   scene->layout = table.store->declaration().layout;
   const FloatEnvironment environment;  // accelerations are computed on loading
-  if (const auto record = table.store->read(id)) add_object(*table.store, id, *record, *scene);
+  StatementReadState statement_state;
+  if (const auto record = table.store->read(id))
+    add_object(*table.store, id, *record, statement_state, *scene);
   return scene;
 }
 

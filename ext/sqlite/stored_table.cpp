@@ -24,10 +24,9 @@ std::shared_ptr<const Scene> StoredTable::objects(std::span<const std::int64_t> 
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = std::make_shared<Scene>();
   scene->name = name(), scene->layout = layout(), scene->legs_during = times;
-  StatementReadState statement_state;
   for (const std::int64_t id : ids) {
-    const std::span<const double> record = table_.store->find(id, statement_state);
-    if (!record.empty()) add_object(*table_.store, id, record, *scene);
+    const std::span<const double> record = table_.store->find(id, statement_state_);
+    if (!record.empty()) add_object(*table_.store, id, record, statement_state_, *scene);
   }
   scene->take_forms(table_.store->forms(), connection_.interrupt());
   return scene;

@@ -16,19 +16,19 @@ namespace foresee {
 
 class StoredTable final : public TableSource {
  public:
-  /// Requires: the connection outlives this.
+  /// For one statement. Requires: the connection outlives this.
   StoredTable(Connection& connection, OpenTable table) : connection_(connection), table_(std::move(table)) {}
 
   const std::string& name() const override { return table_.table; }
   const Layout& layout() const override { return table_.store->declaration().layout; }
   double likely_objects() const override { return static_cast<double>(table_.store->likely_objects()); }
-  double newest_t() override { return table_.store->read_newest_t(); }
+  double newest_t() override { return table_.store->read_newest_t(&statement_state_); }
   std::shared_ptr<const Scene> all(const SceneNeeds& needs) override {
     return connection_.load_scene(table_, needs);
   }
   bool is_loaded() override { return connection_.is_loaded(table_); }
   std::shared_ptr<const Scene> objects(std::span<const std::int64_t> ids, const LegTimes& times) override;
-  std::shared_ptr<NodeSource> tree() override { return table_.store->take_snapshot(); }
+  std::shared_ptr<NodeSource> tree() override { return table_.store->take_snapshot(&statement_state_); }
   std::shared_ptr<ChunkSource> chunks() override { return table_.store->chunks(); }
 
   /// The stamp in the file. Changes in memory that are not written yet do not alter it.
@@ -39,6 +39,7 @@ class StoredTable final : public TableSource {
  private:
   Connection& connection_;
   OpenTable table_;
+  StatementReadState statement_state_;
 };
 
 /// The tables of a join or of a watch.

@@ -6,8 +6,9 @@
 
 namespace foresee {
 
-ContactStage::ContactStage(const JoinQuestion& question, Interrupt& interrupt)
-    : question_(question), interrupt_(interrupt), contact_(contact_of(question)) {
+ContactStage::ContactStage(const JoinQuestion& question, std::shared_ptr<Contact> contact,
+                           Interrupt& interrupt)
+    : question_(question), interrupt_(interrupt), contact_(std::move(contact)) {
   contact_->set_interrupt(interrupt);
 }
 

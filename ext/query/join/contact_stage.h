@@ -41,7 +41,10 @@ class ContactStage {
  public:
   /// For the pairs of `question` (contact_of). Both arguments must outlive the stage. Throws Error for shapes
   /// without a distance.
-  ContactStage(const JoinQuestion& question, Interrupt& interrupt);
+  ContactStage(const JoinQuestion& question, Interrupt& interrupt)
+      : ContactStage(question, contact_of(question), interrupt) {}
+  /// With a contact test that the caller has made: contact_of() the same scenes, time and distances.
+  ContactStage(const JoinQuestion& question, std::shared_ptr<Contact> contact, Interrupt& interrupt);
 
   /// Appends the pairs of the batch that touch, and whose time `slab` holds, to `hits`, in order; the batch is
   /// overwritten. Ends may be left to write_rows(). Times are computed only where they are read, decide
@@ -85,7 +88,7 @@ class ContactStage {
 
   const JoinQuestion& question_;
   Interrupt& interrupt_;
-  std::unique_ptr<Contact> contact_;
+  std::shared_ptr<Contact> contact_;
   Hits hits_;
   std::vector<Pair> without_ends_;
   Hits without_all_ends_;

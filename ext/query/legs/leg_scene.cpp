@@ -6,6 +6,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
+#include "base/interrupt_steps.h"
 #include "index/tpr_tree/search/window_walk.h"
 #include "query/legs/movers.h"
 #include "shape/shapes.h"
@@ -109,9 +110,13 @@ void for_each_object(ChunkSource& chunks, std::span<const std::int64_t> numbers,
     if (!legs.empty()) use(object, record, legs);
     legs.clear();
   };
-  for (const std::int64_t number : numbers) {
-    interrupt.check();
-    chunks.read_chunk(number, times, chunk);
+  Steps steps(interrupt);
+  for (const std::int64_t number : numbers.first(std::min(chunks_ahead, numbers.size())))
+    chunks.prefetch_chunk(number);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    steps.costly(256);
+    if (i + chunks_ahead < numbers.size()) chunks.prefetch_chunk(numbers[i + chunks_ahead]);
+    chunks.read_chunk(numbers[i], times, chunk);
     if (filter) filter->keep_near(chunk);
     if (chunk.legs.empty()) continue;
     if (chunk.object != object) use_legs();

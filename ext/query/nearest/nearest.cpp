@@ -5,6 +5,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
+#include "base/interrupt_steps.h"
 #include "contact/contact.h"
 #include "contact/window_contact.h"
 #include "index/tpr_tree/search/nearest_walk.h"
@@ -24,7 +25,8 @@ class Search {
         horizon_{question.now, question.h},
         best_(question.k),
         movers_(question.k),
-        point_(faces_of(question), {.axes = D}, question.now) {
+        point_(faces_of(question), {.axes = D}, question.now),
+        box_(moving_window<D>(place(), place(), velocity(), horizon_)) {
     if (question.mask) test_ = KindTest::of_categories(*question.mask);
     setup_.a = point_.bodies();
     setup_.horizon = horizon_;
@@ -34,13 +36,10 @@ class Search {
     if (scene.layout.has_plan) return std::move(*this).in_plans(scene);
     const Bodies bodies = scene.bodies();
     setup_.b = bodies;
-    const MovingBox<D> question = moving_window<D>(place(), place(), velocity(), horizon_);
     for (std::size_t i = 0; i < bodies.count; ++i) {
       if (i % 256 == 0) interrupt_.check();
       if (test_ && !test_->accepts(kinds_of(bodies.row(i), bodies.at))) continue;
-      const MovingBox<D> box =
-          moving_box<D>(motion_of<D>(bodies, i), Extents<D>::none(), horizon_, Vec<D>::Zero());
-      if (box.span.is_empty() || min_distance(box, question, box.span) > best_.reach()) continue;
+      if (!may_come_within(best_.reach(), motion_of<D>(bodies, i))) continue;
       if (const auto near = approach_of(scene.ids[i], bodies.row(i))) best_.offer(*near);
     }
     return std::move(best_).ranked();
@@ -92,15 +91,24 @@ class Search {
 
   bool offer_chunks(ChunkSource& chunks, NearestWalk<D>& walk) {
     if (!walk.next(movers_.reach(), hits_)) return false;
-    for (std::size_t i = 0; i < hits_.slots.size() && hits_.distances[i] <= movers_.reach(); ++i) {
-      chunks.read_chunk(hits_.leaf->keys[hits_.slots[i]], legs_.legs_during, chunk_);
-      std::erase_if(chunk_.legs, [&](const Leg& leg) { return !is_near(leg); });
+    const auto is_near = [&](std::size_t i) {
+      return i < hits_.slots.size() && hits_.distances[i] <= movers_.reach();
+    };
+    const auto number = [&](std::size_t i) { return hits_.leaf->keys[hits_.slots[i]]; };
+    for (std::size_t i = 0; i < chunks_ahead && is_near(i); ++i) chunks.prefetch_chunk(number(i));
+    for (std::size_t i = 0; is_near(i); ++i) {
+      if (is_near(i + chunks_ahead)) chunks.prefetch_chunk(number(i + chunks_ahead));
+      chunks.read_chunk(number(i), legs_.legs_during, chunk_);
+      // A leg as long as its plan says: the object may end earlier.
+      std::erase_if(chunk_.legs,
+                    [&](const Leg& leg) { return !may_come_within(movers_.reach(), motion_of<D>(leg)); });
       if (chunk_.legs.empty()) continue;
       legs_.ids.clear();
       legs_.rows.clear();
       legs_.first_rows.clear();
       legs_.add(chunk_.object, chunk_.record.data(), chunk_.legs);
-      offer_legs(legs_, legs_.bodies(), {0, legs_.size()});
+      const Bodies bodies = legs_.bodies();
+      for (std::size_t row = 0; row < legs_.size(); ++row) offer_leg(chunk_.object, bodies, row);
     }
     return true;
   }
@@ -108,34 +116,29 @@ class Search {
   std::vector<NearestRow> in_plans(const Scene& scene) && {
     const Bodies bodies = scene.bodies();
     setup_.b = bodies;
+    Steps steps(interrupt_);
     for (std::size_t i = 0; i < scene.object_count(); ++i) {
-      if (i % 256 == 0) interrupt_.check();
+      steps.costly(64);
       const RowRange rows = rows_during(bodies, scene.rows_of(i), horizon_);
       if (rows.size() == 0) continue;
       if (test_ && !test_->accepts(kinds_of(bodies.row(rows.first), bodies.at))) continue;
-      offer_legs(scene, bodies, rows);
+      for (std::size_t row = rows.first; row < rows.last; ++row) {
+        steps.costly(64);
+        if (may_come_within(movers_.reach(), motion_of<D>(bodies, row)))
+          offer_leg(scene.ids[row], bodies, row);
+      }
     }
     return std::move(movers_).ranked();
   }
 
-  /// Whether a leg, as long as its plan says, may come within reach.
-  bool is_near(const Leg& leg) const {
-    if (life_of(leg.t, leg.until, horizon_).none) return false;
-    const MovingBox<D> box = moving_box<D>(motion_of<D>(leg), Extents<D>::none(), horizon_, Vec<D>::Zero());
-    return !box.span.is_empty() && min_point_distance(box, moving_window<D>(place(), place(), velocity(),
-                                                                            horizon_)) <= movers_.reach();
+  void offer_leg(std::int64_t id, const Bodies& bodies, std::size_t row) {
+    if (const auto near = approach_of(id, bodies.row(row))) movers_.offer(*near);
   }
 
-  /// Offers the legs of one object that exist during the horizon.
-  void offer_legs(const Scene& scene, const Bodies& bodies, RowRange rows) {
-    const MovingBox<D> question = moving_window<D>(place(), place(), velocity(), horizon_);
-    for (std::size_t row = rows.first; row < rows.last; ++row) {
-      if (row % 256 == 255) interrupt_.check();
-      const MovingBox<D> box =
-          moving_box<D>(motion_of<D>(bodies, row), Extents<D>::none(), horizon_, Vec<D>::Zero());
-      if (box.span.is_empty() || min_distance(box, question, box.span) > movers_.reach()) continue;
-      if (const auto near = approach_of(scene.ids[row], bodies.row(row))) movers_.offer(*near);
-    }
+  /// False only for what is farther than `reach` during the whole horizon.
+  bool may_come_within(double reach, const Motion<D>& motion) const {
+    const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::Zero());
+    return !box.span.is_empty() && min_point_distance(box, box_) <= reach;
   }
 
   static WindowFaces faces_of(const NearestQuestion& question) {
@@ -160,6 +163,7 @@ class Search {
   NearestObjects best_;
   NearestMovers movers_;  ///< of a layout with plans, in place of best_
   MovingWindow point_;
+  MovingBox<D> box_;  ///< of the point
   std::optional<KindTest> test_;
   Setup setup_;
   LeafHits hits_;

@@ -1,7 +1,7 @@
 // Stored chunks of plans in memory, opened and checked, with the records of their objects, as long as the stamp of
 // their table does not change, but for own commits.
 //
-//   ChunkCache cache(memory);
+//   ChunkCache cache(memory, 9);                         // 9: doubles in the record of an object
 //   const ChunkCache::Entry* known = cache.find(stamp, 8);
 //   if (!known) cache.add(8, blob, opened);              // opened: the chunk of this blob
 //   cache.add_record(8, record);                         // of its object, whose plan has this chunk
@@ -10,16 +10,22 @@
 // It holds committed rows only: a transaction that has written must read the rows themselves, so no rollback concerns
 // it. Its memory counts as that of clean nodes (memory_budget.h); when it is full, the chunks that no query has used
 // since the last time are dropped.
-// Cost: a look-up in a hash table, where a row costs a statement, a checksum and the checks of its header.
+// Cost: a look-up in a hash table, most of it memory latency, which prefetch() hides. A row costs a statement, a
+// checksum and the checks of its header.
 #pragma once
 
+#include <cstring>
+#include <memory>
+#include <new>
 #include <optional>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "storage/format/chunk_blob.h"
 #include "storage/nodes/memory_budget.h"
+#include "storage/nodes/node_slots.h"
 
 namespace foresee {
 
@@ -61,39 +67,54 @@ class ChangedChunks {
 
 class ChunkCache final : private MemoryHolder {
  public:
-  struct Entry {
-    std::vector<std::byte> blob;
-    StoredChunk chunk;
-    std::vector<double> record = {};  ///< of the object; empty: not known
-    bool is_used = true;
+  /// A chunk, the record of its object, and the bytes of its row, one behind the other in memory.
+  class Entry {
+   public:
+    const StoredChunk& chunk() const { return chunk_; }
+    /// Of the object; empty: not known.
+    std::span<const double> record() const { return {numbers(), has_record_ ? record_size_ : 0}; }
+
+   private:
+    friend class ChunkCache;
+
+    const double* numbers() const { return reinterpret_cast<const double*>(this + 1); }
+    std::byte* memory() { return reinterpret_cast<std::byte*>(this + 1); }
+
+    StoredChunk chunk_;
+    std::size_t record_size_ = 0, bytes_ = 0;  ///< bytes_: of all
+    bool has_record_ = false, is_used_ = true;
   };
 
-  /// The budget must outlive it.
-  explicit ChunkCache(MemoryBudget& memory) : share_(memory, *this) {}
+  /// The budget must outlive it. `record_size`: doubles in the record of an object.
+  ChunkCache(MemoryBudget& memory, std::size_t record_size)
+      : share_(memory, *this), record_size_(record_size) {}
 
   /// Null if the chunk is not in memory. Drops all chunks first if they are of another stamp. Valid until the next
-  /// call.
+  /// add() or note_commit().
   const Entry* find(std::int64_t stamp, std::int64_t number) {
     if (stamp_ != stamp) {
       drop_nodes(true);
       stamp_ = stamp;
     }
-    const auto found = chunks_.find(number);
-    if (found == chunks_.end()) return nullptr;
-    found->second.is_used = true;
-    return &found->second;
+    Entry* const known = at(number);
+    if (known) known->is_used_ = true;
+    return known;
+  }
+  /// Hides the memory latency of a following find(), and of reading its chunk.
+  void prefetch(std::int64_t number) {
+    constexpr std::size_t line = 64, lines = 9;  // of a chunk of 16 legs on a plane
+    const std::byte* const known = reinterpret_cast<const std::byte*>(at(number));
+    for (std::size_t i = 0; known && i < lines; ++i) __builtin_prefetch(known + i * line);
   }
 
   /// Adds a chunk of the stamp of the last find(), which has not found it. `chunk`: of the blob, which is copied.
   /// Requires: check_legs() accepts the chunk.
   void add(std::int64_t number, std::span<const std::byte> blob, const StoredChunk& chunk) {
     share_.budget().evict();
-    Entry made{{blob.begin(), blob.end()}, chunk};
-    const auto moved = [&](const std::byte* at) { return at ? made.blob.data() + (at - blob.data()) : at; };
-    made.chunk.starts = moved(chunk.starts);
-    made.chunk.numbers = moved(chunk.numbers);
-    const Entry& entry = chunks_.insert_or_assign(number, std::move(made)).first->second;
-    bytes_ += size_of(entry);
+    Owned made = make(blob, chunk);
+    Owned& place = chunks_[number];
+    bytes_ += size_of(*made);
+    place = std::move(made);
     note_memory();
   }
 
@@ -105,7 +126,8 @@ class ChunkCache final : private MemoryHolder {
     changed.for_each([this](std::int64_t number) {
       const auto found = chunks_.find(number);
       if (found == chunks_.end()) return;
-      bytes_ -= size_of(found->second);
+      places_.forget(number);
+      bytes_ -= size_of(*found->second);
       chunks_.erase(found);
     });
     stamp_ = after;
@@ -114,27 +136,51 @@ class ChunkCache final : private MemoryHolder {
 
   /// Adds the record to a chunk, if it is in memory.
   void add_record(std::int64_t number, std::span<const double> record) {
-    const auto found = chunks_.find(number);
-    if (found == chunks_.end()) return;
-    Entry& entry = found->second;
-    const std::size_t before = size_of(entry);
-    entry.record.assign(record.begin(), record.end());
-    bytes_ += size_of(entry) - before;
-    note_memory();
+    Entry* const known = at(number);
+    if (!known) return;
+    std::memcpy(known->memory(), record.data(), record.size_bytes());
+    known->has_record_ = true;
   }
 
  private:
-  /// With what the hash table and the heap add.
-  static std::size_t size_of(const Entry& entry) {
-    return entry.blob.size() + entry.record.size() * sizeof(double) + sizeof(Entry) + 80;
+  struct Free {
+    void operator()(Entry* entry) const noexcept { ::operator delete(entry); }
+  };
+  using Owned = std::unique_ptr<Entry, Free>;
+  static_assert(std::is_trivially_destructible_v<Entry> && sizeof(Entry) % alignof(double) == 0);
+
+  Entry* at(std::int64_t number) {
+    return places_.find(number, chunks_.size(), [this](std::int64_t wanted) {
+      const auto found = chunks_.find(wanted);
+      return found == chunks_.end() ? nullptr : found->second.get();
+    });
   }
+
+  Owned make(std::span<const std::byte> blob, const StoredChunk& chunk) const {
+    const std::size_t record_bytes = record_size_ * sizeof(double);
+    const std::size_t bytes = sizeof(Entry) + record_bytes + blob.size();
+    Owned made(new (::operator new(bytes)) Entry());
+    std::byte* const copy = made->memory() + record_bytes;
+    std::memcpy(copy, blob.data(), blob.size());
+    const auto moved = [&](const std::byte* from) { return from ? copy + (from - blob.data()) : from; };
+    made->chunk_ = chunk;
+    made->chunk_.starts = moved(chunk.starts);
+    made->chunk_.numbers = moved(chunk.numbers);
+    made->record_size_ = record_size_;
+    made->bytes_ = bytes;
+    return made;
+  }
+
+  /// With what both tables and the heap add.
+  static std::size_t size_of(const Entry& entry) { return entry.bytes_ + 112; }
   void note_memory() noexcept { share_.hold_nodes(0, 0, bytes_); }
 
   void write_out() override {}
   void drop_nodes(bool all) override {
+    places_.clear();
     for (auto one = chunks_.begin(); one != chunks_.end();) {
-      Entry& entry = one->second;
-      if (!all && std::exchange(entry.is_used, false)) {
+      Entry& entry = *one->second;
+      if (!all && std::exchange(entry.is_used_, false)) {
         ++one;
         continue;
       }
@@ -145,7 +191,9 @@ class ChunkCache final : private MemoryHolder {
   }
 
   MemoryShare share_;
-  std::unordered_map<std::int64_t, Entry> chunks_;
+  std::size_t record_size_;
+  std::unordered_map<std::int64_t, Owned> chunks_;
+  NumberPlaces<Entry> places_;
   std::size_t bytes_ = 0;
   std::optional<std::int64_t> stamp_;
 };

@@ -6,8 +6,7 @@
 //   slots.in_memory(7)                     // null: not in memory
 //   slots.drop_unused(slots.used(), [](NodeNumber, const NodeSlots::Slot&) { return true; });
 //
-// A look-up in the hash table misses the processor's caches, so pointers to slots are in a direct-mapped table too,
-// by the low bits of the number. References to slots stay valid until the slot is erased.
+// References to slots stay valid until the slot is erased.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +17,35 @@
 #include "storage/nodes/node_history.h"
 
 namespace foresee {
+
+/// Direct-mapped table of pointers, by the low bits of a number. It stands before a hash table, whose look-ups miss the
+/// processor's caches.
+template <class T>
+class NumberPlaces {
+ public:
+  /// The pointer that find(number) has returned, perhaps earlier; null is not kept. `size`: of the hash table.
+  template <class Find>
+  T* find(std::int64_t number, std::size_t size, Find find) {
+    if (places_.size() < size || places_.empty())
+      places_.assign(std::bit_ceil(std::max<std::size_t>(64, 2 * size)), {});
+    auto& [known, place] = at(number);
+    if (place && known == number) return place;
+    T* const found = find(number);
+    if (found) known = number, place = found;
+    return found;
+  }
+  void forget(std::int64_t number) noexcept {
+    if (!places_.empty()) at(number) = {};
+  }
+  void clear() noexcept { places_.clear(); }
+
+ private:
+  std::pair<std::int64_t, T*>& at(std::int64_t number) {
+    return places_[static_cast<std::size_t>(number) & (places_.size() - 1)];
+  }
+
+  std::vector<std::pair<std::int64_t, T*>> places_;
+};
 
 class NodeSlots {
  public:
@@ -48,16 +76,9 @@ class NodeSlots {
   const Slot* find(NodeNumber number) const { return const_cast<NodeSlots*>(this)->find(number); }
   /// Null if the node is not in memory.
   Slot* in_memory(NodeNumber number) {
-    if (places_.size() < slots_.size() || places_.empty())
-      places_.assign(std::bit_ceil(std::max<std::size_t>(64, 2 * slots_.size())), {});
-    auto& [known, slot] = places_[static_cast<std::size_t>(number) & (places_.size() - 1)];
-    if (!slot || known != number) {
-      Slot* const found = find(number);
-      if (!found) return nullptr;
-      known = number;
-      slot = found;
-    }
-    return slot->state.node ? slot : nullptr;
+    Slot* const slot =
+        places_.find(number, slots_.size(), [this](NodeNumber wanted) { return find(wanted); });
+    return slot && slot->state.node ? slot : nullptr;
   }
   /// The slot of a node, created if necessary. With many, room for `limit` is reserved: to rehash a large table
   /// later would delay one statement.
@@ -67,7 +88,7 @@ class NodeSlots {
     return slots_[number];
   }
   void erase(NodeNumber number) noexcept {
-    if (!places_.empty()) places_[static_cast<std::size_t>(number) & (places_.size() - 1)] = {};
+    places_.forget(number);
     slots_.erase(number);
   }
   void set_dirty(Slot& slot, bool dirty) noexcept {
@@ -107,7 +128,7 @@ class NodeSlots {
 
  private:
   std::unordered_map<NodeNumber, Slot> slots_;
-  std::vector<std::pair<NodeNumber, Slot*>> places_;
+  NumberPlaces<Slot> places_;
   std::size_t dirty_ = 0, dirty_held_ = 0;
   std::uint64_t use_ = 1;  ///< advances whenever unused nodes are dropped
   std::uint64_t turns_ = 0;

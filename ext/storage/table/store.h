@@ -73,9 +73,9 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   /// Sets the auxiliary column of `id`, or NULL, as the result of `context`.
   void result_auxiliary(sqlite3_context* context, std::int64_t id, int column);
   /// A snapshot of the tree, which no change, commit or rollback affects. It must not outlive the statement.
-  std::shared_ptr<NodeSource> take_snapshot();
+  std::shared_ptr<NodeSource> take_snapshot(StatementReadState* statement_state = nullptr);
   /// The largest reference time stored; 0 without objects or without t. Reads one node.
-  double read_newest_t();
+  double read_newest_t(StatementReadState* statement_state = nullptr);
   /// The outlines or meshes, by the number in a record; null in a table without.
   FormSource* forms() { return forms_ ? this : nullptr; }
   std::shared_ptr<const Form> form(std::int64_t number) override;
@@ -93,11 +93,12 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   // --- plans (store_plans.cpp); requires: a layout with plans
   /// The plan of an object as it was written. Requires: the record of the object, with a plan.
   Plan read_plan(std::int64_t id, std::span<const double> record);
-  /// Its legs that exist at some time from `from` to `until`, and perhaps some more, in order; the object's `until` has
+  /// Its legs that exist at some of these times, in order; the object's `until` has
   /// not cut them. Cost: two look-ups.
-  void read_legs(std::int64_t id, std::span<const double> record, double from, double until,
-                 std::vector<Leg>& legs);
-  /// The plans for walks; null in a layout without. Valid until the next write.
+  void read_legs(std::int64_t id, std::span<const double> record, const LegTimes& times,
+                 StatementReadState& statement_state, std::vector<Leg>& legs);
+  /// The plans for walks; null in a layout without. Valid until the next write. Requires: the statement has taken a
+  /// snapshot since it started, and has written nothing since.
   std::shared_ptr<ChunkSource> chunks();
   using EachObject =
       std::function<void(std::int64_t id, std::span<const double> record, std::span<const Leg> legs)>;
@@ -197,8 +198,8 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   ShadowRows& shadow_rows() { return *require_usable().shadow_rows_; }
   TreeStore& tree() { return require_usable().tree_; }
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
-  /// Empties the cache if another connection has committed meanwhile. Cost: at most one look-up.
-  void revalidate_cache();
+  /// Empties the cache if another connection has committed meanwhile. Cost: at most one look-up per statement.
+  void revalidate_cache(StatementReadState* statement_state = nullptr);
   void revalidate_at_begin();
   void note_memory() noexcept;
   /// Forgets what was read of nodes and forms.

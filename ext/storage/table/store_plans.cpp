@@ -14,6 +14,7 @@ class StoredChunks final : public ChunkSource {
 
   NodeSource& tree() override { return plans_.tree().nodes(); }
 
+  void prefetch_chunk(std::int64_t number) override { plans_.prefetch_chunk(number); }
   void read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) override {
     const std::optional<std::int64_t> stamp = store_->committed_stamp();
     if (!plans_.read_chunk(number, times, stamp, chunk))
@@ -51,16 +52,14 @@ Plan Store::read_plan(std::int64_t id, std::span<const double> record) {
   return plans_->read(plans_->head_of(id, record.data()));
 }
 
-void Store::read_legs(std::int64_t id, std::span<const double> record, double from, double until,
-                      std::vector<Leg>& legs) {
-  revalidate_cache();  // under another stamp the same number may be a chunk of another plan
-  plans_->read_legs(plans_->head_of(id, record.data()), from, until, committed_stamp(), legs);
+void Store::read_legs(std::int64_t id, std::span<const double> record, const LegTimes& times,
+                      StatementReadState& statement_state, std::vector<Leg>& legs) {
+  revalidate_cache(&statement_state);  // under another stamp the same number may be a chunk of another plan
+  plans_->read_legs(plans_->head_of(id, record.data()), times, committed_stamp(), legs);
 }
 
 std::shared_ptr<ChunkSource> Store::chunks() {
   if (!plans_) return nullptr;
-  revalidate_cache();
-  merge_pending();
   return std::make_shared<StoredChunks>(shared_from_this(), *plans_);
 }
 

@@ -80,18 +80,20 @@ double likely_share(const std::optional<IdRange>& all, const IdRange& range) {
 }  // namespace
 
 // While this connection writes no other one can. At any other time another one may have written.
-void Store::revalidate_cache() {
+void Store::revalidate_cache(StatementReadState* statement_state) {
   resolve_doubt();
-  if (version_.written_here()) return;
+  if (version_.written_here() || (version_.seen() && version_.is_checked(statement_state))) return;
   const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
-  if (version_.seen() == stamp) return;
-  forget_nodes();
-  version_.forget();
-  totals_.change().count.stored = shadow_rows().read_objects();
-  watch_names_.change().reset();
-  origin_.change() = {};
-  version_.read(*stamp);
+  if (version_.seen() != stamp) {
+    forget_nodes();
+    version_.forget();
+    totals_.change().count.stored = shadow_rows().read_objects();
+    watch_names_.change().reset();
+    origin_.change() = {};
+    version_.read(*stamp);
+  }
+  version_.note_checked(statement_state);
 }
 
 const Frame& Store::frame() {
@@ -165,8 +167,7 @@ std::span<const double> Store::find(std::int64_t id, StatementReadState& stateme
   if (!version_.seen() && first_found_.empty())
     return tree().read_stored(id, first_found_) ? found(first_found_.data()) : found(nullptr);
   // Also before a node is read: with uncommitted reads (shared cache) it may belong to another stamp.
-  revalidate_cache();
-  version_.note_checked(&statement_state);
+  revalidate_cache(&statement_state);
   return found(nodes().find_record(id));
 }
 
@@ -225,8 +226,8 @@ void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int colu
   shadow_rows().result_auxiliary(context, id, column);
 }
 
-double Store::read_newest_t() {
-  revalidate_cache();
+double Store::read_newest_t(StatementReadState* statement_state) {
+  revalidate_cache(statement_state);
   merge_pending();
   return tree_.reporting_damage([&] { return foresee::read_newest_t(nodes()); });
 }
@@ -237,8 +238,7 @@ std::shared_ptr<const Form> Store::form(std::int64_t number) {
 }
 
 std::shared_ptr<const Form> Store::form(std::int64_t number, StatementReadState& statement_state) {
-  if (!version_.is_checked(&statement_state)) revalidate_cache();
-  version_.note_checked(&statement_state);
+  revalidate_cache(&statement_state);
   return forms_->form(number);
 }
 

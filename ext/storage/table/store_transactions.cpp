@@ -88,8 +88,8 @@ void Store::damaged(const std::string& what) const {
   throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
 }
 
-std::shared_ptr<NodeSource> Store::take_snapshot() {
-  revalidate_cache();
+std::shared_ptr<NodeSource> Store::take_snapshot(StatementReadState* statement_state) {
+  revalidate_cache(statement_state);
   merge_pending();
   return std::make_shared<TreeSnapshot>(shared_from_this());
 }

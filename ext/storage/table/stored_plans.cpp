@@ -37,7 +37,7 @@ StoredPlans::StoredPlans(sqlite3* db, const NodeFormat& format, const QualifiedN
       at_(format.at),
       item_at_(record_offsets(chunk_layout(layout_))),
       tree_(db, chunk_node_format(format), tree_name_, horizon, journal, memory, std::move(write_out)),
-      cache_(memory) {}
+      cache_(memory, static_cast<std::size_t>(at_.size)) {}
 
 void StoredPlans::connect(const ShadowTables& tables, MetaRows& meta) {
   tree_name_ = {tables.name().schema, tables.name().table + "_chunk"};
@@ -83,7 +83,7 @@ template <class Use>
 bool StoredPlans::with_chunk(std::int64_t number, std::optional<std::int64_t> stamp, Use use) {
   const ChunkCache::Entry* const known = stamp ? cache_.find(*stamp, number) : nullptr;
   if (known) {
-    use(known->chunk, std::span(known->record));
+    use(known->chunk(), known->record());
     return true;
   }
   return rows_->read_one(number, [&](std::span<const std::byte> blob) {
@@ -117,7 +117,7 @@ Plan StoredPlans::read(const Head& head) {
   return plan;
 }
 
-void StoredPlans::read_legs(const Head& head, double from, double until, std::optional<std::int64_t> stamp,
+void StoredPlans::read_legs(const Head& head, const LegTimes& times, std::optional<std::int64_t> stamp,
                             std::vector<Leg>& legs) {
   const FloatEnvironment environment;
   legs.clear();
@@ -126,23 +126,24 @@ void StoredPlans::read_legs(const Head& head, double from, double until, std::op
     require_of(head, head.first, chunk);
     std::size_t begin = 0, end = 0;
     for (std::size_t step = std::bit_floor(chunk.plan_chunks); step > 0; step /= 2) {
-      if (end + step <= chunk.plan_chunks && chunk.start(end + step - 1) <= until) end += step;
-      if (begin + step < chunk.plan_chunks && chunk.start(begin + step) < from) begin += step;
+      if (end + step <= chunk.plan_chunks && chunk.start(end + step - 1) <= times.until) end += step;
+      if (begin + step < chunk.plan_chunks && chunk.start(begin + step) < times.from) begin += step;
     }
     begin = std::min(begin, end);
     first += static_cast<std::int64_t>(begin);
     last = head.first + static_cast<std::int64_t>(end) - 1;
   });
-  const auto append = [&](const StoredChunk& chunk, std::span<const double>) {
+  const auto append_checked = [&](const StoredChunk& chunk, std::span<const double>) {
     require_of(head, first, chunk);
-    require(append_legs(chunk, legs), first++);
+    require(append_legs(legs_during(chunk, times), legs, times), first++);
   };
   if (last - first < few_chunks)
-    while (first <= last && with_chunk(first, stamp, append)) {
+    while (first <= last && with_chunk(first, stamp, append_checked)) {
     }
   else
     rows_->read(first, last, [&](std::int64_t number, std::span<const std::byte> blob) {
-      if (number == first) append(opened(number, blob, nullptr), {});
+      if (number != first) return;
+      require(append_legs(opened(number, blob, &head), legs, times), first++);
     });
   if (!has_first || first != last + 1)
     damaged("a chunk of object " + std::to_string(head.object) + " is missing");

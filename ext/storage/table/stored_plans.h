@@ -60,9 +60,8 @@ class StoredPlans final : public Journal::Participant {
   Head head_of(std::int64_t object, const double* record, std::size_t place = 0) const;
   /// The plan as it was written.
   Plan read(const Head& head);
-  /// The legs of chunks that last at some time from `from` to `until`, in order. `stamp`: as for read_chunk().
-  /// Cost: two look-ups, a row per chunk.
-  void read_legs(const Head& head, double from, double until, std::optional<std::int64_t> stamp,
+  /// The legs of these times, in order. `stamp`: as for read_chunk(). Cost: two look-ups, a row per chunk.
+  void read_legs(const Head& head, const LegTimes& times, std::optional<std::int64_t> stamp,
                  std::vector<Leg>& legs);
   /// Fills the chunk, with the legs of these times; returns false if the number does not exist. The record is empty
   /// until add_record() has added it to a chunk in memory.
@@ -70,6 +69,8 @@ class StoredPlans final : public Journal::Participant {
   bool read_chunk(std::int64_t number, const LegTimes& times, std::optional<std::int64_t> stamp,
                   Chunk& chunk);
   /// Adds the record of its object to a chunk that read_chunk() has read last, with a stamp.
+  /// As ChunkSource says.
+  void prefetch_chunk(std::int64_t number) { cache_.prefetch(number); }
   void add_record(std::int64_t number, std::span<const double> record) { cache_.add_record(number, record); }
 
   using EachPlan = std::function<void(const Head&, std::span<const Leg>)>;

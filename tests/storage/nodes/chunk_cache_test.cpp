@@ -43,7 +43,7 @@ class StoredBlobs : public ::testing::Test {
 
 TEST_F(StoredBlobs, ReadFromMemoryGiveTheWholePlan) {
   MemoryBudget budget;
-  ChunkCache cache(budget);
+  ChunkCache cache(budget, 3);
   EXPECT_EQ(cache.find(1, 7), nullptr);
   add_all(cache, 1);
   const FloatEnvironment environment;
@@ -52,9 +52,9 @@ TEST_F(StoredBlobs, ReadFromMemoryGiveTheWholePlan) {
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     const ChunkCache::Entry* const known = cache.find(1, number_of(i));
     ASSERT_NE(known, nullptr);
-    EXPECT_EQ(known->chunk.object, 42);
-    EXPECT_EQ(append_to_plan(known->chunk, read), nullptr);
-    EXPECT_EQ(append_legs(known->chunk, legs), nullptr);
+    EXPECT_EQ(known->chunk().object, 42);
+    EXPECT_EQ(append_to_plan(known->chunk(), read), nullptr);
+    EXPECT_EQ(append_legs(known->chunk(), legs), nullptr);
   }
   read.part_starts.pop_back();
   EXPECT_TRUE(same_plan(read, plan));
@@ -63,23 +63,25 @@ TEST_F(StoredBlobs, ReadFromMemoryGiveTheWholePlan) {
 
 TEST_F(StoredBlobs, HaveTheRecordThatWasAddedUntilTheyAreDropped) {
   MemoryBudget budget;
-  ChunkCache cache(budget);
+  ChunkCache cache(budget, 3);
   EXPECT_EQ(count_found(cache, 1), 0u);
   add_all(cache, 1);
-  EXPECT_TRUE(cache.find(1, 8)->record.empty());
+  EXPECT_TRUE(cache.find(1, 8)->record().empty());
   const std::vector<double> record = {1, 2, 3};
   cache.add_record(8, record);
   cache.add_record(6, record);  // not in memory
-  EXPECT_EQ(cache.find(1, 8)->record, record);
-  EXPECT_TRUE(cache.find(1, 7)->record.empty());
+  cache.prefetch(8);
+  cache.prefetch(6);
+  EXPECT_TRUE(std::ranges::equal(cache.find(1, 8)->record(), record));
+  EXPECT_TRUE(cache.find(1, 7)->record().empty());
   EXPECT_EQ(count_found(cache, 2), 0u);
   add_all(cache, 2);
-  EXPECT_TRUE(cache.find(2, 8)->record.empty());
+  EXPECT_TRUE(cache.find(2, 8)->record().empty());
 }
 
 TEST_F(StoredBlobs, OfAnotherStampAreDropped) {
   MemoryBudget budget;
-  ChunkCache cache(budget);
+  ChunkCache cache(budget, 3);
   EXPECT_EQ(count_found(cache, 1), 0u);
   add_all(cache, 1);
   EXPECT_EQ(count_found(cache, 1), blobs.size());
@@ -89,7 +91,7 @@ TEST_F(StoredBlobs, OfAnotherStampAreDropped) {
 
 TEST_F(StoredBlobs, AreKeptOverAnOwnCommitThatHasNotChangedThem) {
   MemoryBudget budget;
-  ChunkCache cache(budget);
+  ChunkCache cache(budget, 3);
   EXPECT_EQ(count_found(cache, 1), 0u);
   add_all(cache, 1);
   ChangedChunks changed;
@@ -112,7 +114,7 @@ TEST_F(StoredBlobs, AreEvictedByTheBudgetUnlessTheyWereUsed) {
   std::size_t bytes = 0;
   for (const auto& blob : blobs) bytes += blob.size();
   MemoryBudget large, small({.memory = bytes});  // what the cache itself needs besides exceeds it
-  ChunkCache all(large), some(small);
+  ChunkCache all(large, 3), some(small, 3);
   EXPECT_EQ(all.find(1, 7), nullptr);
   EXPECT_EQ(some.find(1, 7), nullptr);
   add_all(all, 1);

@@ -78,8 +78,9 @@ TEST_F(PlanDamage, RowsThatAreMissingMovedOrForeign) {
 TEST_F(PlanDamage, AMissingFirstChunkIsNotAPlanWithoutLegs) {
   db.run("DELETE FROM ships_leg WHERE number = " + number(0));
   std::vector<Leg> legs;
+  StatementReadState statement_state;
   expect_store_error(SQLITE_CORRUPT_VTAB, "a chunk of object 1 is missing",
-                     [&] { store->read_legs(1, stored_record(*store, 1), -no_end, no_end, legs); });
+                     [&] { store->read_legs(1, stored_record(*store, 1), {}, statement_state, legs); });
 }
 
 TEST_F(PlanDamage, AChunkOfAnotherObjectIsRefused) {

@@ -139,6 +139,8 @@ template <int D>
 [[gnu::flatten]] void NearestWalk<D>::open_children(NodeNumber number, const Node& inner, double reach) {
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
     if (test_ && !test_->accepts(kinds_at(inner, slot))) continue;
+    const Times lives = times_at<D>(inner, slot);  // cheaper than a box, whose span is the same
+    if (reader_.ends() && span_between(lives.t_min, lives.until_max, horizon_).is_empty()) continue;
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
     if (box.span.is_empty()) continue;
     const double distance = min_distance(box, query_, box.span);

@@ -71,7 +71,8 @@ bool LegJoin::join_slab() {
   legs_a_.take(leg_times_of(slab->horizon));
   if (legs_b_) legs_b_->take(leg_times_of(slab->horizon));
   const JoinQuestion question = question_of_legs();
-  ContactStage stage(question, interrupt_);
+  const bool is_whole = question.a == question_.a && question.b == question_.b;
+  ContactStage stage(question, is_whole ? contact_ : contact_of(question), interrupt_);
   if (plan_.with_helpers) {
     SlabHelpers helpers(question, *slab, true, interrupt_);
     for (SlabBatch batch; helpers.next(batch);) add(batch.hits);

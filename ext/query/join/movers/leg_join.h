@@ -43,7 +43,7 @@ class LegJoin {
   Movers a_;
   std::optional<Movers> other_;  ///< of side b, if that is another scene
   const Movers& b_;
-  std::unique_ptr<Contact> contact_;
+  std::shared_ptr<Contact> contact_;  ///< of whole scenes
   MoverPair pair_;
   JoinPlan plan_;
   TimeSlabs slabs_;
