@@ -1,6 +1,6 @@
 // Storage at the speed of a feed: reports, loads and look-ups through SQL.
 //
-//   bench_sql_reports [--quick] [--updates] [--commits] [--loads] [--lookups] [--after] [--planner]
+//   bench_sql_reports [--quick] [--updates] [--commits] [--loads] [--lookups] [--after] [--lives] [--planner]
 //                     [--degrees] [--memory] [--journal] [--wal] [scene ...]
 //
 // The objects of a scene (workloads.h) report their position and motion; reports/feed.h describes how a
@@ -38,6 +38,9 @@
 //              a = ?, against a fresh table of the same objects, and the size of both. Another table is loaded
 //              in twenty transactions, and read after each of them: the median and the slowest of the twenty.
 //              Scenes of two axes. (--quick: S-100000.)
+//   --lives    10,000 and 100,000 objects as those of S, in memory, that come and go and never report: each lives
+//              for 50 s. Windows of about 10 and nearest, sixteen times in two lives, against a fresh table of
+//              the same rows. (--quick: 10,000.)
 //   --planner  S-100000, S-1000000 and L-30: tables joined to functions as one writes it, and in the orders
 //              that CROSS JOIN can prescribe: ships s JOIN predictive_join(60, 'ships') j ON j.a = s.id WHERE
 //              s.x < 100; then with the scene's horizon the same, and by a box, by id, both sides, LEFT JOIN,
@@ -60,6 +63,7 @@ int main_of(const Options& options) {
                              {"--loads", measure_loads},
                              {"--lookups", measure_lookups},
                              {"--after", measure_after},
+                             {"--lives", measure_lives},
                              {"--planner", measure_planner},
                              {"--degrees", measure_degrees}});
 }

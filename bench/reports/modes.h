@@ -14,6 +14,7 @@ void measure_commits(const Options& options);
 void measure_loads(const Options& options);
 void measure_lookups(const Options& options);
 void measure_after(const Options& options);
+void measure_lives(const Options& options);
 void measure_planner(const Options& options);
 void measure_degrees(const Options& options);
 

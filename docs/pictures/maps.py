@@ -119,8 +119,8 @@ def new_york():
     picture.cut(chart.top + chart.height + 30)
     chart.open()
     chart.land()
-    places = dict((row[0], row[1:]) for row in db.execute("SELECT id, lat, lon FROM predictive_position(?, 'ships')", (now,)))
-    later = dict((row[0], row[1:]) for row in db.execute("SELECT id, lat, lon FROM predictive_position(?, 'ships')", (now + TEN_MINUTES,)))
+    places = dict((row[0], row[1:]) for row in db.execute("SELECT id, lat, lon FROM predictive_position(?, 'ships') ORDER BY id", (now,)))
+    later = dict((row[0], row[1:]) for row in db.execute("SELECT id, lat, lon FROM predictive_position(?, 'ships') ORDER BY id", (now + TEN_MINUTES,)))
     close = {ship for pair in pairs for ship in pair[5:7]}
     for ship, place in places.items():
         start, end = chart.pixel(*place), chart.pixel(*later[ship])

@@ -139,7 +139,21 @@ MovingBox<D> moving_box(const Bodies& bodies, std::size_t i, const Horizon& hori
 /// A window whose faces are at lower and upper at `now` and then move with `velocity`; faces may be infinite.
 template <int D>
 MovingBox<D> moving_window(const Vec<D>& lower, const Vec<D>& upper, const Vec<D>& velocity,
-                           const Horizon& horizon);
+                           const Horizon& horizon) {
+  const double infinity = std::numeric_limits<double>::infinity(), reach = horizon.h + shortest_reach;
+  MovingBox<D> box{lower, upper, velocity, velocity, {0, horizon.h}};
+  auto round_outward = [&](Vec<D>& face, Vec<D>& speed) {
+    face = lower_end<D>(face, (face.abs() + speed.abs() * reach) * rounding_pad + smallest_pad);
+    speed = (face >= -largest_bound).select(speed, 0.0);
+    face = (speed.abs() * std::max(1.0, reach) <= largest_bound).select(face, -infinity);
+    speed = (face >= -largest_bound).select(speed, 0.0);
+  };
+  round_outward(box.lower, box.v_lower);
+  box.upper = -box.upper, box.v_upper = -box.v_upper;
+  round_outward(box.upper, box.v_upper);
+  box.upper = -box.upper, box.v_upper = -box.v_upper;
+  return box;
+}
 
 inline SharedInterval shared_span(const SharedInterval& a, const SharedInterval& b) {
   return {std::max(a.begin, b.begin), std::min(a.end, b.end)};

@@ -76,13 +76,13 @@ class Tree final : public TprTree {
     for (const std::int64_t id : old_ids) step(), state_.pages.forget(id);
     state_.clock = {};
     free_all(state_.pages, interrupt);
-    bulk_load_tree(state_, ids, records, interrupt);
+    load_all(ids, records, interrupt);
   }
 
   void merge(std::span<const std::int64_t> ids, std::span<const double> records,
              Interrupt& interrupt) override {
     if (ids.empty()) return;
-    if (state_.pages.find_root() == 0) return bulk_load_tree(state_, ids, records, interrupt);
+    if (state_.pages.find_root() == 0) return load_all(ids, records, interrupt);
     const std::size_t size = state_.reader.record_size();
     if (ids.size() < few || state_.pages.read(state_.pages.find_root())->is_leaf()) {
       Steps step(interrupt);
@@ -111,6 +111,10 @@ class Tree final : public TprTree {
     erase_objects(state_, ids, max_leaves, interrupt);
   }
 
+  void repack_dispersed(std::size_t changes, std::uint64_t draw) override {
+    foresee::repack_dispersed(state_, changes, draw);
+  }
+
   bool packs_new(std::size_t objects) override { return objects >= few && takes_runs(state_, objects); }
 
   void merge_new(std::span<const std::int64_t> ids, std::span<const double> records,
@@ -128,7 +132,7 @@ class Tree final : public TprTree {
   void add_run(std::span<const std::int64_t> ids, std::span<const double> records,
                Interrupt& interrupt) override {
     const NodeNumber root = state_.pages.find_root();
-    if (root == 0) return bulk_load_tree(state_, ids, records, interrupt);
+    if (root == 0) return load_all(ids, records, interrupt);
     observe_newest(records);
     const int level = root_level();
     const auto run = pack_run(state_, ids, records, run_levels(state_, ids.size(), level), interrupt);
@@ -140,7 +144,7 @@ class Tree final : public TprTree {
               Interrupt& interrupt) override {
     observe_newest(records);
     free_all(state_.pages, interrupt);
-    bulk_load_tree(state_, ids, records, interrupt);
+    load_all(ids, records, interrupt);
   }
 
   std::unique_ptr<SpacePartitioning> divide(std::span<const double> sample, std::size_t partitions,
@@ -153,6 +157,7 @@ class Tree final : public TprTree {
   void bulk_load_partitions(ObjectPartitions& partitions, Interrupt& interrupt) override {
     free_all(state_.pages, interrupt);
     bulk_load_tree(state_, partitions, interrupt);
+    note_all_packed(state_);
   }
 
   void rebuild(Interrupt& interrupt) override {
@@ -160,10 +165,15 @@ class Tree final : public TprTree {
     std::vector<double> records;
     collect_objects(state_.pages, ids, records, interrupt);
     free_all(state_.pages, interrupt);
-    bulk_load_tree(state_, ids, records, interrupt);
+    load_all(ids, records, interrupt);
   }
 
  private:
+  void load_all(std::span<const std::int64_t> ids, std::span<const double> records, Interrupt& interrupt) {
+    bulk_load_tree(state_, ids, records, interrupt);
+    note_all_packed(state_);
+  }
+
   int root_level() { return read(state_.pages, unread_root(state_.pages))->level; }
 
   /// Requires: the tree has the object.

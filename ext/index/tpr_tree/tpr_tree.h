@@ -80,6 +80,8 @@ class TprTree {
   /// Erases these objects. Many together cost far less per object than erase(). At most `max_leaves` leaves are changed
   /// before pages may write them. Requires: the tree has all objects; ids ascend.
   virtual void erase_all(std::span<const std::int64_t> ids, std::size_t max_leaves, Interrupt& interrupt) = 0;
+  /// After so many objects were written or erased: may pack those that have dispersed (update/rebalance.h).
+  virtual void repack_dispersed(std::size_t changes, std::uint64_t draw) = 0;
   /// merge() of objects that the tree does not have. Where they are many, they become packed nodes beside those
   /// that are there, and parts of the tree are packed again from time to time (update/merge.h).
   virtual void merge_new(std::span<const std::int64_t> ids, std::span<const double> records,

@@ -18,6 +18,13 @@ inline constexpr double look_ahead = 0.15;
 /// redistribute leaves without free slots.
 inline constexpr double packed_fill = 0.9;
 
+/// When repack_dispersed() examines nodes. Nothing of it is stored.
+struct RepackTurns {
+  bool are_known = false;
+  double changes = 0;             ///< since the last packing
+  double visits_when_packed = 0;  ///< of a query beneath the node packed last; 0: not known
+};
+
 template <int D>
 struct TreeState {
   TreeState(Pages& pages, double horizon) : pages(pages), reader(pages.layout()), horizon(horizon) {}
@@ -26,6 +33,7 @@ struct TreeState {
   LeafReader<D> reader;
   double horizon;
   WriteClock clock;
+  RepackTurns repack_turns;
 
   ReferenceTimes reference_times() const { return ReferenceTimes(clock.now()); }
   /// The epoch of a node with these lives beneath it. Every epoch that is written comes from here.

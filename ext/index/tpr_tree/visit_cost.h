@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "index/tpr_tree/reference_times.h"
 
@@ -56,10 +57,28 @@ class VisitCost {
     return integral(window.elapsed) * window.weight;
   }
 
+  /// The sum of these entries' costs.
+  double operator()(std::span<const Entry<D>> entries, const TypicalQuery& query) const {
+    double sum = 0;
+    for (const Entry<D>& entry : entries) sum += (*this)(entry, query);
+    return sum;
+  }
+
   /// The query whose side and duration are this fraction of an entry's.
   TypicalQuery query_like(double fraction, const Entry<D>& entry) const {
     return {fraction * mean_width(entry.bounds, entry.times),
             ends(entry.times) ? fraction * spread(entry.times) : 0};
+  }
+
+  /// The mean of those of these entries.
+  TypicalQuery query_like(double fraction, std::span<const Entry<D>> entries) const {
+    TypicalQuery mean;
+    const auto count = static_cast<double>(entries.size());
+    for (const Entry<D>& entry : entries) {
+      const TypicalQuery query = query_like(fraction, entry);
+      mean.side += query.side / count, mean.duration += query.duration / count;
+    }
+    return mean;
   }
 
   /// The mean width over the axes, at half the look-ahead or in the middle of the lives.

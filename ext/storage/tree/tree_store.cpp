@@ -107,9 +107,17 @@ void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
     tree_->erase_all(erased, std::max<std::size_t>(max_leaves, 1), interrupt);
     if (pending_.count() > 0 || (reason == Reason::commit && has_runs_.get()))
       merge_records(reason, interrupt);
+    changes_ += pending_.count() + erased.size();
+    if (reason == Reason::commit) repack_dispersed(erased);
   });
   pending_.remove_all();
   if (pending_updates_.get()) pending_updates_.change() = false;
+}
+
+void TreeStore::repack_dispersed(std::span<const std::int64_t> erased) {
+  std::uint64_t draw = erased.empty() ? 0 : hash_of(static_cast<std::uint64_t>(erased.front()));
+  if (pending_.count() > 0) draw ^= hash_of(pending_.first_record());
+  tree_->repack_dispersed(std::exchange(changes_, 0), draw);
 }
 
 double TreeStore::min_loaded() const {

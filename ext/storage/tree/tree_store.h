@@ -112,6 +112,8 @@ class TreeStore final : private MemoryHolder {
   /// The tree is loaded if a larger share of its objects has changed. It differs between transactions: a hash of a
   /// record decides, so the same changes give the same tree.
   double min_loaded() const;
+  /// In a commit: queries of a transaction should not wait for it.
+  void repack_dispersed(std::span<const std::int64_t> erased);
   void add_run(Interrupt& interrupt);
   void note_packed() {
     if (has_runs_.get()) has_runs_.change() = false;
@@ -141,6 +143,7 @@ class TreeStore final : private MemoryHolder {
   PendingObjects pending_;
   Journaled<bool> has_runs_;         ///< added by this transaction
   Journaled<bool> pending_updates_;  ///< some of the pending objects may be in the tree already
+  std::size_t changes_ = 0;          ///< merged since the last commit that merged any
 };
 
 /// All objects again, from a source that can be read again. If they exceed the memory for sorting, it is read three

@@ -8,16 +8,17 @@
 namespace foresee {
 namespace {
 
-/// The upper quartile of a sample of t: the time that most objects have reached.
+/// The time that all but a twentieth of a sample have reached. Objects that have not reported again are older than
+/// the current time; few are scheduled for later.
 template <int D>
 double typical_t(const LeafReader<D>& reader, std::span<const double> records) {
   const std::size_t count = records.size() / reader.record_size(), step = count / 1024 + 1;
   std::vector<double> sample;
   for (std::size_t i = 0; i < count; i += step)
     sample.push_back(reader.t(records.data() + i * reader.record_size()));
-  const auto quartile = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() * 3 / 4);
-  std::nth_element(sample.begin(), quartile, sample.end());
-  return *quartile;
+  const auto late = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() - sample.size() / 20 - 1);
+  std::nth_element(sample.begin(), late, sample.end());
+  return *late;
 }
 
 template <int D>

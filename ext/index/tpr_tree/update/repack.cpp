@@ -17,13 +17,6 @@ constexpr std::size_t max_moved = 72;
 /// A change is worth it if it reduces the cost to less than this factor of what it was.
 constexpr double worth_packing = 0.95, worth_moving = 0.8;
 
-template <int D>
-double total(const std::vector<Entry<D>>& entries, const VisitCost<D>& cost, const TypicalQuery& query) {
-  double sum = 0;
-  for (const Entry<D>& entry : entries) sum += cost(entry, query);
-  return sum;
-}
-
 /// The cost that a child adds to its parent.
 template <int D>
 double share_of(const Node& parent, std::size_t child, double epoch, const VisitCost<D>& cost,
@@ -100,23 +93,18 @@ bool pack_leaves(TreeState<D>& state, NodeNumber number, std::span<const std::si
   std::vector<Entry<D>> before, after;
   {
     const auto parent = state.pages.read(number);
-    const VisitCost<D> cost = state.cost(packing.epoch);
-    TypicalQuery query;
     for (const std::size_t slot : slots) {
       const auto old = read_below(state.pages, number, *parent, slot);
       pack.add(parent->keys[slot], *old);
-      if (old->size() == 0) continue;
-      before.push_back(summary(*old, state.reader, packing.epoch));
-      const TypicalQuery half = cost.query_like(0.5, before.back());
-      query.side += half.side, query.duration += half.duration;
+      if (old->size() > 0) before.push_back(summary(*old, state.reader, packing.epoch));
     }
     if (before.empty()) return false;
-    const auto count = static_cast<double>(before.size());
-    query.side /= count, query.duration /= count;
+    const VisitCost<D> cost = state.cost(packing.epoch);
+    const TypicalQuery query = cost.query_like(0.5, before);
     pack.arrange(packing.into_few_leaves ? state.leaves_for(pack.objects()) : before.size());
     after = pack.summaries(packing.epoch);
     if (pack.arriving() > packing.max_arriving) return false;
-    if (!(total(after, cost, query) < worth_packing * total(before, cost, query))) return false;
+    if (!(cost(after, query) < worth_packing * cost(before, query))) return false;
   }
   pack.write_beneath(number, state.pages.modify(number), after);
   return true;
