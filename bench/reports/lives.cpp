@@ -1,8 +1,10 @@
 // Queries of a table whose objects come and go and never report: each lives for 50 s. The rival is a table of the same
 // rows that was loaded at once.
-#include <bit>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 #include "measure.h"

@@ -51,7 +51,8 @@ class TableSource {
                                                const LegTimes& times = {}) = 0;
   /// Must not outlive the statement that takes it.
   virtual std::shared_ptr<NodeSource> tree() = 0;
-  /// The plans; null for a layout without. Must be read to the end before anything is written.
+  /// The plans; null for a layout without. Must be read to the end before anything is written. Requires: tree() was
+  /// called in this statement.
   virtual std::shared_ptr<ChunkSource> chunks() { return nullptr; }
 
   /// Equal stamps: equal contents.

@@ -48,7 +48,7 @@ class Tree final : public TprTree {
     return true;
   }
 
-  bool erase(std::int64_t id) override { return erase_object(state_, id); }
+  bool erase(std::int64_t id) override { return start_clock(state_), erase_object(state_, id); }
 
   bool replace(std::int64_t id, std::int64_t new_id, std::span<const double> record) override {
     const auto leaf = state_.pages.find_leaf(id);
@@ -108,6 +108,7 @@ class Tree final : public TprTree {
   }
 
   void erase_all(std::span<const std::int64_t> ids, std::size_t max_leaves, Interrupt& interrupt) override {
+    start_clock(state_);
     erase_objects(state_, ids, max_leaves, interrupt);
   }
 

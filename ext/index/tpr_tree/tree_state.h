@@ -59,6 +59,8 @@ struct TreeState {
   std::size_t packed_size() const {
     return static_cast<std::size_t>(packed_fill * static_cast<double>(pages.leaf_capacity()));
   }
+  /// The typical number of children of an inner node.
+  double likely_children() const { return 0.7 * static_cast<double>(pages.inner_capacity()); }
   /// The number of leaves for these objects when they are packed.
   std::size_t leaves_for(std::size_t objects) const {
     return objects <= pages.leaf_capacity() ? 1 : (objects + packed_size() - 1) / packed_size();

@@ -72,12 +72,12 @@ class ChunkCache final : private MemoryHolder {
    public:
     const StoredChunk& chunk() const { return chunk_; }
     /// Of the object; empty: not known.
-    std::span<const double> record() const { return {numbers(), has_record_ ? record_size_ : 0}; }
+    std::span<const double> record() const { return {record_numbers(), has_record_ ? record_size_ : 0}; }
 
    private:
     friend class ChunkCache;
 
-    const double* numbers() const { return reinterpret_cast<const double*>(this + 1); }
+    const double* record_numbers() const { return reinterpret_cast<const double*>(this + 1); }
     std::byte* memory() { return reinterpret_cast<std::byte*>(this + 1); }
 
     StoredChunk chunk_;
@@ -113,6 +113,8 @@ class ChunkCache final : private MemoryHolder {
     share_.budget().evict();
     Owned made = make(blob, chunk);
     Owned& place = chunks_[number];
+    places_.forget(number);
+    if (place) bytes_ -= size_of(*place);
     bytes_ += size_of(*made);
     place = std::move(made);
     note_memory();

@@ -93,8 +93,7 @@ class Store final : public FormSource, public std::enable_shared_from_this<Store
   // --- plans (store_plans.cpp); requires: a layout with plans
   /// The plan of an object as it was written. Requires: the record of the object, with a plan.
   Plan read_plan(std::int64_t id, std::span<const double> record);
-  /// Its legs that exist at some of these times, in order; the object's `until` has
-  /// not cut them. Cost: two look-ups.
+  /// Its legs that exist at some of these times, in order; the object's `until` has not cut them. Cost: two look-ups.
   void read_legs(std::int64_t id, std::span<const double> record, const LegTimes& times,
                  StatementReadState& statement_state, std::vector<Leg>& legs);
   /// The plans for walks; null in a layout without. Valid until the next write. Requires: the statement has taken a

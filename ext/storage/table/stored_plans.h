@@ -68,9 +68,9 @@ class StoredPlans final : public Journal::Participant {
   /// `stamp`: of the committed rows, whose chunks are kept in memory; nothing: this transaction has written.
   bool read_chunk(std::int64_t number, const LegTimes& times, std::optional<std::int64_t> stamp,
                   Chunk& chunk);
-  /// Adds the record of its object to a chunk that read_chunk() has read last, with a stamp.
   /// As ChunkSource says.
   void prefetch_chunk(std::int64_t number) { cache_.prefetch(number); }
+  /// Adds the record of its object to a chunk that read_chunk() has read last, with a stamp.
   void add_record(std::int64_t number, std::span<const double> record) { cache_.add_record(number, record); }
 
   using EachPlan = std::function<void(const Head&, std::span<const Leg>)>;

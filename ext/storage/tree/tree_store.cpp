@@ -105,9 +105,9 @@ void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
     const std::size_t max_leaves =
         memory_.max_waiting() / format_.node_size / 2;  // each as it was and as it becomes
     tree_->erase_all(erased, std::max<std::size_t>(max_leaves, 1), interrupt);
+    changes_ += pending_.count() + erased.size();
     if (pending_.count() > 0 || (reason == Reason::commit && has_runs_.get()))
       merge_records(reason, interrupt);
-    changes_ += pending_.count() + erased.size();
     if (reason == Reason::commit) repack_dispersed(erased);
   });
   pending_.remove_all();

@@ -110,12 +110,13 @@ class TreeStore final : private MemoryHolder {
   [[noreturn]] void damaged(const std::string& what) const;
   void merge_records(Reason reason, Interrupt& interrupt);
   /// The tree is loaded if a larger share of its objects has changed. It differs between transactions: a hash of a
-  /// record decides, so the same changes give the same tree.
+  /// record decides.
   double min_loaded() const;
   /// In a commit: queries of a transaction should not wait for it.
   void repack_dispersed(std::span<const std::int64_t> erased);
   void add_run(Interrupt& interrupt);
   void note_packed() {
+    changes_ = 0;
     if (has_runs_.get()) has_runs_.change() = false;
   }
   void reload(Interrupt& interrupt);

@@ -1,5 +1,7 @@
 #include "index/tpr_tree/bulk_load/bulk_load.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "base/interrupt_steps.h"
@@ -160,6 +162,19 @@ void start_clock(TreeState<D>& state, std::span<const double> records) {
   if (!state.clock.runs()) state.clock.set(typical_t(state.reader, records));
 }
 
+template <int D>
+void start_clock(TreeState<D>& state) {
+  if (state.clock.runs() || state.pages.find_root() == 0) return;
+  const auto root = read(state.pages, unread_root(state.pages));
+  if (root->is_leaf()) return start_clock(state, root->values);
+  std::vector<double> newest;
+  for (std::size_t slot = 0; slot < root->size(); ++slot) newest.push_back(times_at<D>(*root, slot).t_max);
+  if (newest.empty()) return;
+  const auto middle = newest.begin() + static_cast<std::ptrdiff_t>(newest.size() / 2);
+  std::nth_element(newest.begin(), middle, newest.end());
+  if (std::isfinite(*middle)) state.clock.set(*middle);
+}
+
 void free_all(Pages& pages, Interrupt& interrupt) {
   std::vector<Unread> all;
   if (pages.find_root() != 0) all.push_back(unread_root(pages));
@@ -213,6 +228,7 @@ std::vector<Branch<D>> pack_run(TreeState<D>& state, std::span<const std::int64_
 }
 
 #define FORESEE_OF_AXES(D)                                                                                   \
+  template void start_clock<D>(TreeState<D>&);                                                               \
   template void start_clock<D>(TreeState<D>&, std::span<const double>);                                      \
   template void bulk_load_tree<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>,     \
                                   Interrupt&);                                                               \

@@ -15,6 +15,10 @@ void free_all(Pages& pages, Interrupt& interrupt);
 /// Sets a clock that has not started to the typical t of the records, which may be a sample.
 template <int D>
 void start_clock(TreeState<D>& state, std::span<const double> records);
+/// Sets a clock that has not started to the t that half of the tree has reached: before the first change of a process,
+/// if that writes no t. Cost: the root.
+template <int D>
+void start_clock(TreeState<D>& state);
 
 /// Starts the clock. Requires: the tree is empty.
 template <int D>

@@ -53,18 +53,18 @@ void repack_around(TreeState<D>& state, NodeNumber leaf, std::size_t turn);
 template <int D>
 bool pack_all_leaves(TreeState<D>& state, NodeNumber parent);
 
-// Packing of all objects beneath a node that have dispersed. Those that live long without a report drift apart, and no
+// Packs all objects beneath a node, once they have dispersed. Those that live long without a report drift apart, and no
 // report packs them again.
 //
 //   repack_dispersed(state, 40, draw);                    // after 40 objects were written or erased
 //
-// Nodes of level 2 are examined, or the root of a lower tree, once a process has changed a quarter as many objects as
-// one packing takes. If a query would visit two and a half times the leaves of a packed tree, all beneath the worst of
-// these nodes is packed as by a bulk load. In tables whose objects disperse a change costs some 3 % more, in others
-// hardly anything.
+// Examined are the root, or nodes of a level whose nodes have at most some 50,000 objects: level 2 if they have 4 kB.
+// That is due once a process has changed a quarter as many objects as one packing takes. If a query would visit two and
+// a half times the leaves of a packed tree, all beneath the worst of these nodes is packed as by a bulk load. Where no
+// node is so small, as in pages of 64 kB, nothing is packed.
 
-/// `draw` chooses nodes, and when a process examines them first. Requires: no reference to a node is in use. Cost:
-/// mostly the root; else some 2000 entries are read; if it packs, some 1000 leaves are written, in 30 ms without a poll
+/// `draw` chooses nodes, and when a process examines them first. Requires: no reference to a node is in use. A damaged
+/// node is left alone. Cost: mostly the root; else some 4000 entries are read; if it packs, some 30 ms without a poll
 /// for an interrupt.
 template <int D>
 void repack_dispersed(TreeState<D>& state, std::size_t changes, std::uint64_t draw);
