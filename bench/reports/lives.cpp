@@ -51,11 +51,13 @@ class Lives {
     create("fresh");
     db_.run("INSERT INTO fresh SELECT * FROM ships");
     std::vector<Speed> speeds;
-    for (const std::string what :
-         {"predictive_window WHERE h = 3 AND tbl = '%' AND now = ?1 AND x0 = ?2 AND x1 = ?2 + 8 AND y0 = ?3 "
-          "AND "
-          "y1 = ?3 + 8",
-          "predictive_nearest WHERE h = 3 AND tbl = '%' AND now = ?1 AND k = 10 AND x = ?2 AND y = ?3"}) {
+    const std::string window =
+                          "predictive_window WHERE h = 3 AND tbl = '%' AND now = ?1 AND "
+                          "x0 = ?2 AND x1 = ?2 + 8 AND y0 = ?3 AND y1 = ?3 + 8",
+                      nearest =
+                          "predictive_nearest WHERE h = 3 AND tbl = '%' AND now = ?1 AND k = 10 AND "
+                          "x = ?2 AND y = ?3";
+    for (const std::string& what : {window, nearest}) {
       Comparison times;
       for (int i = 0; i <= repetitions; ++i) {
         std::uint64_t rows[2] = {0, 0};

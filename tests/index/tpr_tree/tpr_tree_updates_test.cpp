@@ -1,7 +1,6 @@
 // Updates of objects: the nodes that they change, and the quality of the tree after many of them.
 #include <gtest/gtest.h>
 
-#include "index/tpr_tree/search/window_walk.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
@@ -9,6 +8,8 @@ namespace foresee {
 namespace {
 
 using testing::boats;
+using testing::leaves_against_packed;
+using testing::leaves_in_windows;
 using testing::Random;
 using testing::random_scene;
 using testing::RandomScene;
@@ -133,42 +134,41 @@ TEST(TprTreeUpdates, ARunIsASubtreeBesideTheOthersWhateverItsSize) {
   }
 }
 
-/// The number of leaves read by windows of a twentieth of the scene's side.
-std::size_t leaves_in_windows(TreeModel& model, double side, double now) {
-  Random random(8);
-  std::size_t leaves = 0;
-  for (int i = 0; i < 100; ++i) {
-    const Vec<2> lower(random.in(0, side), random.in(0, side)), still = Vec<2>::Zero();
-    const Horizon horizon{now, 0};
-    WindowWalk<2> walk(model.pages, moving_window<2>(lower, lower + side / 20, still, horizon), horizon,
-                       still, model.never);
-    for (LeafHits hits; walk.next(hits);) ++leaves;
+std::vector<double> boat(Random& random, double t, double x, double y) {
+  return {t, x, y, random.in(-3, 3), random.in(-3, 3), 0.5};
+}
+
+constexpr std::size_t boat_count = 4000;
+constexpr double side = 400;
+
+/// Loads boats at random places; `t` gives the time of each.
+template <class Time>
+void load_boats(TreeModel& model, Random& random, Time t) {
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  for (std::size_t i = 0; i < boat_count; ++i) {
+    const auto id = static_cast<std::int64_t>(i);
+    const auto& record = model.objects[id] = boat(random, t(), random.in(0, side), random.in(0, side));
+    ids.push_back(id), records.insert(records.end(), record.begin(), record.end());
   }
-  return leaves;
+  model.tree->bulk_load(ids, records, model.never);
 }
 
 /// The state after many reports, as a multiple of that of a tree built from the same objects.
 struct Decay {
-  double nodes, leaves_in_windows;
+  double nodes;
+  testing::LeavesInWindows leaves;
 };
 
 /// Objects drift, and report in batches of this size; a batch of one is an update.
 Decay decay_by_reports(std::size_t batch) {
-  constexpr std::size_t count = 4000;
-  constexpr double side = 400, duration = 20;
+  constexpr std::size_t count = boat_count;
+  constexpr double duration = 20;
   TreeModel model(boats, 60, 20);
   Random random(6);
-  const auto boat = [&random](double t, double x, double y) {
-    return std::vector<double>{t, x, y, random.in(-3, 3), random.in(-3, 3), 0.5};
-  };
+  load_boats(model, random, [] { return 0; });
   std::vector<std::int64_t> ids;
   std::vector<double> records;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto id = static_cast<std::int64_t>(i);
-    const auto& record = model.objects[id] = boat(0, random.in(0, side), random.in(0, side));
-    ids.push_back(id), records.insert(records.end(), record.begin(), record.end());
-  }
-  model.tree->bulk_load(ids, records, model.never);
   for (std::size_t done = 0; done < 2 * count; done += batch) {
     const double now = duration * static_cast<double>(done) / (2 * count);
     ids.clear(), records.clear();
@@ -177,7 +177,7 @@ Decay decay_by_reports(std::size_t batch) {
       if (std::find(ids.begin(), ids.end(), id) != ids.end()) continue;
       std::vector<double>& record = model.objects[id];
       const double past = now - record[0];
-      record = boat(now, record[1] + record[3] * past, record[2] + record[4] * past);
+      record = boat(random, now, record[1] + record[3] * past, record[2] + record[4] * past);
       ids.push_back(id), records.insert(records.end(), record.begin(), record.end());
     }
     if (batch > 1)
@@ -187,17 +187,16 @@ Decay decay_by_reports(std::size_t batch) {
   }
   model.expect_sound();
   const auto nodes = static_cast<double>(model.pages.node_count());
-  const auto leaves = static_cast<double>(leaves_in_windows(model, side, duration));
-  model.tree->rebuild(model.never);
-  return {nodes / static_cast<double>(model.pages.node_count()),
-          leaves / static_cast<double>(leaves_in_windows(model, side, duration))};
+  const auto leaves = leaves_against_packed(model, side, duration);
+  return {nodes / static_cast<double>(model.pages.node_count()), leaves};
 }
 
 TEST(TprTreeUpdates, RemainTightAndFullWhileObjectsDrift) {
   for (const std::size_t batch : {1, 50, 250}) {
     const Decay decay = decay_by_reports(batch);
     EXPECT_LT(decay.nodes, 1.6) << batch;
-    EXPECT_LT(decay.leaves_in_windows, batch == 1 ? 2 : 1.6) << batch;
+    EXPECT_LT(decay.leaves.with_hits, batch == 1 ? 2 : 1.6) << batch;
+    EXPECT_LT(decay.leaves.read, batch == 1 ? 3 : 2.5) << batch;
   }
 }
 
@@ -223,6 +222,31 @@ TEST(TprTreeUpdates, EstimatesTheNumberOfObjectsOfUnevenTrees) {
   EXPECT_LT(highest, 1.7);
   TreeModel empty(boats, 60);
   EXPECT_EQ(estimate_objects(empty.pages, 5), 0);
+}
+
+// The time that counts is that of the last reports, not of ships that have been silent for long.
+TEST(TprTreeUpdates, FollowALoadForTheTimeThatMostObjectsHaveReached) {
+  constexpr double now = 200;
+  TreeModel model(boats, 60, 20);
+  Random random(3);
+  load_boats(model, random, [&] { return random.in(0, now); });
+  model.tree->insert(4000, boat(random, now, 1, 1));
+  for (int i = 0; i < 20; ++i) model.tree->update(4000, boat(random, now, 1, 1));
+  EXPECT_LT(leaves_against_packed(model, side, now).read, 5);
+}
+
+// A process that has written no t knows no time but that of what is stored.
+TEST(TprTreeUpdates, EraseTightlyInAProcessThatWritesNothing) {
+  constexpr double now = 1.7e9;
+  TreeModel model(boats, 60, 20);
+  Random random(3);
+  load_boats(model, random, [] { return now; });
+  const double before = leaves_in_windows(model, side, now).read;
+  model.tree = make_tpr_tree(model.pages, 60);
+  for (std::int64_t id = 0; id < 2000; id += 2) model.erase(id);
+  model.erase_share(0.2, 1000, random);
+  model.expect_sound();
+  EXPECT_LT(leaves_in_windows(model, side, now).read, 1.2 * before);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "index/memory_pages.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "shape/swept_boxes.h"
 #include "tests/scenes.h"
@@ -143,6 +144,53 @@ struct TreeModel {
   std::unique_ptr<TprTree> tree;
   std::map<std::int64_t, std::vector<double>> objects;
 };
+
+/// Counts the leaves that a walk reads.
+class CountedLeaves final : public NodeSource {
+ public:
+  explicit CountedLeaves(NodeSource& nodes) : nodes_(nodes) {}
+
+  const Layout& layout() const override { return nodes_.layout(); }
+  NodeNumber find_root() override { return nodes_.find_root(); }
+  std::shared_ptr<const Node> read(NodeNumber number) override {
+    auto node = nodes_.read(number);
+    count += node->is_leaf();
+    return node;
+  }
+
+  std::size_t count = 0;
+
+ private:
+  NodeSource& nodes_;
+};
+
+/// The leaves that windows of a twentieth of the side read, and those of them with an object that may meet the window.
+struct LeavesInWindows {
+  double read = 0, with_hits = 0;
+};
+
+inline LeavesInWindows leaves_in_windows(TreeModel& model, double side, double now) {
+  Random random(8);
+  CountedLeaves leaves(model.pages);
+  LeavesInWindows all;
+  for (int i = 0; i < 100; ++i) {
+    const Vec<2> lower(random.in(0, side), random.in(0, side)), still = Vec<2>::Zero();
+    const Horizon horizon{now, 0};
+    WindowWalk<2> walk(leaves, moving_window<2>(lower, lower + side / 20, still, horizon), horizon, still,
+                       model.never);
+    for (LeafHits hits; walk.next(hits);) ++all.with_hits;
+  }
+  all.read = static_cast<double>(leaves.count);
+  return all;
+}
+
+/// The same as multiples of those of a tree built from the same objects, which the model has from then on.
+inline LeavesInWindows leaves_against_packed(TreeModel& model, double side, double now) {
+  const LeavesInWindows before = leaves_in_windows(model, side, now);
+  model.tree->rebuild(model.never);
+  const LeavesInWindows packed = leaves_in_windows(model, side, now);
+  return {before.read / packed.read, before.with_hits / packed.with_hits};
+}
 
 /// The box of an object at a time, computed in long double without code of the tree; false if it does not
 /// exist then.

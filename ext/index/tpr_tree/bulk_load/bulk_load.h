@@ -15,8 +15,8 @@ void free_all(Pages& pages, Interrupt& interrupt);
 /// Sets a clock that has not started to the typical t of the records, which may be a sample.
 template <int D>
 void start_clock(TreeState<D>& state, std::span<const double> records);
-/// Sets a clock that has not started to the t that half of the tree has reached: before the first change of a process,
-/// if that writes no t. Cost: the root.
+/// Sets a clock that has not started to a t of the tree: the median of the newest t beneath each child of the root.
+/// Call it before changes that write no t. Cost: the root.
 template <int D>
 void start_clock(TreeState<D>& state);
 

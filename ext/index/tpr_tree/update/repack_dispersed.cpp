@@ -168,8 +168,8 @@ std::optional<Beneath> find_dispersed(TreeState<D>& state, std::size_t changes, 
   if (!are_dispersed()) return {};
   Beneath found = read_beneath(state, number);
   if (turns.visits_when_packed == 0) turns.visits_when_packed = visits_if_packed(state, found);
-  return are_dispersed() && !levels_beneath(state, found).empty() ? std::optional(std::move(found))
-                                                                  : std::nullopt;
+  if (!are_dispersed() || levels_beneath(state, found).empty()) return {};
+  return found;
 }
 
 /// Packs all beneath the node again.

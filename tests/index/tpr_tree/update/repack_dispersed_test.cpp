@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "base/repeatable_choice.h"
-#include "index/tpr_tree/search/window_walk.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee {
 namespace {
 
 using testing::boats;
+using testing::leaves_against_packed;
 using testing::name_of;
 using testing::Random;
 using testing::random_scene;
@@ -30,47 +30,6 @@ std::vector<std::int64_t> order_of(TreeModel& model) {
 
 std::vector<double> boat(Random& random, double t, double x, double y) {
   return {t, x, y, random.in(-3, 3), random.in(-3, 3), 0.5};
-}
-
-/// Counts the leaves that a walk reads.
-class CountedLeaves final : public NodeSource {
- public:
-  explicit CountedLeaves(NodeSource& nodes) : nodes_(nodes) {}
-
-  const Layout& layout() const override { return nodes_.layout(); }
-  NodeNumber find_root() override { return nodes_.find_root(); }
-  std::shared_ptr<const Node> read(NodeNumber number) override {
-    auto node = nodes_.read(number);
-    count += node->is_leaf();
-    return node;
-  }
-
-  std::size_t count = 0;
-
- private:
-  NodeSource& nodes_;
-};
-
-/// The number of leaves that windows of a twentieth of the side read.
-double leaves_read(TreeModel& model, double now) {
-  Random random(8);
-  CountedLeaves leaves(model.pages);
-  for (int i = 0; i < 100; ++i) {
-    const Vec<2> lower(random.in(0, side), random.in(0, side)), still = Vec<2>::Zero();
-    const Horizon horizon{now, 0};
-    WindowWalk<2> walk(leaves, moving_window<2>(lower, lower + side / 20, still, horizon), horizon, still,
-                       model.never);
-    for (LeafHits hits; walk.next(hits);) {
-    }
-  }
-  return static_cast<double>(leaves.count);
-}
-
-/// The same as a multiple of that of a packed tree.
-double visits(TreeModel& model, double now) {
-  const double before = leaves_read(model, now);
-  model.tree->rebuild(model.never);
-  return before / leaves_read(model, now);
 }
 
 TEST(DispersedObjects, ArePackedSoundInEveryLayout) {
@@ -95,8 +54,9 @@ TEST(DispersedObjects, ArePackedSoundInEveryLayout) {
   EXPECT_GT(packed, 10u);
 }
 
-/// Each object lives for 60 seconds; in every batch the oldest ones go. Returns visits() after two lives.
-double visits_after_lives(std::size_t batch, bool packs) {
+/// Each object lives for 60 seconds; in every batch the oldest ones go. Returns the leaves that windows read after two
+/// lives, as a multiple of those of a packed tree.
+double reads_after_lives(std::size_t batch, bool packs) {
   constexpr std::size_t count = 8000;
   constexpr double life = 60;
   TreeModel model(boats, 10, 40);
@@ -124,14 +84,14 @@ double visits_after_lives(std::size_t batch, bool packs) {
     if (packs) model.tree->repack_dispersed(2 * batch, hash_of(done));
   }
   model.expect_sound();
-  return visits(model, born(done));
+  return leaves_against_packed(model, side, born(done)).read;
 }
 
 TEST(DispersedObjects, ArePackedWhileObjectsComeAndGo) {
   for (const std::size_t batch : {1, 20, 50}) {
-    const double dispersed = visits_after_lives(batch, false);
+    const double dispersed = reads_after_lives(batch, false);
     EXPECT_GT(dispersed, 10) << batch;
-    EXPECT_LT(visits_after_lives(batch, true), 0.4 * dispersed) << batch;
+    EXPECT_LT(reads_after_lives(batch, true), 0.4 * dispersed) << batch;
   }
 }
 
@@ -165,43 +125,6 @@ TEST(DispersedObjects, OfADamagedTreeAreLeftAlone) {
   const auto before = order_of(model);
   for (std::uint64_t draw = 0; draw < 100; ++draw) model.tree->repack_dispersed(always, draw);
   EXPECT_EQ(order_of(model), before);
-}
-
-// The clock is that of the last reports, not of ships that have been silent for long.
-TEST(Loads, ShapeTheTreeForTheTimeThatMostObjectsHaveReached) {
-  TreeModel model(boats, 60, 20);
-  Random random(3);
-  std::vector<std::int64_t> ids;
-  std::vector<double> records;
-  for (std::int64_t id = 0; id < 4000; ++id) {
-    const auto& record = model.objects[id] =
-        boat(random, random.in(0, 200), random.in(0, side), random.in(0, side));
-    ids.push_back(id), records.insert(records.end(), record.begin(), record.end());
-  }
-  model.tree->bulk_load(ids, records, model.never);
-  model.tree->insert(4000, boat(random, 200, 1, 1));
-  for (int i = 0; i < 20; ++i) model.tree->update(4000, boat(random, 200, 1, 1));
-  EXPECT_LT(visits(model, 200), 5);
-}
-
-// A process that erases knows no time but that of what is stored.
-TEST(Erasing, KeepsTheTreeTightInAProcessThatWritesNothing) {
-  constexpr double now = 1.7e9;
-  TreeModel model(boats, 60, 20);
-  Random random(3);
-  std::vector<std::int64_t> ids;
-  std::vector<double> records;
-  for (std::int64_t id = 0; id < 4000; ++id) {
-    const auto& record = model.objects[id] = boat(random, now, random.in(0, side), random.in(0, side));
-    ids.push_back(id), records.insert(records.end(), record.begin(), record.end());
-  }
-  model.tree->bulk_load(ids, records, model.never);
-  const double before = leaves_read(model, now);
-  model.tree = make_tpr_tree(model.pages, 60);
-  for (std::int64_t id = 0; id < 2000; id += 2) model.erase(id);
-  model.erase_share(0.2, always, random);
-  model.expect_sound();
-  EXPECT_LT(leaves_read(model, now), 1.2 * before);
 }
 
 }  // namespace
