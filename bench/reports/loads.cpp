@@ -110,7 +110,10 @@ double measure(const Workload& w, Medium medium, double first) {
       if (first == 0) first = a_row;
       print_ratio(ours, ordinary.load(order, transactions, files.theirs));
       if (!shuffles || transactions != 20) continue;
-      print_file("  then UPDATE of all", loader.run("UPDATE ships SET x = x + 1, y = y - 1", files.ours));
+      const std::string all = "UPDATE ships SET x = x + 1, y = y - 1";
+      const Cost update = loader.run(all, files.ours);
+      print_file("  then UPDATE of all", update);
+      print_ratio(update, ordinary.run(all, files.theirs));
       print_file("  then 'optimize'", loader.run("INSERT INTO ships(ships) VALUES('optimize')", files.ours));
       print_file("  then 'rebuild'", loader.run("INSERT INTO ships(ships) VALUES('rebuild')", files.ours));
       const std::string third = "BEGIN; DELETE FROM ships WHERE id % 3 = 0; COMMIT";

@@ -152,4 +152,22 @@ double estimate_objects(NodeSource& source, double compared) {
   return sum / paths;
 }
 
+void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::vector<double>& records,
+                     Interrupt& interrupt) {
+  std::vector<Unread> open;
+  if (source.find_root() != 0) open.push_back(unread_root(source));
+  while (!open.empty()) {
+    interrupt.check();
+    const NodeNumber number = open.back().number;
+    const auto node = read(source, open.back());
+    open.pop_back();
+    if (node->is_leaf()) {
+      ids.insert(ids.end(), node->keys.begin(), node->keys.end());
+      records.insert(records.end(), node->values.begin(), node->values.end());
+    }
+    for (std::size_t slot = node->is_leaf() ? 0 : node->size(); slot-- > 0;)
+      open.push_back(unread_child(number, *node, slot));
+  }
+}
+
 }  // namespace foresee

@@ -80,7 +80,7 @@ class Tree final : public TprTree {
   }
 
   void merge(std::span<const std::int64_t> ids, std::span<const double> records,
-             Interrupt& interrupt) override {
+             std::span<const NodeNumber> leaves, Interrupt& interrupt) override {
     if (ids.empty()) return;
     if (state_.pages.find_root() == 0) return load_all(ids, records, interrupt);
     const std::size_t size = state_.reader.record_size();
@@ -94,17 +94,25 @@ class Tree final : public TprTree {
       return;
     }
     observe_newest(records);
-    const auto merge_some = [&](std::span<const std::int64_t> some, std::span<const double> theirs) {
-      merge_objects(state_, some, theirs, interrupt);
-      state_.pages.make_room();
-    };
     const std::size_t portions = (ids.size() + merge_size() - 1) / merge_size();
-    if (portions == 1) return merge_some(ids, records);
+    if (portions == 1) {
+      merge_objects(state_, ids, records, leaves, interrupt);
+      return state_.pages.make_room();
+    }
     const auto order = leaf_order(state_, records, {portions, 1}, {0, portions}, interrupt);
     for (std::size_t i = 0; i < portions; ++i) {
-      const Node some = objects_at(part_of(order, i, portions), ids, records, size);
-      merge_some(some.keys, some.values);
+      const auto part = part_of(order, i, portions);
+      const Node some = objects_at(part, ids, records, size);
+      std::vector<NodeNumber> theirs(leaves.empty() ? 0 : part.size());
+      for (std::size_t j = 0; j < theirs.size(); ++j) theirs[j] = leaves[part[j]];
+      merge_objects(state_, some.keys, some.values, theirs, interrupt);
+      state_.pages.make_room();
     }
+  }
+
+  bool arrive_in_place(std::span<const std::int64_t> ids, std::span<const double> records,
+                       std::span<const NodeNumber> leaves, Interrupt& interrupt) override {
+    return foresee::arrive_in_place(state_, ids, records, leaves, interrupt);
   }
 
   void erase_all(std::span<const std::int64_t> ids, std::size_t max_leaves, Interrupt& interrupt) override {
@@ -120,10 +128,10 @@ class Tree final : public TprTree {
 
   void merge_new(std::span<const std::int64_t> ids, std::span<const double> records,
                  Interrupt& interrupt) override {
-    if (!packs_new(ids.size())) return merge(ids, records, interrupt);
+    if (!packs_new(ids.size())) return merge(ids, records, {}, interrupt);
     observe_newest(records);
     const Remainder rest = merge_runs(state_, ids, records, interrupt);
-    merge(rest.ids, rest.records, interrupt);
+    merge(rest.ids, rest.records, {}, interrupt);
   }
 
   bool takes_run(std::size_t objects) override {
@@ -275,24 +283,6 @@ double read_newest_t(NodeSource& source) {
   const auto root = read(source, unread_root(source));
   return with_axes(source.layout().axes,
                    [&]<int D>(Axes<D>) { return newest_in(*root, LeafReader<D>(source.layout())); });
-}
-
-void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::vector<double>& records,
-                     Interrupt& interrupt) {
-  std::vector<Unread> open;
-  if (source.find_root() != 0) open.push_back(unread_root(source));
-  while (!open.empty()) {
-    interrupt.check();
-    const NodeNumber number = open.back().number;
-    const auto node = read(source, open.back());
-    open.pop_back();
-    if (node->is_leaf()) {
-      ids.insert(ids.end(), node->keys.begin(), node->keys.end());
-      records.insert(records.end(), node->values.begin(), node->values.end());
-    }
-    for (std::size_t slot = node->is_leaf() ? 0 : node->size(); slot-- > 0;)
-      open.push_back(unread_child(number, *node, slot));
-  }
 }
 
 }  // namespace foresee

@@ -141,6 +141,7 @@ bool IdWalk::next(std::vector<std::int64_t>& ids) {
 
 void IdMap::write(Interrupt& interrupt) {
   if (!has_unwritten()) return;
+  ++writes_;
   if (stored_is_void_) rows_->map().erase_all();
   std::vector<IdHashMap::Entry> changes = leaves_.known();
   Steps step(interrupt);
@@ -213,6 +214,7 @@ void IdMap::write_list(const std::optional<IdSum>& expected, Interrupt& interrup
                      name_.table +
                          ": the objects changed while they were read twice: another program writes to "
                          "the database or to the temporary file; roll back");
+  ++writes_;
   write(interrupt);
   list_->for_each_chunk([&](std::span<const IdHashMap::Entry> chunk) {
     interrupt.check();

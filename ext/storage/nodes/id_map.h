@@ -55,6 +55,8 @@ class IdMap final : public Journal::Participant {
   void void_stored();
   bool has_unwritten() const { return !leaves_.none_known() || stored_is_void_; }
   void write(Interrupt& interrupt);
+  /// How often rows have been written.
+  std::uint64_t writes() const { return writes_; }
 
   /// From now on place() only lists the ids, until one of the other two or a rewind. Of these ids only `new_ids` are
   /// new to the map; or all are, `count` of them.
@@ -103,6 +105,7 @@ class IdMap final : public Journal::Participant {
   bool started_empty_ = true;            ///< nothing was unwritten when the log was empty
   std::optional<std::size_t> empty_at_;  ///< the last position at which nothing was unwritten
   std::size_t held_after_writing_ = 0;
+  std::uint64_t writes_ = 0;
   std::optional<IdBlock> last_block_;
   std::optional<IdFilter> filter_;  ///< of the stored ids, and some that are gone
   std::optional<PlacedIds> list_;   ///< in place of leaves_ during a large load or merge

@@ -58,6 +58,9 @@ class NodeCache final : public Pages, public Journal::Participant {
   void free(NodeNumber number) override;
   void set_root(NodeNumber number) override;
   std::optional<NodeNumber> find_leaf(std::int64_t id) override;
+  /// Cost: those without a hint are looked up in the order of ids, so that each row of the map is read once.
+  std::vector<NodeNumber> find_leaves(std::span<const std::int64_t> ids, std::span<const NodeNumber> known,
+                                      Interrupt& interrupt) override;
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override { ids_.place(ids, leaf); }
   void forget(std::int64_t id) override { ids_.erase(id); }
   void start_placing(std::span<const std::int64_t> new_ids) override { ids_.start_list(new_ids); }
@@ -65,7 +68,15 @@ class NodeCache final : public Pages, public Journal::Participant {
 
   // --- objects
   /// The record of an object; null: no such object. Valid until the next call of the cache.
-  const double* find_record(std::int64_t id);
+  const double* find_record(std::int64_t id) { return record_at(find_place(id)); }
+  /// The leaf of an object, read and checked as by find_record(); 0: no such object.
+  NodeNumber find_sound_leaf(std::int64_t id) {
+    const Place place = find_place(id);
+    return record_at(place) ? place.leaf : 0;
+  }
+  /// From now until the map is written, leaves that find_sound_leaf() found are up to date, but for objects that have
+  /// been placed since.
+  void trust_known_leaves() { trusted_ = ids_.writes(); }
   /// find_record() without reading rows; null: not known in memory.
   const double* find_record_in_memory(std::int64_t id);
   /// As IdMap::extent(), and the ids of a range, both without pending objects.
@@ -143,8 +154,12 @@ class NodeCache final : public Pages, public Journal::Participant {
   void end(Journal::Ended how) noexcept override;
 
   [[noreturn]] void damaged(const std::string& what) const;
+  /// Null if the place is not known. The node counts as used.
   const double* record_at(const Place& place);
+  /// Not known: no such object.
+  Place find_place(std::int64_t id);
   Place find_by_hint(std::int64_t id);
+  Place find_in_memory(std::int64_t id);
   void learn(NodeNumber number, Slot& slot);
   Slot* fetch_if_stored(NodeNumber number);
   /// The node, which is read, checked and decoded if it is not in memory. SQLITE_CORRUPT_VTAB if it is
@@ -177,6 +192,7 @@ class NodeCache final : public Pages, public Journal::Participant {
   NodeSlots slots_;
   ChangedNodes changed_;
   LeafHints hints_;
+  std::uint64_t trusted_ = 0;  ///< see trust_known_leaves()
   NodeHistory history_;
   std::uint64_t keeper_ = 1;  ///< advances with every mark and snapshot that may keep a node
 };

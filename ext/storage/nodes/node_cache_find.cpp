@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/interrupt_steps.h"
 #include "storage/nodes/node_cache.h"
 
 namespace foresee {
@@ -34,6 +35,29 @@ std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
   return found;
 }
 
+std::vector<NodeNumber> NodeCache::find_leaves(std::span<const std::int64_t> ids,
+                                               std::span<const NodeNumber> known, Interrupt& interrupt) {
+  Steps step(interrupt);
+  std::vector<NodeNumber> leaves(ids.size());
+  std::vector<std::uint32_t> others;
+  if (trusted_ != ids_.writes()) known = {};
+  for (std::uint32_t i = 0; i < ids.size(); ++i) {
+    step();
+    if (ids_.find_unwritten(ids[i]) == IdMap::unknown)
+      leaves[i] = known.empty() || known[i] == 0 ? find_by_hint(ids[i]).leaf : known[i];
+    if (leaves[i] == 0) others.push_back(i);
+  }
+  std::sort(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
+    step();
+    return ids[a] < ids[b];
+  });
+  for (const std::uint32_t i : others) {
+    step();
+    leaves[i] = find_leaf(ids[i]).value_or(0);
+  }
+  return leaves;
+}
+
 NodeCache::Place NodeCache::find_by_hint(std::int64_t id) {
   const LeafHints::Hint hint = hints_.find(id);
   if (hint.leaf == 0) return {};
@@ -45,16 +69,19 @@ NodeCache::Place NodeCache::find_by_hint(std::int64_t id) {
 }
 
 const double* NodeCache::record_at(const Place& place) {
+  if (place.leaf == 0) return nullptr;
   slots_.note_used(*place.slot);
   return place.slot->state.node->values.data() + place.record * static_cast<std::size_t>(format_.at.size);
 }
 
 // A leaf in memory is up to date, and the hint is checked there. If the object has moved in this transaction,
 // its old leaf may be out of date.
+NodeCache::Place NodeCache::find_in_memory(std::int64_t id) {
+  return ids_.find_unwritten(id) == IdMap::unknown ? find_by_hint(id) : Place{};
+}
+
 const double* NodeCache::find_record_in_memory(std::int64_t id) {
-  if (ids_.find_unwritten(id) != IdMap::unknown) return nullptr;
-  const Place place = find_by_hint(id);
-  return place.leaf == 0 ? nullptr : record_at(place);
+  return record_at(find_in_memory(id));
 }
 
 // Consecutive ids are spread over memory: hint, slot, node and record are each a dependent cache miss. Many
@@ -78,10 +105,10 @@ void NodeCache::fetch_ahead(std::int64_t first, std::int64_t many) {
   }
 }
 
-const double* NodeCache::find_record(std::int64_t id) {
-  if (const double* record = find_record_in_memory(id)) return record;
+NodeCache::Place NodeCache::find_place(std::int64_t id) {
+  if (const Place place = find_in_memory(id); place.leaf != 0) return place;
   const std::optional<NodeNumber> number = find_leaf(id);
-  if (!number) return nullptr;
+  if (!number) return {};
   const auto where = [&] { return "node " + std::to_string(*number); };
   Slot* slot = fetch_if_stored(*number);
   if (!slot) damaged(where() + " of object " + std::to_string(id) + " is missing");
@@ -91,7 +118,7 @@ const double* NodeCache::find_record(std::int64_t id) {
     damaged(where() + " lacks object " + std::to_string(id));
   const Place place{*number, slot, static_cast<std::size_t>(found - ids.begin())};
   if (!hints_.empty()) hints_.learn(id, place.leaf, place.record);
-  return record_at(place);
+  return place;
 }
 
 }  // namespace foresee

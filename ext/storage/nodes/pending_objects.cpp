@@ -16,8 +16,9 @@ void reserve_more(std::vector<T>& values, std::size_t more) {
 
 std::size_t PendingObjects::memory() const {
   constexpr std::size_t per_erased = 100;  // until the tree has erased all of them
-  return now_.ids.size() * sizeof(std::int64_t) + now_.records.size() * sizeof(double) +
-         now_.erased.size() * per_erased + now_.slots.memory() + log_.size() * sizeof(Change);
+  return (now_.ids.size() + now_.leaves.size()) * sizeof(std::int64_t) +
+         now_.records.size() * sizeof(double) + now_.erased.size() * per_erased + now_.slots.memory() +
+         log_.size() * sizeof(Change);
 }
 
 const double* PendingObjects::find(std::int64_t id) const noexcept {
@@ -34,18 +35,23 @@ std::vector<std::int64_t> PendingObjects::erased_ids() const {
   return ids;
 }
 
-void PendingObjects::reserve(std::int64_t id, std::size_t changes) {
+void PendingObjects::reserve(std::int64_t id, std::int64_t leaf, std::size_t changes) {
   join();
   reserve_more(now_.ids, 1);
   reserve_more(now_.records, record_size_);
+  if (leaf != 0 || !now_.leaves.empty()) reserve_more(now_.leaves, now_.ids.size() + 1 - now_.leaves.size());
   reserve_more(log_, changes);
   now_.slots.prepare(id);
 }
 
-void PendingObjects::add(std::int64_t id, std::span<const double> record) {
-  reserve(id, 1);
+void PendingObjects::add(std::int64_t id, std::span<const double> record, std::int64_t leaf) {
+  reserve(id, leaf, 1);
   const std::size_t slot = now_.ids.size();
   const auto kind = is_erased(id) ? Change::Kind::added_again : Change::Kind::added;
+  if (leaf != 0 || !now_.leaves.empty()) {
+    now_.leaves.resize(slot);
+    now_.leaves.push_back(leaf);
+  }
   now_.ids.push_back(id);
   now_.records.insert(now_.records.end(), record.begin(), record.end());
   if (is_marked()) log_.push_back({kind, static_cast<std::uint32_t>(slot)});
@@ -72,9 +78,10 @@ void PendingObjects::erase_stored(std::int64_t id) {
 }
 
 void PendingObjects::replace(std::int64_t id, std::span<const double> record) {
-  reserve(id, 2);
+  const std::int64_t leaf = leaf_at(static_cast<std::size_t>(now_.slots.find(id)));
+  reserve(id, leaf, 2);
   erase(id);
-  add(id, record);
+  add(id, record, leaf);
 }
 
 void PendingObjects::remove_all() {
@@ -122,11 +129,12 @@ void PendingObjects::forget() noexcept {
       fresh.slots.prepare(id);
       fresh.slots.set(id, erased);
     }
-    for_each([&](std::int64_t id, std::span<const double> record) {
+    for_each([&](std::int64_t id, std::span<const double> record, std::int64_t leaf) {
       fresh.slots.prepare(id);
       fresh.slots.set(id, static_cast<std::int64_t>(fresh.count++));
       fresh.ids.push_back(id);
       fresh.records.insert(fresh.records.end(), record.begin(), record.end());
+      if (!now_.leaves.empty()) fresh.leaves.push_back(leaf);
     });
     now_ = std::move(fresh);
   } catch (const std::bad_alloc&) {
@@ -139,6 +147,7 @@ void PendingObjects::end(Journal::Ended) noexcept {
   removed_.clear();
   now_.ids.clear();
   now_.records.clear();
+  now_.leaves.clear();
   now_.erased.clear();
   now_.slots.clear();
   now_.count = 0;
@@ -168,6 +177,7 @@ void PendingObjects::undo(const Change& change) noexcept {
       --now_.count;
       now_.ids.pop_back();
       now_.records.resize(now_.records.size() - record_size_);
+      now_.leaves.resize(std::min(now_.leaves.size(), now_.ids.size()));
   }
 }
 

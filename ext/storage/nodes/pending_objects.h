@@ -1,13 +1,14 @@
 // Changes of objects that the tree does not have yet: records that INSERT and UPDATE have written, and the ids of
 // objects that DELETE has erased.
 //
-//   pending.add(42, record);
+//   pending.add(42, record, leaf);
 //   pending.find(42)                           // its record, or null
 //   pending.erase_stored(7);                   // of an object that the tree has
 //   pending.remove_all();                      // the tree has all changes now
 //
 // Changes wait here, so that those of many statements go into the tree together. Until then the tree has the old
-// record of an updated object, and the objects that are erased. Objects are only appended. One that is erased
+// record of an updated object, and the objects that are erased. The leaf in which the tree has the old record, if it
+// was looked up, waits with the new one. Objects are only appended. One that is erased
 // or replaced while it is pending leaves a hole, so a rollback truncates the end and fills holes again.
 #pragma once
 
@@ -41,8 +42,9 @@ class PendingObjects final : public Journal::Participant {
   std::vector<std::int64_t> erased_ids() const;
 
   // Each of these is atomic.
-  /// Requires: no record of the id is pending. Cost: a copy of the record.
-  void add(std::int64_t id, std::span<const double> record);
+  /// `leaf`: of the object in the tree; 0: not known, or it is new. Requires: no record of the id is pending. Cost: a
+  /// copy of the record.
+  void add(std::int64_t id, std::span<const double> record, std::int64_t leaf = 0);
   /// Requires: a record of the id is pending.
   void erase(std::int64_t id);
   /// Requires: the tree has the object, and nothing of it is pending.
@@ -53,17 +55,18 @@ class PendingObjects final : public Journal::Participant {
 
   /// A record that has been pending since the last remove_all(). Requires: count() > 0.
   std::span<const double> first_record() const { return record_at(0); }
-  /// All ids and records, in the order of arrival. Requires: no holes.
+  /// All ids, records and leaves (none if none is known), in the order of arrival. Requires: no holes.
   bool has_holes() const { return now_.count != now_.ids.size(); }
   std::span<const std::int64_t> all_ids() const { return now_.ids; }
   std::span<const double> all_records() const { return now_.records; }
+  std::span<const std::int64_t> all_leaves() const { return now_.leaves; }
 
-  /// Calls each(id, record) for every object, in the order of arrival.
+  /// Calls each(id, record, leaf) for every object, in the order of arrival.
   template <class Each>
   void for_each(Each each) const {
     for (std::size_t slot = 0; slot < now_.ids.size(); ++slot)
       if (!has_holes() || now_.slots.find(now_.ids[slot]) == static_cast<std::int64_t>(slot))
-        each(now_.ids[slot], record_at(slot));
+        each(now_.ids[slot], record_at(slot), leaf_at(slot));
   }
 
  private:
@@ -72,6 +75,7 @@ class PendingObjects final : public Journal::Participant {
     std::vector<std::int64_t> erased = {};  ///< of the tree, with some that are pending again
     std::vector<std::int64_t> ids = {};
     std::vector<double> records = {};
+    std::vector<std::int64_t> leaves = {};  ///< empty if none is known
     IdHashMap slots = {};
     std::size_t count = 0;
   };
@@ -88,7 +92,8 @@ class PendingObjects final : public Journal::Participant {
   void end(Journal::Ended how) noexcept override;
 
   /// Reserves memory for one object and `changes` log entries, by doubling: what follows cannot throw.
-  void reserve(std::int64_t id, std::size_t changes);
+  void reserve(std::int64_t id, std::int64_t leaf, std::size_t changes);
+  std::int64_t leaf_at(std::size_t slot) const { return now_.leaves.empty() ? 0 : now_.leaves[slot]; }
   std::span<const double> record_at(std::size_t slot) const {
     return {now_.records.data() + slot * record_size_, record_size_};
   }

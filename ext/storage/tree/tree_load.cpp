@@ -176,6 +176,43 @@ void TreeStore::Rebuild::read_leaves(const UseObject& use) {
 
 // --- with pending objects
 
+void TreeStore::reload(Interrupt& interrupt) {
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  collect_objects(cache_, ids, records, interrupt);
+  require_as_many(ids.size());
+  if (ids.empty() && !pending_.has_holes())
+    return tree_->bulk_load(pending_.all_ids(), pending_.all_records(), interrupt);
+  const auto size = static_cast<std::size_t>(format_.at.size);
+  std::size_t kept = 0;
+  Steps step(interrupt);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    step();
+    if (pending_.find(ids[i])) continue;
+    if (kept != i) {
+      ids[kept] = ids[i];
+      std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(i * size), size,
+                  records.begin() + static_cast<std::ptrdiff_t>(kept * size));
+    }
+    ++kept;
+  }
+  ids.resize(kept);
+  records.resize(kept * size);
+  append_pending(ids, records);
+  tree_->reload(ids, records, interrupt);
+}
+
+void TreeStore::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records,
+                               std::vector<NodeNumber>* leaves) const {
+  ids.reserve(ids.size() + pending_.count());
+  records.reserve(records.size() + pending_.count() * static_cast<std::size_t>(format_.at.size));
+  pending_.for_each([&](std::int64_t id, std::span<const double> record, NodeNumber leaf) {
+    ids.push_back(id);
+    if (leaves) leaves->push_back(leaf);
+    records.insert(records.end(), record.begin(), record.end());
+  });
+}
+
 void TreeStore::load_partitioned(Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   PartitionedLoad load(*this, interrupt);
@@ -193,7 +230,7 @@ void TreeStore::load_partitioned(Interrupt& interrupt) {
     const auto use_leaf = [&](const auto& leaf) { for_each_object(leaf, size, use_stored); };
     read_leaves(interrupt, use_leaf, use_leaf);
     Steps step(interrupt);
-    pending_.for_each([&](std::int64_t id, std::span<const double> record) {
+    pending_.for_each([&](std::int64_t id, std::span<const double> record, NodeNumber) {
       step();
       use(id, record.data());
     });

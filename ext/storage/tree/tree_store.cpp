@@ -14,6 +14,8 @@ namespace {
 // If a larger share of the objects has changed, the whole tree is loaded. Per object a load costs a twentieth of an
 // insert, and it gives a better tree.
 constexpr double always_loaded = 1.0 / 8;
+// A table that exceeds the memory for sorting is in a file larger than caches: a merge reads its leaves from there.
+constexpr double always_loaded_if_large = 1.0 / 16;
 // Merges make the tree worse in time. So from this share on, the tree is loaded with the share as probability: about
 // once when each object has been reported once. With a smaller share, a load takes several times as long as a merge.
 constexpr double sometimes_loaded = 1.0 / 24;
@@ -62,9 +64,10 @@ bool TreeStore::update(std::int64_t id, std::span<const double> record) {
     pending_.replace(id, record);
     return true;
   }
-  if (pending_.is_erased(id) || !cache_.find_record(id)) return false;
+  const NodeNumber leaf = pending_.is_erased(id) ? 0 : cache_.find_sound_leaf(id);
+  if (leaf == 0) return false;
   if (!pending_updates_.get()) pending_updates_.change() = true;
-  pending_.add(id, record);
+  pending_.add(id, record, leaf);
   return true;
 }
 
@@ -89,17 +92,20 @@ bool TreeStore::replace(std::int64_t id, std::int64_t new_id, std::span<const do
 
 template <class Use>
 auto TreeStore::with_pending(Use use) const {
-  if (!pending_.has_holes()) return use(pending_.all_ids(), pending_.all_records());
+  if (!pending_.has_holes()) return use(pending_.all_ids(), pending_.all_records(), pending_.all_leaves());
   std::vector<std::int64_t> ids;
   std::vector<double> records;
-  append_pending(ids, records);
-  return use(std::span<const std::int64_t>(ids), std::span<const double>(records));
+  std::vector<NodeNumber> leaves;
+  append_pending(ids, records, &leaves);
+  return use(std::span<const std::int64_t>(ids), std::span<const double>(records),
+             std::span<const NodeNumber>(leaves));
 }
 
 void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
   if (!must_merge(reason)) return;
   reporting_damage([&] {
     const std::vector<std::int64_t> erased = pending_.erased_ids();
+    cache_.trust_known_leaves();
     constexpr std::size_t many = 1 << 14;
     if (reason == Reason::commit && pending_.count() + erased.size() >= many) cache_.start_commit();
     const std::size_t max_leaves =
@@ -120,29 +126,31 @@ void TreeStore::repack_dispersed(std::span<const std::int64_t> erased) {
   tree_->repack_dispersed(std::exchange(changes_, 0), draw);
 }
 
-double TreeStore::min_loaded() const {
-  if (pending_.count() == 0) return always_loaded;
-  return std::clamp(fraction_of(hash_of(pending_.first_record())), sometimes_loaded, always_loaded);
+double TreeStore::min_loaded(bool is_large) const {
+  const double always = is_large ? always_loaded_if_large : always_loaded;
+  if (pending_.count() == 0) return always;
+  return std::clamp(fraction_of(hash_of(pending_.first_record())), sometimes_loaded, always);
 }
 
 void TreeStore::merge_records(Reason reason, Interrupt& interrupt) {
   const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
+  const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
+  const bool is_large = bytes > static_cast<double>(memory_.max_ordered());
   const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
-  const bool many = pending > stored * (packs_new ? min_loaded_of_new : min_loaded());
+  const bool many = pending > stored * (packs_new ? min_loaded_of_new : min_loaded(is_large));
   const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
   const bool packs_runs = reason == Reason::commit && has_runs_.get();
   if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count())) {
     add_run(interrupt);  // of a large load: the commit packs everything once
-  } else if (stored > 0 && !many && !packs_runs) {
-    with_pending([&](auto ids, auto records) {  // a few objects: the common case
+  } else if (stored > 0 && !packs_runs && (!many || (is_large && arrive_in_place(interrupt)))) {
+    with_pending([&](auto ids, auto records, auto leaves) {  // a few objects: the common case
       if (pending_updates_.get())
-        tree_->merge(ids, records, interrupt);
+        tree_->merge(ids, records, leaves, interrupt);
       else
         tree_->merge_new(ids, records, interrupt);
     });
   } else {  // the whole tree is built
-    const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
-    if (stored > 0 && bytes > static_cast<double>(memory_.max_ordered()))
+    if (stored > 0 && is_large)
       load_partitioned(interrupt);  // more than may be sorted together
     else
       reload(interrupt);
@@ -150,51 +158,22 @@ void TreeStore::merge_records(Reason reason, Interrupt& interrupt) {
   }
 }
 
+bool TreeStore::arrive_in_place(Interrupt& interrupt) const {
+  return pending_updates_.get() && with_pending([&](auto ids, auto records, auto leaves) {
+           return tree_->arrive_in_place(ids, records, leaves, interrupt);
+         });
+}
+
 // Their places are written at once: in memory each would take five times as much until the transaction ends.
 void TreeStore::add_run(Interrupt& interrupt) {
   const bool is_first = cache_.find_root() == 0;
   cache_.drop_nodes(true);
-  with_pending([&](std::span<const std::int64_t> ids, std::span<const double> records) {
+  with_pending([&](std::span<const std::int64_t> ids, std::span<const double> records, auto) {
     cache_.start_placing_new(ids.size());
     tree_->add_run(ids, records, interrupt);
     cache_.write_places({}, interrupt);
   });
   if (!is_first) has_runs_.change() = true;
-}
-
-void TreeStore::reload(Interrupt& interrupt) {
-  std::vector<std::int64_t> ids;
-  std::vector<double> records;
-  collect_objects(cache_, ids, records, interrupt);
-  require_as_many(ids.size());
-  if (ids.empty() && !pending_.has_holes())
-    return tree_->bulk_load(pending_.all_ids(), pending_.all_records(), interrupt);
-  const auto size = static_cast<std::size_t>(format_.at.size);
-  std::size_t kept = 0;
-  Steps step(interrupt);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    step();
-    if (pending_.find(ids[i])) continue;
-    if (kept != i) {
-      ids[kept] = ids[i];
-      std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(i * size), size,
-                  records.begin() + static_cast<std::ptrdiff_t>(kept * size));
-    }
-    ++kept;
-  }
-  ids.resize(kept);
-  records.resize(kept * size);
-  append_pending(ids, records);
-  tree_->reload(ids, records, interrupt);
-}
-
-void TreeStore::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const {
-  ids.reserve(ids.size() + pending_.count());
-  records.reserve(records.size() + pending_.count() * static_cast<std::size_t>(format_.at.size));
-  pending_.for_each([&](std::int64_t id, std::span<const double> record) {
-    ids.push_back(id);
-    records.insert(records.end(), record.begin(), record.end());
-  });
 }
 
 void TreeStore::write(Interrupt& interrupt) {

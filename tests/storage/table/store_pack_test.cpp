@@ -72,6 +72,41 @@ TEST_F(Partitioned, ReportsOfAllInOneTransaction) {
   }
 }
 
+/// As one UPDATE of all rows: it reads them by leaf.
+TEST_F(Partitioned, ReportsOfAllByLeafWriteEachNodeAFewTimes) {
+  store = store_within({.pending = 100'000, .memory = 40'000, .waiting = 16'000, .ordered = 8'000});
+  load(2 * objects);
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  collect_objects(*store->take_snapshot(), ids, records, never);
+  const std::int64_t nodes = db.number("SELECT count(*) FROM ships_node");
+  db.run("CREATE TEMP TABLE writes(nodeno)");
+  for (const char* what : {"INSERT", "UPDATE"})
+    db.run("CREATE TEMP TRIGGER of_" + std::string(what) + " AFTER " + what +
+           " ON ships_node BEGIN INSERT INTO writes VALUES (new.nodeno); END");
+  const std::size_t size = records.size() / ids.size();
+  for (const bool rolls_back : {true, false}) {
+    db.run("DELETE FROM writes");
+    const Model before = model;
+    begin(db, *store);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      std::vector<double> record(records.begin() + static_cast<std::ptrdiff_t>(i * size),
+                                 records.begin() + static_cast<std::ptrdiff_t>((i + 1) * size));
+      model[ids[i]] = record[1] += 0.5;
+      store->update(ids[i], ids[i], record, {});
+    }
+    EXPECT_LT(db.number("SELECT count(*) FROM writes"), 2 * nodes);
+    if (rolls_back) {
+      db.run("ROLLBACK");
+      store->rollback();
+      model = before;
+    } else {
+      commit(db, *store);
+    }
+    expect_model();
+  }
+}
+
 TEST_F(Partitioned, RollBackToASavepoint) {
   load();
   begin(db, *store);

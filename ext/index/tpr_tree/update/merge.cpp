@@ -18,10 +18,11 @@ class Merge {
  public:
   Merge(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
         Interrupt& interrupt)
-      : state_(state), ids_(ids), batch_(state, ids, records, interrupt), old_leaves_(ids.size()) {}
+      : state_(state), ids_(ids), batch_(state, ids, records, interrupt), interrupt_(interrupt) {}
 
-  void run() {
+  void run(std::span<const NodeNumber> leaves) {
     const std::size_t levels = batch_.levels();
+    old_leaves_ = state_.pages.find_leaves(ids_, leaves, interrupt_);
     write_reports();
     for (std::size_t level = 1; level + 1 < levels; ++level) rise(level);
     for (std::size_t level = levels; level-- > 1;) batch_.sink(level);
@@ -31,6 +32,12 @@ class Merge {
 
   /// An object and its leaf.
   using Found = std::pair<NodeNumber, std::int64_t>;
+
+  /// The entry without its max t, which settling recomputes.
+  static Entry<D> without_newest(Entry<D> entry) {
+    entry.times.t_max = std::numeric_limits<double>::infinity();
+    return entry;
+  }
 
   /// Erases objects, sorted by leaf.
   void erase(std::span<const Found> found) {
@@ -97,24 +104,15 @@ class Merge {
     return above.at(node.parent);
   }
 
-  /// The entry without its max t, which settling recomputes.
-  static Entry<D> without_newest(Entry<D> entry) {
-    entry.times.t_max = std::numeric_limits<double>::infinity();
-    return entry;
-  }
-
   /// Overwrites the objects that keep their leaves; the others leave them.
   void write_reports() {
     std::vector<std::pair<NodeNumber, std::uint32_t>> found;
     Visit& root = batch_.root();
     for (std::uint32_t i = 0; i < ids_.size(); ++i) {
-      batch_.step();
-      if (const auto leaf = state_.pages.find_leaf(ids_[i])) {
-        found.emplace_back(*leaf, i);
-        old_leaves_[i] = *leaf;
-      } else {
+      if (old_leaves_[i] != 0)
+        found.emplace_back(old_leaves_[i], i);
+      else
         root.objects.push_back(i);
-      }
     }
     std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
       batch_.step();
@@ -190,6 +188,7 @@ class Merge {
   TreeState<D>& state_;
   std::span<const std::int64_t> ids_;
   BatchDescent<D> batch_;
+  Interrupt& interrupt_;
   std::vector<NodeNumber> old_leaves_;  ///< the old leaf of each object; 0: a new object
 };
 
@@ -197,30 +196,51 @@ class Merge {
 
 template <int D>
 void merge_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
-                   Interrupt& interrupt) {
-  Merge<D>(state, ids, records, interrupt).run();
+                   std::span<const NodeNumber> leaves, Interrupt& interrupt) {
+  Merge<D>(state, ids, records, interrupt).run(leaves);
+}
+
+template <int D>
+bool arrive_in_place(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+                     std::span<const NodeNumber> leaves, Interrupt& interrupt) {
+  constexpr std::size_t samples = 64;
+  if (ids.size() < 2 * samples || state.pages.read(state.pages.find_root())->is_leaf()) return false;
+  const BatchDescent<D> batch(state, ids, records, interrupt);
+  std::size_t in_place = 0;
+  for (std::size_t sample = 0; sample < samples; ++sample) {
+    const std::size_t first = sample * (ids.size() - 2) / samples;
+    const auto known = leaves.empty() ? leaves : leaves.subspan(first, 2);
+    const auto pair = state.pages.find_leaves(ids.subspan(first, 2), known, interrupt);
+    if (pair[0] == 0 || pair[1] == 0) continue;
+    const NodeNumber number = state.pages.read(pair[1])->parent;
+    if (state.pages.read(pair[0])->parent != number) continue;
+    const auto node = state.pages.read(number);
+    const auto above = read_above(state.pages, number, *node);
+    const NewObject<D> object = batch.object(static_cast<std::uint32_t>(first + 1));
+    in_place += !above || Merge<D>::without_newest(entry_at<D>(*above, slot_of(*above, number)))
+                              .contains(object.entry(above->epoch));
+  }
+  return 2 * in_place > samples;
 }
 
 namespace {
 
-/// The objects with their leaves, sorted by leaf. The ids are sorted first: so the map is read in its order.
+/// The objects with their leaves, sorted by leaf.
 template <int D>
-std::vector<typename Merge<D>::Found> find_leaves(TreeState<D>& state, std::vector<std::int64_t>& ids,
-                                                  Steps& step) {
-  const auto steps = [&](const auto& a, const auto& b) {
-    step();
-    return a < b;
-  };
-  std::sort(ids.begin(), ids.end(), steps);
+std::vector<typename Merge<D>::Found> find_by_leaf(TreeState<D>& state, std::span<const std::int64_t> ids,
+                                                   Interrupt& interrupt) {
+  const std::vector<NodeNumber> leaves = state.pages.find_leaves(ids, {}, interrupt);
   std::vector<typename Merge<D>::Found> found;
   found.reserve(ids.size());
-  for (const std::int64_t id : ids) {
-    step();
-    const auto leaf = state.pages.find_leaf(id);
-    if (!leaf) throw BrokenTree("the map lacks an object of the tree");
-    found.emplace_back(*leaf, id);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (leaves[i] == 0) throw BrokenTree("the map lacks an object of the tree");
+    found.emplace_back(leaves[i], ids[i]);
   }
-  std::sort(found.begin(), found.end(), steps);
+  Steps step(interrupt);
+  std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+    step();
+    return a < b;
+  });
   return found;
 }
 
@@ -238,8 +258,8 @@ void erase_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::
     }
   };
   if (ids.size() < few) return erase_one_by_one(ids);
-  std::vector<std::int64_t> some(ids.begin(), ids.end());
-  const auto all = find_leaves(state, some, step);
+  const auto all = find_by_leaf(state, ids, interrupt);
+  std::vector<std::int64_t> some;
   for (std::size_t first = 0, last; first < all.size(); first = last) {
     std::size_t leaves = 0;
     for (last = first; last < all.size(); ++last) {
@@ -252,16 +272,18 @@ void erase_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::
       erase_one_by_one(some);
     } else {
       // Objects of a later portion may have got other leaves.
-      const auto found = last - first == all.size() ? all : find_leaves(state, some, step);
+      const auto found = last - first == all.size() ? all : find_by_leaf(state, some, interrupt);
       Merge<D>(state, {}, {}, interrupt).erase(found);
     }
     state.pages.make_room();
   }
 }
 
-#define FORESEE_OF_AXES(D)                                                                              \
-  template void merge_objects<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
-                                 Interrupt&);                                                           \
+#define FORESEE_OF_AXES(D)                                                                                \
+  template bool arrive_in_place<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
+                                   std::span<const NodeNumber>, Interrupt&);                              \
+  template void merge_objects<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>,   \
+                                 std::span<const NodeNumber>, Interrupt&);                                \
   template void erase_objects<D>(TreeState<D>&, std::span<const std::int64_t>, std::size_t, Interrupt&)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);

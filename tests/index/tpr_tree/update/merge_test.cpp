@@ -121,5 +121,32 @@ TEST(EraseAll, RefusesAnObjectThatTheTreeDoesNotHave) {
   EXPECT_THROW(model.tree->erase_all({&ids.back(), 1}, 10, model.never), BrokenTree);
 }
 
+TEST(Merge, KnowsObjectsThatArriveInPlace) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 5000, .seed = 4});
+  TreeModel model(boats, 60, 16);
+  model.load(scene);
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  collect_objects(model.pages, ids, records, model.never);
+  const auto in_place = [&] { return model.tree->arrive_in_place(ids, records, {}, model.never); };
+  EXPECT_TRUE(in_place());
+  const std::size_t size = records.size() / ids.size(), x = static_cast<std::size_t>(record_offsets(boats).x);
+  const std::vector<double> before = records;
+  for (std::size_t i = 0; i < ids.size(); ++i) records[i * size + x] += 1e9;
+  EXPECT_FALSE(in_place()) << "they leave their nodes";
+  records = before;
+  Random random(8);
+  for (std::size_t i = ids.size(); i-- > 1;) {
+    const std::size_t j = random.below(i + 1);
+    std::swap(ids[i], ids[j]);
+    std::swap_ranges(records.begin() + static_cast<std::ptrdiff_t>(i * size),
+                     records.begin() + static_cast<std::ptrdiff_t>((i + 1) * size),
+                     records.begin() + static_cast<std::ptrdiff_t>(j * size));
+  }
+  EXPECT_FALSE(in_place()) << "in no order";
+  for (std::int64_t& id : ids) id += 1'000'000;
+  EXPECT_FALSE(in_place()) << "they are new";
+}
+
 }  // namespace
 }  // namespace foresee
