@@ -115,13 +115,10 @@ class Pages : public NodeSource {
 
   /// The leaf that holds an object; no value if the tree does not have it.
   virtual std::optional<NodeNumber> find_leaf(std::int64_t id) = 0;
-  /// The leaf of each of these objects; 0 where the tree does not have it. `known` is empty, or has the leaf that was
-  /// looked up for each before, or 0. Pages know whether such leaves may be out of date.
-  virtual std::vector<NodeNumber> find_leaves(std::span<const std::int64_t> ids,
-                                              std::span<const NodeNumber> /*known*/,
-                                              Interrupt& /*interrupt*/) {
+  /// find_leaf() of each of these objects; 0: the tree does not have it.
+  virtual std::vector<NodeNumber> leaves_of(std::span<const std::int64_t> ids, Interrupt& interrupt) {
     std::vector<NodeNumber> leaves;
-    for (const std::int64_t id : ids) leaves.push_back(find_leaf(id).value_or(0));
+    for (const std::int64_t id : ids) interrupt.check(), leaves.push_back(find_leaf(id).value_or(0));
     return leaves;
   }
   /// From now on these objects are in `leaf`, whichever leaf they were in before.

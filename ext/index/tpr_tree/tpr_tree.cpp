@@ -80,7 +80,7 @@ class Tree final : public TprTree {
   }
 
   void merge(std::span<const std::int64_t> ids, std::span<const double> records,
-             std::span<const NodeNumber> leaves, Interrupt& interrupt) override {
+             Interrupt& interrupt) override {
     if (ids.empty()) return;
     if (state_.pages.find_root() == 0) return load_all(ids, records, interrupt);
     const std::size_t size = state_.reader.record_size();
@@ -94,25 +94,22 @@ class Tree final : public TprTree {
       return;
     }
     observe_newest(records);
+    const auto merge_some = [&](std::span<const std::int64_t> some, std::span<const double> theirs) {
+      merge_objects(state_, some, theirs, interrupt);
+      state_.pages.make_room();
+    };
     const std::size_t portions = (ids.size() + merge_size() - 1) / merge_size();
-    if (portions == 1) {
-      merge_objects(state_, ids, records, leaves, interrupt);
-      return state_.pages.make_room();
-    }
+    if (portions == 1) return merge_some(ids, records);
     const auto order = leaf_order(state_, records, {portions, 1}, {0, portions}, interrupt);
     for (std::size_t i = 0; i < portions; ++i) {
-      const auto part = part_of(order, i, portions);
-      const Node some = objects_at(part, ids, records, size);
-      std::vector<NodeNumber> theirs(leaves.empty() ? 0 : part.size());
-      for (std::size_t j = 0; j < theirs.size(); ++j) theirs[j] = leaves[part[j]];
-      merge_objects(state_, some.keys, some.values, theirs, interrupt);
-      state_.pages.make_room();
+      const Node some = objects_at(part_of(order, i, portions), ids, records, size);
+      merge_some(some.keys, some.values);
     }
   }
 
   bool arrive_in_place(std::span<const std::int64_t> ids, std::span<const double> records,
-                       std::span<const NodeNumber> leaves, Interrupt& interrupt) override {
-    return foresee::arrive_in_place(state_, ids, records, leaves, interrupt);
+                       Interrupt& interrupt) override {
+    return foresee::arrive_in_place(state_, ids, records, interrupt);
   }
 
   void erase_all(std::span<const std::int64_t> ids, std::size_t max_leaves, Interrupt& interrupt) override {
@@ -128,10 +125,10 @@ class Tree final : public TprTree {
 
   void merge_new(std::span<const std::int64_t> ids, std::span<const double> records,
                  Interrupt& interrupt) override {
-    if (!packs_new(ids.size())) return merge(ids, records, {}, interrupt);
+    if (!packs_new(ids.size())) return merge(ids, records, interrupt);
     observe_newest(records);
     const Remainder rest = merge_runs(state_, ids, records, interrupt);
-    merge(rest.ids, rest.records, {}, interrupt);
+    merge(rest.ids, rest.records, interrupt);
   }
 
   bool takes_run(std::size_t objects) override {

@@ -74,15 +74,12 @@ class TprTree {
   virtual void bulk_load(std::span<const std::int64_t> ids, std::span<const double> records,
                          Interrupt& interrupt) = 0;
   /// Inserts or updates each object, whether or not the tree has it. Many objects together cost far less per
-  /// object than insert() and update() (merge.h). Ids are unique. `leaves`: as `known` of Pages::find_leaves().
+  /// object than insert() and update() (merge.h). Ids are unique.
   virtual void merge(std::span<const std::int64_t> ids, std::span<const double> records,
-                     std::span<const NodeNumber> leaves, Interrupt& interrupt) = 0;
-  void merge(std::span<const std::int64_t> ids, std::span<const double> records, Interrupt& interrupt) {
-    merge(ids, records, {}, interrupt);
-  }
-  /// True if merge() of these objects would change few nodes, however many they are (merge.h).
+                     Interrupt& interrupt) = 0;
+  /// True if these objects arrive node by node, and merge() would change few nodes per object (merge.h).
   virtual bool arrive_in_place(std::span<const std::int64_t> ids, std::span<const double> records,
-                               std::span<const NodeNumber> leaves, Interrupt& interrupt) = 0;
+                               Interrupt& interrupt) = 0;
   /// Erases these objects. Many together cost far less per object than erase(). At most `max_leaves` leaves are changed
   /// before pages may write them. Requires: the tree has all objects; ids ascend.
   virtual void erase_all(std::span<const std::int64_t> ids, std::size_t max_leaves, Interrupt& interrupt) = 0;

@@ -55,7 +55,7 @@ class IdMap final : public Journal::Participant {
   void void_stored();
   bool has_unwritten() const { return !leaves_.none_known() || stored_is_void_; }
   void write(Interrupt& interrupt);
-  /// How often rows have been written.
+  /// Changes with every write of rows, also with one that fails.
   std::uint64_t writes() const { return writes_; }
 
   /// From now on place() only lists the ids, until one of the other two or a rewind. Of these ids only `new_ids` are

@@ -22,6 +22,7 @@
 #include "storage/nodes/leaf_hints.h"
 #include "storage/nodes/memory_budget.h"
 #include "storage/nodes/node_slots.h"
+#include "storage/nodes/pending_objects.h"
 
 namespace foresee {
 
@@ -58,9 +59,8 @@ class NodeCache final : public Pages, public Journal::Participant {
   void free(NodeNumber number) override;
   void set_root(NodeNumber number) override;
   std::optional<NodeNumber> find_leaf(std::int64_t id) override;
-  /// Cost: those without a hint are looked up in the order of ids, so that each row of the map is read once.
-  std::vector<NodeNumber> find_leaves(std::span<const std::int64_t> ids, std::span<const NodeNumber> known,
-                                      Interrupt& interrupt) override;
+  /// Cost: those of unknown leaves are looked up in the order of ids, so that each row of the map is read once.
+  std::vector<NodeNumber> leaves_of(std::span<const std::int64_t> ids, Interrupt& interrupt) override;
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override { ids_.place(ids, leaf); }
   void forget(std::int64_t id) override { ids_.erase(id); }
   void start_placing(std::span<const std::int64_t> new_ids) override { ids_.start_list(new_ids); }
@@ -74,9 +74,12 @@ class NodeCache final : public Pages, public Journal::Participant {
     const Place place = find_place(id);
     return record_at(place) ? place.leaf : 0;
   }
-  /// From now until the map is written, leaves that find_sound_leaf() found are up to date, but for objects that have
-  /// been placed since.
-  void trust_known_leaves() { trusted_ = ids_.writes(); }
+  /// From now until the map is written, the leaves that wait with these objects are up to date, but for objects that
+  /// have been placed or forgotten since. They must outlive all look-ups.
+  void trust_leaves_of(const PendingObjects& pending) {
+    pending_ = &pending;
+    trusted_ = ids_.writes();
+  }
   /// find_record() without reading rows; null: not known in memory.
   const double* find_record_in_memory(std::int64_t id);
   /// As IdMap::extent(), and the ids of a range, both without pending objects.
@@ -160,6 +163,8 @@ class NodeCache final : public Pages, public Journal::Participant {
   Place find_place(std::int64_t id);
   Place find_by_hint(std::int64_t id);
   Place find_in_memory(std::int64_t id);
+  /// The leaf of an object that has not been placed by this transaction, without reading rows; 0: not known.
+  NodeNumber known_leaf(std::int64_t id);
   void learn(NodeNumber number, Slot& slot);
   Slot* fetch_if_stored(NodeNumber number);
   /// The node, which is read, checked and decoded if it is not in memory. SQLITE_CORRUPT_VTAB if it is
@@ -192,7 +197,8 @@ class NodeCache final : public Pages, public Journal::Participant {
   NodeSlots slots_;
   ChangedNodes changed_;
   LeafHints hints_;
-  std::uint64_t trusted_ = 0;  ///< see trust_known_leaves()
+  const PendingObjects* pending_ = nullptr;  ///< see trust_leaves_of()
+  std::uint64_t trusted_ = 0;                ///< the writes of the map then
   NodeHistory history_;
   std::uint64_t keeper_ = 1;  ///< advances with every mark and snapshot that may keep a node
 };

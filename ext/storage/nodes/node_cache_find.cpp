@@ -35,16 +35,19 @@ std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
   return found;
 }
 
-std::vector<NodeNumber> NodeCache::find_leaves(std::span<const std::int64_t> ids,
-                                               std::span<const NodeNumber> known, Interrupt& interrupt) {
+NodeNumber NodeCache::known_leaf(std::int64_t id) {
+  if (pending_ && trusted_ == ids_.writes())
+    if (const NodeNumber leaf = pending_->leaf_of(id); leaf != 0) return leaf;
+  return find_by_hint(id).leaf;
+}
+
+std::vector<NodeNumber> NodeCache::leaves_of(std::span<const std::int64_t> ids, Interrupt& interrupt) {
   Steps step(interrupt);
   std::vector<NodeNumber> leaves(ids.size());
   std::vector<std::uint32_t> others;
-  if (trusted_ != ids_.writes()) known = {};
   for (std::uint32_t i = 0; i < ids.size(); ++i) {
     step();
-    if (ids_.find_unwritten(ids[i]) == IdMap::unknown)
-      leaves[i] = known.empty() || known[i] == 0 ? find_by_hint(ids[i]).leaf : known[i];
+    if (ids_.find_unwritten(ids[i]) == IdMap::unknown) leaves[i] = known_leaf(ids[i]);
     if (leaves[i] == 0) others.push_back(i);
   }
   std::sort(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -78,7 +78,7 @@ void PendingObjects::erase_stored(std::int64_t id) {
 }
 
 void PendingObjects::replace(std::int64_t id, std::span<const double> record) {
-  const std::int64_t leaf = leaf_at(static_cast<std::size_t>(now_.slots.find(id)));
+  const std::int64_t leaf = leaf_of(id);
   reserve(id, leaf, 2);
   erase(id);
   add(id, record, leaf);
@@ -129,12 +129,12 @@ void PendingObjects::forget() noexcept {
       fresh.slots.prepare(id);
       fresh.slots.set(id, erased);
     }
-    for_each([&](std::int64_t id, std::span<const double> record, std::int64_t leaf) {
+    for_each([&](std::int64_t id, std::span<const double> record) {
+      if (!now_.leaves.empty()) fresh.leaves.push_back(leaf_of(id));
       fresh.slots.prepare(id);
       fresh.slots.set(id, static_cast<std::int64_t>(fresh.count++));
       fresh.ids.push_back(id);
       fresh.records.insert(fresh.records.end(), record.begin(), record.end());
-      if (!now_.leaves.empty()) fresh.leaves.push_back(leaf);
     });
     now_ = std::move(fresh);
   } catch (const std::bad_alloc&) {

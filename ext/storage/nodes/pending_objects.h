@@ -8,8 +8,8 @@
 //
 // Changes wait here, so that those of many statements go into the tree together. Until then the tree has the old
 // record of an updated object, and the objects that are erased. The leaf in which the tree has the old record, if it
-// was looked up, waits with the new one. Objects are only appended. One that is erased
-// or replaced while it is pending leaves a hole, so a rollback truncates the end and fills holes again.
+// was looked up, waits with the new one. Objects are only appended. One that is erased or replaced while it is
+// pending leaves a hole, so a rollback truncates the end and fills holes again.
 #pragma once
 
 #include <span>
@@ -32,6 +32,11 @@ class PendingObjects final : public Journal::Participant {
   std::size_t kept() const { return log_.size(); }
   /// Valid until the next add() or replace().
   const double* find(std::int64_t id) const noexcept;
+  /// The leaf that was added with the record; 0: not known.
+  std::int64_t leaf_of(std::int64_t id) const noexcept {
+    const std::int64_t slot = now_.leaves.empty() ? -1 : now_.slots.find(id);
+    return slot < 0 ? 0 : now_.leaves[static_cast<std::size_t>(slot)];
+  }
   /// Whether the tree has the object, but should not.
   bool is_erased(std::int64_t id) const noexcept {
     return !now_.erased.empty() && now_.slots.find(id) == erased;
@@ -55,18 +60,17 @@ class PendingObjects final : public Journal::Participant {
 
   /// A record that has been pending since the last remove_all(). Requires: count() > 0.
   std::span<const double> first_record() const { return record_at(0); }
-  /// All ids, records and leaves (none if none is known), in the order of arrival. Requires: no holes.
+  /// All ids and records, in the order of arrival. Requires: no holes.
   bool has_holes() const { return now_.count != now_.ids.size(); }
   std::span<const std::int64_t> all_ids() const { return now_.ids; }
   std::span<const double> all_records() const { return now_.records; }
-  std::span<const std::int64_t> all_leaves() const { return now_.leaves; }
 
-  /// Calls each(id, record, leaf) for every object, in the order of arrival.
+  /// Calls each(id, record) for every object, in the order of arrival.
   template <class Each>
   void for_each(Each each) const {
     for (std::size_t slot = 0; slot < now_.ids.size(); ++slot)
       if (!has_holes() || now_.slots.find(now_.ids[slot]) == static_cast<std::int64_t>(slot))
-        each(now_.ids[slot], record_at(slot), leaf_at(slot));
+        each(now_.ids[slot], record_at(slot));
   }
 
  private:
@@ -93,7 +97,6 @@ class PendingObjects final : public Journal::Participant {
 
   /// Reserves memory for one object and `changes` log entries, by doubling: what follows cannot throw.
   void reserve(std::int64_t id, std::int64_t leaf, std::size_t changes);
-  std::int64_t leaf_at(std::size_t slot) const { return now_.leaves.empty() ? 0 : now_.leaves[slot]; }
   std::span<const double> record_at(std::size_t slot) const {
     return {now_.records.data() + slot * record_size_, record_size_};
   }

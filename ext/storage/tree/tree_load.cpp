@@ -202,13 +202,11 @@ void TreeStore::reload(Interrupt& interrupt) {
   tree_->reload(ids, records, interrupt);
 }
 
-void TreeStore::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records,
-                               std::vector<NodeNumber>* leaves) const {
+void TreeStore::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const {
   ids.reserve(ids.size() + pending_.count());
   records.reserve(records.size() + pending_.count() * static_cast<std::size_t>(format_.at.size));
-  pending_.for_each([&](std::int64_t id, std::span<const double> record, NodeNumber leaf) {
+  pending_.for_each([&](std::int64_t id, std::span<const double> record) {
     ids.push_back(id);
-    if (leaves) leaves->push_back(leaf);
     records.insert(records.end(), record.begin(), record.end());
   });
 }
@@ -230,7 +228,7 @@ void TreeStore::load_partitioned(Interrupt& interrupt) {
     const auto use_leaf = [&](const auto& leaf) { for_each_object(leaf, size, use_stored); };
     read_leaves(interrupt, use_leaf, use_leaf);
     Steps step(interrupt);
-    pending_.for_each([&](std::int64_t id, std::span<const double> record, NodeNumber) {
+    pending_.for_each([&](std::int64_t id, std::span<const double> record) {
       step();
       use(id, record.data());
     });

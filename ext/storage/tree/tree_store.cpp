@@ -92,20 +92,20 @@ bool TreeStore::replace(std::int64_t id, std::int64_t new_id, std::span<const do
 
 template <class Use>
 auto TreeStore::with_pending(Use use) const {
-  if (!pending_.has_holes()) return use(pending_.all_ids(), pending_.all_records(), pending_.all_leaves());
+  if (!pending_.has_holes()) return use(pending_.all_ids(), pending_.all_records());
   std::vector<std::int64_t> ids;
   std::vector<double> records;
-  std::vector<NodeNumber> leaves;
-  append_pending(ids, records, &leaves);
-  return use(std::span<const std::int64_t>(ids), std::span<const double>(records),
-             std::span<const NodeNumber>(leaves));
+  append_pending(ids, records);
+  return use(std::span<const std::int64_t>(ids), std::span<const double>(records));
 }
 
+// A leaf that waits with an object is up to date here: the map is written only when nothing is pending, and replace()
+// refuses ids that wait.
 void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
   if (!must_merge(reason)) return;
   reporting_damage([&] {
     const std::vector<std::int64_t> erased = pending_.erased_ids();
-    cache_.trust_known_leaves();
+    cache_.trust_leaves_of(pending_);
     constexpr std::size_t many = 1 << 14;
     if (reason == Reason::commit && pending_.count() + erased.size() >= many) cache_.start_commit();
     const std::size_t max_leaves =
@@ -143,9 +143,9 @@ void TreeStore::merge_records(Reason reason, Interrupt& interrupt) {
   if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count())) {
     add_run(interrupt);  // of a large load: the commit packs everything once
   } else if (stored > 0 && !packs_runs && (!many || (is_large && arrive_in_place(interrupt)))) {
-    with_pending([&](auto ids, auto records, auto leaves) {  // a few objects: the common case
+    with_pending([&](auto ids, auto records) {  // a few objects, or many in few nodes
       if (pending_updates_.get())
-        tree_->merge(ids, records, leaves, interrupt);
+        tree_->merge(ids, records, interrupt);
       else
         tree_->merge_new(ids, records, interrupt);
     });
@@ -159,8 +159,8 @@ void TreeStore::merge_records(Reason reason, Interrupt& interrupt) {
 }
 
 bool TreeStore::arrive_in_place(Interrupt& interrupt) const {
-  return pending_updates_.get() && with_pending([&](auto ids, auto records, auto leaves) {
-           return tree_->arrive_in_place(ids, records, leaves, interrupt);
+  return pending_updates_.get() && with_pending([&](auto ids, auto records) {
+           return tree_->arrive_in_place(ids, records, interrupt);
          });
 }
 
@@ -168,7 +168,7 @@ bool TreeStore::arrive_in_place(Interrupt& interrupt) const {
 void TreeStore::add_run(Interrupt& interrupt) {
   const bool is_first = cache_.find_root() == 0;
   cache_.drop_nodes(true);
-  with_pending([&](std::span<const std::int64_t> ids, std::span<const double> records, auto) {
+  with_pending([&](std::span<const std::int64_t> ids, std::span<const double> records) {
     cache_.start_placing_new(ids.size());
     tree_->add_run(ids, records, interrupt);
     cache_.write_places({}, interrupt);

@@ -109,10 +109,10 @@ class TreeStore final : private MemoryHolder {
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
   [[noreturn]] void damaged(const std::string& what) const;
   void merge_records(Reason reason, Interrupt& interrupt);
-  /// The tree is loaded if a larger share of its objects has changed. It differs between transactions: a hash of a
-  /// record decides.
+  /// The tree is loaded if a larger share of its objects has changed, unless arrive_in_place(). It differs between
+  /// transactions: a hash of a record decides.
   double min_loaded(bool is_large) const;
-  /// The pending objects, in the sense of TprTree::arrive_in_place().
+  /// TprTree::arrive_in_place() of the pending objects; false if all are new.
   bool arrive_in_place(Interrupt& interrupt) const;
   /// In a commit: queries of a transaction should not wait for it.
   void repack_dispersed(std::span<const std::int64_t> erased);
@@ -124,9 +124,7 @@ class TreeStore final : private MemoryHolder {
   void reload(Interrupt& interrupt);
   /// As reload(), for more objects than may be sorted together.
   void load_partitioned(Interrupt& interrupt);
-  /// `leaves`: null, or as PendingObjects::all_leaves().
-  void append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records,
-                      std::vector<NodeNumber>* leaves = nullptr) const;
+  void append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const;
   /// The pending objects as arrays, without a copy if they have no holes.
   template <class Use>
   auto with_pending(Use use) const;

@@ -9,7 +9,7 @@ const std::vector<double> record{1, 2, 3};
 
 std::vector<std::int64_t> ids_in(const PendingObjects& pending) {
   std::vector<std::int64_t> ids;
-  pending.for_each([&](std::int64_t id, std::span<const double>, std::int64_t) { ids.push_back(id); });
+  pending.for_each([&](std::int64_t id, std::span<const double>) { ids.push_back(id); });
   return ids;
 }
 

@@ -13,6 +13,14 @@ namespace {
 /// gives better leaves and more writes.
 constexpr double changed_when_packed = 0.4;
 
+/// The entry of a child without its max t, which settling recomputes.
+template <int D>
+Entry<D> entry_without_newest(const Node& parent, NodeNumber child) {
+  Entry<D> entry = entry_at<D>(parent, slot_of(parent, child));
+  entry.times.t_max = std::numeric_limits<double>::infinity();
+  return entry;
+}
+
 template <int D>
 class Merge {
  public:
@@ -20,9 +28,9 @@ class Merge {
         Interrupt& interrupt)
       : state_(state), ids_(ids), batch_(state, ids, records, interrupt), interrupt_(interrupt) {}
 
-  void run(std::span<const NodeNumber> leaves) {
+  void run() {
     const std::size_t levels = batch_.levels();
-    old_leaves_ = state_.pages.find_leaves(ids_, leaves, interrupt_);
+    old_leaves_ = state_.pages.leaves_of(ids_, interrupt_);
     write_reports();
     for (std::size_t level = 1; level + 1 < levels; ++level) rise(level);
     for (std::size_t level = levels; level-- > 1;) batch_.sink(level);
@@ -32,12 +40,6 @@ class Merge {
 
   /// An object and its leaf.
   using Found = std::pair<NodeNumber, std::int64_t>;
-
-  /// The entry without its max t, which settling recomputes.
-  static Entry<D> without_newest(Entry<D> entry) {
-    entry.times.t_max = std::numeric_limits<double>::infinity();
-    return entry;
-  }
 
   /// Erases objects, sorted by leaf.
   void erase(std::span<const Found> found) {
@@ -107,6 +109,7 @@ class Merge {
   /// Overwrites the objects that keep their leaves; the others leave them.
   void write_reports() {
     std::vector<std::pair<NodeNumber, std::uint32_t>> found;
+    found.reserve(ids_.size());
     Visit& root = batch_.root();
     for (std::uint32_t i = 0; i < ids_.size(); ++i) {
       if (old_leaves_[i] != 0)
@@ -133,7 +136,7 @@ class Merge {
       parent = &visit_upward(number, *leaf);
       parent->changes += reports.size();
       const auto above = state_.pages.read(leaf->parent);
-      entry = without_newest(entry_at<D>(*above, slot_of(*above, number))), epoch = above->epoch;
+      entry = entry_without_newest<D>(*above, number), epoch = above->epoch;
     }
     Node& leaf = state_.pages.modify(number);
     for (const auto& [home, i] : reports) {
@@ -155,7 +158,7 @@ class Merge {
     for (auto& [number, visit] : batch_.at(level)) {
       if (visit.objects.empty()) continue;
       const auto above = state_.pages.read(visit.parent);
-      const Entry<D> entry = without_newest(entry_at<D>(*above, slot_of(*above, number)));
+      const Entry<D> entry = entry_without_newest<D>(*above, number);
       const auto contained = [&](std::uint32_t i) {
         batch_.step();
         return entry.contains(batch_.object(i).entry(above->epoch));
@@ -196,29 +199,27 @@ class Merge {
 
 template <int D>
 void merge_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
-                   std::span<const NodeNumber> leaves, Interrupt& interrupt) {
-  Merge<D>(state, ids, records, interrupt).run(leaves);
+                   Interrupt& interrupt) {
+  Merge<D>(state, ids, records, interrupt).run();
 }
 
 template <int D>
 bool arrive_in_place(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
-                     std::span<const NodeNumber> leaves, Interrupt& interrupt) {
+                     Interrupt& interrupt) {
   constexpr std::size_t samples = 64;
   if (ids.size() < 2 * samples || state.pages.read(state.pages.find_root())->is_leaf()) return false;
-  const BatchDescent<D> batch(state, ids, records, interrupt);
+  const std::size_t size = state.reader.record_size();
   std::size_t in_place = 0;
   for (std::size_t sample = 0; sample < samples; ++sample) {
     const std::size_t first = sample * (ids.size() - 2) / samples;
-    const auto known = leaves.empty() ? leaves : leaves.subspan(first, 2);
-    const auto pair = state.pages.find_leaves(ids.subspan(first, 2), known, interrupt);
+    const auto pair = state.pages.leaves_of(ids.subspan(first, 2), interrupt);
     if (pair[0] == 0 || pair[1] == 0) continue;
     const NodeNumber number = state.pages.read(pair[1])->parent;
     if (state.pages.read(pair[0])->parent != number) continue;
     const auto node = state.pages.read(number);
     const auto above = read_above(state.pages, number, *node);
-    const NewObject<D> object = batch.object(static_cast<std::uint32_t>(first + 1));
-    in_place += !above || Merge<D>::without_newest(entry_at<D>(*above, slot_of(*above, number)))
-                              .contains(object.entry(above->epoch));
+    const Mover<D> mover(state.reader, records.data() + (first + 1) * size);
+    in_place += !above || entry_without_newest<D>(*above, number).contains(entry_of(mover, above->epoch));
   }
   return 2 * in_place > samples;
 }
@@ -229,7 +230,7 @@ namespace {
 template <int D>
 std::vector<typename Merge<D>::Found> find_by_leaf(TreeState<D>& state, std::span<const std::int64_t> ids,
                                                    Interrupt& interrupt) {
-  const std::vector<NodeNumber> leaves = state.pages.find_leaves(ids, {}, interrupt);
+  const std::vector<NodeNumber> leaves = state.pages.leaves_of(ids, interrupt);
   std::vector<typename Merge<D>::Found> found;
   found.reserve(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -281,9 +282,9 @@ void erase_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::
 
 #define FORESEE_OF_AXES(D)                                                                                \
   template bool arrive_in_place<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
-                                   std::span<const NodeNumber>, Interrupt&);                              \
+                                   Interrupt&);                                                           \
   template void merge_objects<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>,   \
-                                 std::span<const NodeNumber>, Interrupt&);                                \
+                                 Interrupt&);                                                             \
   template void erase_objects<D>(TreeState<D>&, std::span<const std::int64_t>, std::size_t, Interrupt&)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);

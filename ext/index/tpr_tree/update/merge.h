@@ -1,7 +1,7 @@
 // Batch insertion and update of many objects: each affected node is read and changed once, however many
 // objects affect it.
 //
-//   merge_objects(state, ids, records, leaves, interrupt);
+//   merge_objects(state, ids, records, interrupt);
 //
 // Objects that the tree already has are position reports. Each overwrites its record if its leaf's entry remains true,
 // as in bottom-up updates (Lee et al., "Supporting Frequent Updates in R-Trees: A Bottom-Up Approach", VLDB 2003).
@@ -21,16 +21,17 @@
 
 namespace foresee {
 
-/// Inserts or updates each object. Ids are unique. `leaves`: as TprTree::merge(). Requires: the root is an inner node.
+/// Inserts or updates each object. Ids are unique. Requires: the root is an inner node.
 template <int D>
 void merge_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
-                   std::span<const NodeNumber> leaves, Interrupt& interrupt);
+                   Interrupt& interrupt);
 
-/// Whether most of these objects are in the node of level 1 of the object before them and remain in it. Then
-/// merge_objects() changes few nodes, however many objects there are. A sample decides. Requires: the tree has a root.
+/// Whether most of these objects are in the node of level 1 of the object before them and remain in it. Then they
+/// arrive node by node, and merge_objects() changes few nodes per object. A sample decides. Requires: the tree has a
+/// root.
 template <int D>
 bool arrive_in_place(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
-                     std::span<const NodeNumber> leaves, Interrupt& interrupt);
+                     Interrupt& interrupt);
 
 /// Erases these objects. Requires: as TprTree::erase_all().
 template <int D>
@@ -40,7 +41,7 @@ void erase_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::
 // Batch insertion of many new objects as loose leaves, packed beside the leaves that are there.
 //
 //   const Remainder rest = merge_runs(state, ids, records, interrupt);
-//   merge_objects(state, rest.ids, rest.records, {}, interrupt);       // too few for a leaf
+//   merge_objects(state, rest.ids, rest.records, interrupt);       // too few for a leaf
 //
 // A batch that puts an object or two into every leaf would write the whole tree, batch after batch. Here a node of
 // level 1 is a partition: most of its leaves are its main run, packed together, and others are loose, which came

@@ -128,7 +128,7 @@ TEST(Merge, KnowsObjectsThatArriveInPlace) {
   std::vector<std::int64_t> ids;
   std::vector<double> records;
   collect_objects(model.pages, ids, records, model.never);
-  const auto in_place = [&] { return model.tree->arrive_in_place(ids, records, {}, model.never); };
+  const auto in_place = [&] { return model.tree->arrive_in_place(ids, records, model.never); };
   EXPECT_TRUE(in_place());
   const std::size_t size = records.size() / ids.size(), x = static_cast<std::size_t>(record_offsets(boats).x);
   const std::vector<double> before = records;
