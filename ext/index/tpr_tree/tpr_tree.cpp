@@ -220,9 +220,7 @@ class Tree final : public TprTree {
 
   /// True if the child's entry would contain the object beneath it. Max t is ignored: it is cheap to update.
   static bool entry_contains(const Node& parent, NodeNumber child, const NewObject<D>& object) {
-    Entry<D> entry = entry_at<D>(parent, slot_of(parent, child));
-    entry.times.t_max = std::numeric_limits<double>::infinity();
-    return entry.contains(object.entry(parent.epoch));
+    return entry_without_newest<D>(parent, child).contains(object.entry(parent.epoch));
   }
 
   /// The lowest ancestor of this node whose entry contains the object; otherwise the root.

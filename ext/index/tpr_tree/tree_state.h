@@ -90,4 +90,12 @@ struct Branch {
   Entry<D> entry(double at) const { return {known.times, carried(known.bounds, epoch, at), known.kinds}; }
 };
 
+/// The entry of a child, for any max t: that is cheap to update.
+template <int D>
+Entry<D> entry_without_newest(const Node& parent, NodeNumber child) {
+  Entry<D> entry = entry_at<D>(parent, slot_of(parent, child));
+  entry.times.t_max = std::numeric_limits<double>::infinity();
+  return entry;
+}
+
 }  // namespace foresee

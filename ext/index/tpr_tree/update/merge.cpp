@@ -13,14 +13,6 @@ namespace {
 /// gives better leaves and more writes.
 constexpr double changed_when_packed = 0.4;
 
-/// The entry of a child without its max t, which settling recomputes.
-template <int D>
-Entry<D> entry_without_newest(const Node& parent, NodeNumber child) {
-  Entry<D> entry = entry_at<D>(parent, slot_of(parent, child));
-  entry.times.t_max = std::numeric_limits<double>::infinity();
-  return entry;
-}
-
 template <int D>
 class Merge {
  public:
@@ -203,27 +195,6 @@ void merge_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::
   Merge<D>(state, ids, records, interrupt).run();
 }
 
-template <int D>
-bool arrive_in_place(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
-                     Interrupt& interrupt) {
-  constexpr std::size_t samples = 64;
-  if (ids.size() < 2 * samples || state.pages.read(state.pages.find_root())->is_leaf()) return false;
-  const std::size_t size = state.reader.record_size();
-  std::size_t in_place = 0;
-  for (std::size_t sample = 0; sample < samples; ++sample) {
-    const std::size_t first = sample * (ids.size() - 2) / samples;
-    const auto pair = state.pages.leaves_of(ids.subspan(first, 2), interrupt);
-    if (pair[0] == 0 || pair[1] == 0) continue;
-    const NodeNumber number = state.pages.read(pair[1])->parent;
-    if (state.pages.read(pair[0])->parent != number) continue;
-    const auto node = state.pages.read(number);
-    const auto above = read_above(state.pages, number, *node);
-    const Mover<D> mover(state.reader, records.data() + (first + 1) * size);
-    in_place += !above || entry_without_newest<D>(*above, number).contains(entry_of(mover, above->epoch));
-  }
-  return 2 * in_place > samples;
-}
-
 namespace {
 
 /// The objects with their leaves, sorted by leaf.
@@ -280,11 +251,9 @@ void erase_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::
   }
 }
 
-#define FORESEE_OF_AXES(D)                                                                                \
-  template bool arrive_in_place<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
-                                   Interrupt&);                                                           \
-  template void merge_objects<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>,   \
-                                 Interrupt&);                                                             \
+#define FORESEE_OF_AXES(D)                                                                              \
+  template void merge_objects<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
+                                 Interrupt&);                                                           \
   template void erase_objects<D>(TreeState<D>&, std::span<const std::int64_t>, std::size_t, Interrupt&)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);

@@ -26,13 +26,6 @@ template <int D>
 void merge_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
                    Interrupt& interrupt);
 
-/// Whether most of these objects are in the node of level 1 of the object before them and remain in it. Then they
-/// arrive node by node, and merge_objects() changes few nodes per object. A sample decides. Requires: the tree has a
-/// root.
-template <int D>
-bool arrive_in_place(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
-                     Interrupt& interrupt);
-
 /// Erases these objects. Requires: as TprTree::erase_all().
 template <int D>
 void erase_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::size_t max_leaves,
@@ -74,6 +67,13 @@ struct Remainder {
     }
   }
 };
+
+/// Whether most of these objects are in the node of the object before them and remain in it, among nodes that have
+/// about an eighth of so many. Then merge_objects() changes few nodes per object. A sample decides. Requires: the tree
+/// has a root.
+template <int D>
+bool arrive_in_place(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+                     Interrupt& interrupt);
 
 /// Whether a batch of so many objects is worth loose leaves: else merge_objects() is faster.
 template <int D>

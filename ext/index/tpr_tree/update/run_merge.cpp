@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "base/repeatable_choice.h"
 #include "index/tpr_tree/bulk_load/bulk_load.h"
@@ -149,6 +150,28 @@ class RunMerge {
   Remainder packing_;  ///< the objects of one partition; its memory serves all
 };
 
+/// The highest level, at least 1 and beneath the root, whose nodes have at most an eighth of so many objects.
+template <int D>
+int level_of_eighth(const TreeState<D>& state, std::size_t objects) {
+  const auto capacity = static_cast<double>(state.pages.inner_capacity());
+  const int root = state.pages.read(state.pages.find_root())->level;
+  int level = 1;
+  for (double beneath = static_cast<double>(state.packed_size()) * capacity * capacity;
+       level + 1 < root && 8 * beneath <= static_cast<double>(objects); beneath *= capacity)
+    ++level;
+  return level;
+}
+
+NodeNumber ancestor_of(Pages& pages, NodeNumber number, int level) {
+  auto node = pages.read(number);
+  while (node->level < level) {
+    const auto above = read_above(pages, number, *node);
+    if (!above) break;
+    number = std::exchange(node, above)->parent;
+  }
+  return number;
+}
+
 }  // namespace
 
 template <int D>
@@ -165,7 +188,30 @@ Remainder merge_runs(TreeState<D>& state, std::span<const std::int64_t> ids, std
   return RunMerge<D>(state, ids, records, interrupt).run();
 }
 
+template <int D>
+bool arrive_in_place(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+                     Interrupt& interrupt) {
+  constexpr std::size_t samples = 64;
+  if (ids.size() < 2 * samples || state.pages.read(state.pages.find_root())->is_leaf()) return false;
+  const int level = level_of_eighth(state, ids.size());
+  const std::size_t size = state.reader.record_size();
+  std::size_t in_place = 0;
+  for (std::size_t sample = 0; sample < samples; ++sample) {
+    const std::size_t first = sample * (ids.size() - 2) / samples;
+    const auto pair = state.pages.leaves_of(ids.subspan(first, 2), interrupt);
+    if (pair[0] == 0 || pair[1] == 0) continue;
+    const NodeNumber number = ancestor_of(state.pages, pair[1], level);
+    if (ancestor_of(state.pages, pair[0], level) != number) continue;
+    const auto above = read_above(state.pages, number, *state.pages.read(number));
+    const Mover<D> mover(state.reader, records.data() + (first + 1) * size);
+    in_place += !above || entry_without_newest<D>(*above, number).contains(entry_of(mover, above->epoch));
+  }
+  return 2 * in_place > samples;
+}
+
 #define FORESEE_OF_AXES(D)                                                                                \
+  template bool arrive_in_place<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
+                                   Interrupt&);                                                           \
   template bool takes_runs<D>(const TreeState<D>&, std::size_t);                                          \
   template Remainder merge_runs<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
                                    Interrupt&)

@@ -148,5 +148,27 @@ TEST(Merge, KnowsObjectsThatArriveInPlace) {
   EXPECT_FALSE(in_place()) << "they are new";
 }
 
+TEST(Merge, ManyObjectsMayMoveFarInPlace) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 5000, .seed = 4});
+  TreeModel model(boats, 60, 6);
+  model.load(scene);
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  collect_objects(model.pages, ids, records, model.never);
+  const std::size_t size = records.size() / ids.size(), x = static_cast<std::size_t>(record_offsets(boats).x);
+  double low = records[x], high = records[x];
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    low = std::min(low, records[i * size + x]);
+    high = std::max(high, records[i * size + x]);
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i) records[i * size + x] += (high - low) / 13;
+  const auto in_place = [&](std::size_t count) {
+    return model.tree->arrive_in_place(std::span(ids).first(count), std::span(records).first(count * size),
+                                       model.never);
+  };
+  EXPECT_TRUE(in_place(5000));
+  EXPECT_FALSE(in_place(150)) << "they are few, and leave nodes that have an eighth of so many";
+}
+
 }  // namespace
 }  // namespace foresee
