@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "index/tpr_tree/reference_times.h"
@@ -61,6 +62,16 @@ struct TreeState {
   }
   /// The typical number of children of an inner node.
   double likely_children() const { return 0.7 * static_cast<double>(pages.inner_capacity()); }
+  /// The typical number of objects beneath a node of this level with so many children.
+  double likely_objects(int level, double children) const {
+    return children * std::pow(likely_children(), level - 1) * static_cast<double>(packed_size());
+  }
+  /// The highest level whose nodes typically have no more than so many objects; 0: none.
+  int highest_level_within(double objects) const {
+    int level = 0;
+    while (likely_objects(level + 1, likely_children()) <= objects) ++level;
+    return level;
+  }
   /// The number of leaves for these objects when they are packed.
   std::size_t leaves_for(std::size_t objects) const {
     return objects <= pages.leaf_capacity() ? 1 : (objects + packed_size() - 1) / packed_size();

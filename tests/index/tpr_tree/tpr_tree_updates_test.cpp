@@ -232,7 +232,9 @@ TEST(TprTreeUpdates, FollowALoadForTheTimeThatMostObjectsHaveReached) {
   load_boats(model, random, [&] { return random.in(0, now); });
   model.tree->insert(4000, boat(random, now, 1, 1));
   for (int i = 0; i < 20; ++i) model.tree->update(4000, boat(random, now, 1, 1));
-  EXPECT_LT(leaves_against_packed(model, side, now).read, 5);
+  const auto leaves = leaves_against_packed(model, side, now);
+  EXPECT_LT(leaves.read, 5);
+  EXPECT_LT(leaves.with_hits, 2);
 }
 
 // A process that has written no t knows no time but that of what is stored.

@@ -21,20 +21,6 @@ constexpr std::uint64_t candidates = 4;
 /// Objects have dispersed if queries visit so many times the leaves that they visit when packed.
 constexpr double dispersed = 2.5;
 
-/// The typical number of objects beneath a node of this level with so many children.
-template <int D>
-double likely_objects(const TreeState<D>& state, int level, double children) {
-  return children * std::pow(state.likely_children(), level - 1) * static_cast<double>(state.packed_size());
-}
-
-/// The highest level whose nodes have no more than max_packed objects; 0: none.
-template <int D>
-int packed_level(const TreeState<D>& state) {
-  int level = 0;
-  while (likely_objects(state, level + 1, state.likely_children()) <= max_packed) ++level;
-  return level;
-}
-
 /// A node that is packed, and what is beneath it.
 struct Beneath {
   NodeNumber number;
@@ -145,10 +131,10 @@ template <int D>
 std::optional<Beneath> find_dispersed(TreeState<D>& state, std::size_t changes, std::uint64_t draw) {
   if (state.pages.find_root() == 0) return {};
   const auto root = read(state.pages, unread_root(state.pages));
-  const int level = std::min(packed_level(state), root->level);
+  const int level = std::min(state.highest_level_within(max_packed), root->level);
   if (level == 0 || root->size() == 0) return {};
   const double children = level == root->level ? static_cast<double>(root->size()) : state.likely_children();
-  const double between = changes_between * likely_objects(state, level, children);
+  const double between = changes_between * state.likely_objects(level, children);
   RepackTurns& turns = state.repack_turns;
   if (!turns.are_known) turns = {.are_known = true, .changes = fraction_of(hash_of(draw)) * between};
   turns.changes += static_cast<double>(changes);
@@ -220,7 +206,7 @@ void repack_dispersed(TreeState<D>& state, std::size_t changes, std::uint64_t dr
 template <int D>
 void note_all_packed(TreeState<D>& state) {
   state.repack_turns = {.are_known = true};
-  const int level = packed_level(state);
+  const int level = state.highest_level_within(max_packed);
   if (state.pages.find_root() == 0 || level == 0) return;
   const NodeNumber number = drawn_node(state, level, 0);
   if (!state.pages.read(number)->is_leaf())

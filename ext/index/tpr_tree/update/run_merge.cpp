@@ -150,18 +150,7 @@ class RunMerge {
   Remainder packing_;  ///< the objects of one partition; its memory serves all
 };
 
-/// The highest level, at least 1 and beneath the root, whose nodes have at most an eighth of so many objects.
-template <int D>
-int level_of_eighth(const TreeState<D>& state, std::size_t objects) {
-  const auto capacity = static_cast<double>(state.pages.inner_capacity());
-  const int root = state.pages.read(state.pages.find_root())->level;
-  int level = 1;
-  for (double beneath = static_cast<double>(state.packed_size()) * capacity * capacity;
-       level + 1 < root && 8 * beneath <= static_cast<double>(objects); beneath *= capacity)
-    ++level;
-  return level;
-}
-
+/// The ancestor of a leaf at this level, or the root.
 NodeNumber ancestor_of(Pages& pages, NodeNumber number, int level) {
   auto node = pages.read(number);
   while (node->level < level) {
@@ -192,8 +181,10 @@ template <int D>
 bool arrive_in_place(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
                      Interrupt& interrupt) {
   constexpr std::size_t samples = 64;
-  if (ids.size() < 2 * samples || state.pages.read(state.pages.find_root())->is_leaf()) return false;
-  const int level = level_of_eighth(state, ids.size());
+  const int root = state.pages.read(state.pages.find_root())->level;
+  if (ids.size() < 2 * samples || root == 0) return false;
+  const int level =
+      std::max(1, std::min(state.highest_level_within(static_cast<double>(ids.size()) / 8), root - 1));
   const std::size_t size = state.reader.record_size();
   std::size_t in_place = 0;
   for (std::size_t sample = 0; sample < samples; ++sample) {

@@ -121,53 +121,58 @@ TEST(EraseAll, RefusesAnObjectThatTheTreeDoesNotHave) {
   EXPECT_THROW(model.tree->erase_all({&ids.back(), 1}, 10, model.never), BrokenTree);
 }
 
-TEST(Merge, KnowsObjectsThatArriveInPlace) {
-  const RandomScene scene = random_scene({.layout = boats, .count = 5000, .seed = 4});
-  TreeModel model(boats, 60, 16);
-  model.load(scene);
+/// A tree whose objects arrive again, leaf by leaf.
+struct ArrivingAgain {
+  explicit ArrivingAgain(std::size_t capacity) : model(boats, 60, capacity) {
+    model.load(random_scene({.layout = boats, .count = 5000, .seed = 4}));
+    collect_objects(model.pages, ids, records, model.never);
+  }
+  bool in_place(std::size_t count) {
+    return model.tree->arrive_in_place(std::span(ids).first(count), std::span(records).first(count * size),
+                                       model.never);
+  }
+  void move(double distance) {
+    for (std::size_t i = 0; i < ids.size(); ++i) records[i * size + x] += distance;
+  }
+
+  const std::size_t size = static_cast<std::size_t>(record_offsets(boats).size),
+                    x = static_cast<std::size_t>(record_offsets(boats).x);
+  TreeModel model;
   std::vector<std::int64_t> ids;
   std::vector<double> records;
-  collect_objects(model.pages, ids, records, model.never);
-  const auto in_place = [&] { return model.tree->arrive_in_place(ids, records, model.never); };
-  EXPECT_TRUE(in_place());
-  const std::size_t size = records.size() / ids.size(), x = static_cast<std::size_t>(record_offsets(boats).x);
-  const std::vector<double> before = records;
-  for (std::size_t i = 0; i < ids.size(); ++i) records[i * size + x] += 1e9;
-  EXPECT_FALSE(in_place()) << "they leave their nodes";
-  records = before;
+};
+
+TEST(Merge, KnowsObjectsThatArriveInPlace) {
+  ArrivingAgain all(16);
+  EXPECT_TRUE(all.in_place(5000));
+  const std::vector<double> before = all.records;
+  all.move(1e9);
+  EXPECT_FALSE(all.in_place(5000)) << "they leave their nodes";
+  all.records = before;
   Random random(8);
-  for (std::size_t i = ids.size(); i-- > 1;) {
+  const auto record = [&](std::size_t i) {
+    return all.records.begin() + static_cast<std::ptrdiff_t>(i * all.size);
+  };
+  for (std::size_t i = all.ids.size(); i-- > 1;) {
     const std::size_t j = random.below(i + 1);
-    std::swap(ids[i], ids[j]);
-    std::swap_ranges(records.begin() + static_cast<std::ptrdiff_t>(i * size),
-                     records.begin() + static_cast<std::ptrdiff_t>((i + 1) * size),
-                     records.begin() + static_cast<std::ptrdiff_t>(j * size));
+    std::swap(all.ids[i], all.ids[j]);
+    std::swap_ranges(record(i), record(i + 1), record(j));
   }
-  EXPECT_FALSE(in_place()) << "in no order";
-  for (std::int64_t& id : ids) id += 1'000'000;
-  EXPECT_FALSE(in_place()) << "they are new";
+  EXPECT_FALSE(all.in_place(5000)) << "in no order";
+  for (std::int64_t& id : all.ids) id += 1'000'000;
+  EXPECT_FALSE(all.in_place(5000)) << "they are new";
 }
 
 TEST(Merge, ManyObjectsMayMoveFarInPlace) {
-  const RandomScene scene = random_scene({.layout = boats, .count = 5000, .seed = 4});
-  TreeModel model(boats, 60, 6);
-  model.load(scene);
-  std::vector<std::int64_t> ids;
-  std::vector<double> records;
-  collect_objects(model.pages, ids, records, model.never);
-  const std::size_t size = records.size() / ids.size(), x = static_cast<std::size_t>(record_offsets(boats).x);
-  double low = records[x], high = records[x];
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    low = std::min(low, records[i * size + x]);
-    high = std::max(high, records[i * size + x]);
+  ArrivingAgain all(6);
+  double low = all.records[all.x], high = low;
+  for (std::size_t i = all.x; i < all.records.size(); i += all.size) {
+    low = std::min(low, all.records[i]);
+    high = std::max(high, all.records[i]);
   }
-  for (std::size_t i = 0; i < ids.size(); ++i) records[i * size + x] += (high - low) / 13;
-  const auto in_place = [&](std::size_t count) {
-    return model.tree->arrive_in_place(std::span(ids).first(count), std::span(records).first(count * size),
-                                       model.never);
-  };
-  EXPECT_TRUE(in_place(5000));
-  EXPECT_FALSE(in_place(150)) << "they are few, and leave nodes that have an eighth of so many";
+  all.move((high - low) / 13);
+  EXPECT_TRUE(all.in_place(5000));
+  EXPECT_FALSE(all.in_place(150)) << "they are few, and leave nodes that have an eighth of so many";
 }
 
 }  // namespace
