@@ -53,7 +53,7 @@ ReadScene read_scene(const OpenTable& table, const SceneNeeds& needs, Interrupt&
 
 }  // namespace
 
-void add_object(Store& store, std::int64_t id, std::span<const double> record,
+void add_object(TableReader& store, std::int64_t id, std::span<const double> record,
                 StatementReadState& statement_state, Scene& scene) {
   if (!has_plan(store.format().at, record.data())) return scene.add(id, record.data());
   const std::vector<double> own(record.begin(), record.end());  // the store may reuse its memory

@@ -140,7 +140,7 @@ class Connection {
 
 /// Adds an object that the store holds under this record: its row, or the rows of its legs during scene.legs_during.
 /// Requires: FloatEnvironment.
-void add_object(Store& store, std::int64_t id, std::span<const double> record,
+void add_object(TableReader& store, std::int64_t id, std::span<const double> record,
                 StatementReadState& statement_state, Scene& scene);
 
 }  // namespace foresee

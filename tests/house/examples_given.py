@@ -3,7 +3,6 @@
 # Blocks of indented lines that are drawings and tables: header, and how each begins.
 DRAWINGS = {
     "simd.h": ("template <int D", "with_simd"),  # a kernel of motion/, which base/ does not see
-    "store_change.h": ("AtomicChange",),  # inside Store
     "version.h": ("start   ",),
     "grid.h": ("step 1",),
     "pages.h": ("keys[i]",),
@@ -141,6 +140,9 @@ GIVEN = {
     "id_hash_map.h": {"map": "IdHashMap&"},
     "statement.h": {"id": "std::int64_t"},
     "store.h": {"store": "Store&"},
+    "table_reader.h": {"store": "TableReader&"},
+    "table_transaction.h": {"table": "ChangingTable&", "is_new": "bool"},
+    "table_writer.h": {"store": "TableWriter&"},
     "disc_tests.h": {"relative": "const CertainMotion<3>&"},
     "containment.h": {"within": "Containment&"},
     "exact_union.h": {"pair": "UnionPair<FlatTraits<2, 1>>&"},

@@ -14,7 +14,7 @@
 
 #include "base/float_environment.h"
 #include "geography/frame.h"
-#include "storage/table/store.h"
+#include "storage/table/table_reader.h"
 
 namespace foresee {
 
@@ -33,7 +33,7 @@ inline Metres metres_of(const Frame& frame, const Offsets& at, const double* rec
 }
 
 /// Requires: a table in degrees. `state`: of a statement that reads repeatedly.
-inline Flight shown_report(Store& store, std::int64_t id, const double* record,
+inline Flight shown_report(TableReader& store, std::int64_t id, const double* record,
                            StatementReadState* state = nullptr) try {
   const FloatEnvironment environment;
   const Frame& frame = store.frame_of_objects(state);

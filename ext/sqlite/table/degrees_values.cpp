@@ -106,7 +106,7 @@ std::optional<Course> RowReader::course_of_row(std::int64_t id, const std::optio
 
 /// An UPDATE that leaves place or motion as they are, or writes what the columns show, keeps the stored bits. Where it
 /// changes only some of the columns, the others are what they show.
-void RowReader::fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
+void RowReader::fill_degrees(std::int64_t id, sqlite3_value** motion, TableWriter& store,
                              std::optional<std::int64_t> updated) {
   const FloatEnvironment environment;
   new_origin_.reset();

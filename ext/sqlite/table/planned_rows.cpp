@@ -34,7 +34,7 @@ bool is_near(GeoColumn column, double number, double shown) {
 
 }  // namespace
 
-void RowReader::start_planned_row(std::int64_t id, sqlite3_value** motion, Store& store,
+void RowReader::start_planned_row(std::int64_t id, sqlite3_value** motion, TableWriter& store,
                                   std::optional<std::int64_t> updated, std::span<const double> at_start) {
   new_plan_.reset();
   new_origin_.reset();
@@ -59,7 +59,7 @@ void RowReader::keep_plan() {
     record_[static_cast<std::size_t>(place)] = before_[static_cast<std::size_t>(place)];
 }
 
-void RowReader::read_plan(std::int64_t id, sqlite3_value* value, Store& store,
+void RowReader::read_plan(std::int64_t id, sqlite3_value* value, TableWriter& store,
                           std::optional<std::int64_t> updated) try {
   const FloatEnvironment environment;
   std::optional<Plan> written = plans_.written(value);
@@ -102,7 +102,7 @@ double RowReader::number_of_leg(const Column& column, std::int64_t id, sqlite3_v
   return leg_[place];
 }
 
-void RowReader::check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store& store) const {
+void RowReader::check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, TableWriter& store) const {
   const FloatEnvironment environment;
   std::optional<Flight> shows, showed;
   for (const std::size_t i : degrees_) {

@@ -30,7 +30,7 @@ std::shared_ptr<const Form> zone_form(std::string_view text, const LatLon& origi
 
 }  // namespace
 
-StoredForms::Known FormValues::form_of(sqlite3_value* value, Store& store) const {
+StoredForms::Known FormValues::form_of(sqlite3_value* value, TableWriter& store) const {
   if (sqlite3_value_type(value) != SQLITE_TEXT)
     throw Error(shown(value) + " is no text: write well-known text as in " + example_of(shape_, has_zones_) +
                 (has_zones_ ? "" : ", or NULL"));
@@ -41,7 +41,7 @@ StoredForms::Known FormValues::form_of(sqlite3_value* value, Store& store) const
 }
 
 void FormValues::fill(std::span<double> record, sqlite3_value* shape, std::span<const double> before,
-                      Store& store) const {
+                      TableWriter& store) const {
   const auto heading_of = [this](std::span<const double> numbers) {
     return value_or(numbers.data(), at_.heading, 0);
   };
@@ -142,7 +142,7 @@ RowReader::RowReader(const Declaration& declaration, const std::string& table, I
   record_.assign(static_cast<std::size_t>(at_.size), 0.0);
 }
 
-NewRecord RowReader::read(std::int64_t id, sqlite3_value** motion, Store& store,
+NewRecord RowReader::read(std::int64_t id, sqlite3_value** motion, TableWriter& store,
                           std::optional<std::int64_t> updated, std::span<const double> at_start) {
   if (layout_.has_plan) start_planned_row(id, motion, store, updated, at_start);
   sqlite3_value* shape = nullptr;
@@ -170,7 +170,7 @@ NewRecord RowReader::read(std::int64_t id, sqlite3_value** motion, Store& store,
   return {record_, new_plan_ ? &*new_plan_ : nullptr, new_origin_};
 }
 
-void RowReader::fill_form(std::int64_t id, sqlite3_value* shape, Store& store,
+void RowReader::fill_form(std::int64_t id, sqlite3_value* shape, TableWriter& store,
                           std::optional<std::int64_t> updated) try {
   std::vector<double> before;
   if (updated && (sqlite3_value_nochange(shape) || forms_.has_zones()))

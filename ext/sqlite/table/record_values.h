@@ -21,7 +21,7 @@
 #include "sqlite/table/column_vocabulary.h"
 #include "storage/format/declaration.h"
 #include "storage/rows/sqlite_api.h"
-#include "storage/table/store.h"
+#include "storage/table/table_writer.h"
 
 namespace foresee {
 
@@ -49,10 +49,10 @@ class FormValues {
   /// record that an UPDATE changes, else empty. Throws Error, without table and row, for a value that is not
   /// well-known text and for a form that cannot be rotated by the heading.
   void fill(std::span<double> record, sqlite3_value* shape, std::span<const double> before,
-            Store& store) const;
+            TableWriter& store) const;
 
  private:
-  StoredForms::Known form_of(sqlite3_value* value, Store& store) const;
+  StoredForms::Known form_of(sqlite3_value* value, TableWriter& store) const;
 
   Shape shape_;
   bool has_zones_;
@@ -78,7 +78,7 @@ class RowReader {
   /// `motion`: one value per declared motion column, in declared order. `updated`: the row that an UPDATE
   /// changes. `at_start`: its record when the statement started, if it is known. Adds new outlines and meshes to the
   /// store; objects stay unchanged. The result is valid until the next call.
-  NewRecord read(std::int64_t id, sqlite3_value** motion, Store& store,
+  NewRecord read(std::int64_t id, sqlite3_value** motion, TableWriter& store,
                  std::optional<std::int64_t> updated = {}, std::span<const double> at_start = {});
 
   /// The id in this value; nothing for NULL and ''. `updated`: the row that an UPDATE changes. Throws Refusal
@@ -99,7 +99,7 @@ class RowReader {
   using Numbers = std::array<std::optional<double>, geo_columns>;
 
   // tables in degrees (degrees_values.cpp)
-  void fill_degrees(std::int64_t id, sqlite3_value** motion, Store& store,
+  void fill_degrees(std::int64_t id, sqlite3_value** motion, TableWriter& store,
                     std::optional<std::int64_t> updated);
   std::optional<double> degrees_number(const Column& column, std::int64_t id, sqlite3_value* value) const;
   double latitude_or_longitude(const Column& column, std::int64_t id, sqlite3_value* value) const;
@@ -115,18 +115,20 @@ class RowReader {
   void copy_motion(const std::vector<double>& before);
 
   // tables with plans (planned_rows.cpp)
-  void start_planned_row(std::int64_t id, sqlite3_value** motion, Store& store,
+  void start_planned_row(std::int64_t id, sqlite3_value** motion, TableWriter& store,
                          std::optional<std::int64_t> updated, std::span<const double> at_start);
   void keep_plan();
-  void read_plan(std::int64_t id, sqlite3_value* value, Store& store, std::optional<std::int64_t> updated);
+  void read_plan(std::int64_t id, sqlite3_value* value, TableWriter& store,
+                 std::optional<std::int64_t> updated);
   bool is_of_before(int place, double number) const;
   double number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const;
-  void check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, Store& store) const;
+  void check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, TableWriter& store) const;
   [[noreturn]] void refuse_beside_plan(const Column& column, std::int64_t id, sqlite3_value* value,
                                        const std::optional<double>& of_plan) const;
   void require_heading_beside_plan(std::int64_t id, sqlite3_value** motion) const;
 
-  void fill_form(std::int64_t id, sqlite3_value* shape, Store& store, std::optional<std::int64_t> updated);
+  void fill_form(std::int64_t id, sqlite3_value* shape, TableWriter& store,
+                 std::optional<std::int64_t> updated);
   /// Reads and checks the SQL value of a column.
   double number_to_store(const Column& column, std::int64_t id, sqlite3_value* value) const;
   double kind_to_store(const Column& column, std::int64_t id, sqlite3_value* value) const;

@@ -4,7 +4,6 @@
 #include "index/tpr_tree/tpr_tree.h"
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
-#include "storage/table/open_stores.h"
 #include "storage/table/store.h"
 
 namespace foresee {

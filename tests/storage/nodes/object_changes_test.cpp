@@ -6,7 +6,6 @@
 
 #include "sqlite/foresee.h"
 #include "storage/database.h"
-#include "storage/table/open_stores.h"
 #include "storage/table/store.h"
 
 namespace foresee {

@@ -1,22 +1,20 @@
-// Store: plans of objects, for queries, for changes, and for 'rebuild' and 'integrity-check'.
+// TableReader: plans of objects, for queries, and for 'rebuild'.
 #include "base/float_environment.h"
 #include "storage/format/leaf_node.h"
-#include "storage/table/store.h"
+#include "storage/table/table_reader.h"
 
 namespace foresee {
-namespace {
-
-// The plans of a store for walks. The plan of an object is compared with its chunks once per object, while chunks of
+// The plans of a table for walks. The plan of an object is compared with its chunks once per object, while chunks of
 // the same object are read one after another.
-class StoredChunks final : public ChunkSource {
+class TableReader::Chunks final : public ChunkSource {
  public:
-  StoredChunks(std::shared_ptr<Store> store, StoredPlans& plans) : store_(std::move(store)), plans_(plans) {}
+  Chunks(std::shared_ptr<TableReader> table, StoredPlans& plans) : table_(std::move(table)), plans_(plans) {}
 
   NodeSource& tree() override { return plans_.tree().nodes(); }
 
   void prefetch_chunk(std::int64_t number) override { plans_.prefetch_chunk(number); }
   void read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) override {
-    const std::optional<std::int64_t> stamp = store_->committed_stamp();
+    const std::optional<std::int64_t> stamp = table_->committed_stamp();
     if (!plans_.read_chunk(number, times, stamp, chunk))
       plans_.damaged("chunk " + std::to_string(number) + " is missing");
     if (!chunk.record.empty()) return;
@@ -27,44 +25,42 @@ class StoredChunks final : public ChunkSource {
 
  private:
   void find_head(std::int64_t number, std::int64_t object) {
-    const std::span<const double> record = store_->find(object, statement_state_);
+    const std::span<const double> record = table_->find(object, statement_state_);
     record_.assign(record.begin(), record.end());
-    const bool is_known = !record_.empty() && has_plan(store_->format().at, record_.data());
+    const bool is_known = !record_.empty() && has_plan(table_->format().at, record_.data());
     if (is_known) head_ = plans_.head_of(object, record_.data());
     if (!is_known || !head_->has(number))
       plans_.damaged("chunk " + std::to_string(number) + " is not of the plan of object " +
                      std::to_string(object));
   }
 
-  std::shared_ptr<Store> store_;
+  std::shared_ptr<TableReader> table_;
   StoredPlans& plans_;
   StatementReadState statement_state_;
   std::optional<StoredPlans::Head> head_;
   std::vector<double> record_;
 };
 
-}  // namespace
-
 // --- reading
 
-Plan Store::read_plan(std::int64_t id, std::span<const double> record) {
-  require_usable();
+Plan TableReader::read_plan(std::int64_t id, std::span<const double> record) {
+  transaction_.require_usable();
   return plans_->read(plans_->head_of(id, record.data()));
 }
 
-void Store::read_legs(std::int64_t id, std::span<const double> record, const LegTimes& times,
-                      StatementReadState& statement_state, std::vector<Leg>& legs) {
+void TableReader::read_legs(std::int64_t id, std::span<const double> record, const LegTimes& times,
+                            StatementReadState& statement_state, std::vector<Leg>& legs) {
   revalidate_cache(&statement_state);  // under another stamp the same number may be a chunk of another plan
   plans_->read_legs(plans_->head_of(id, record.data()), times, committed_stamp(), legs);
 }
 
-std::shared_ptr<ChunkSource> Store::chunks() {
+std::shared_ptr<ChunkSource> TableReader::chunks() {
   if (!plans_) return nullptr;
-  return std::make_shared<StoredChunks>(shared_from_this(), *plans_);
+  return std::make_shared<Chunks>(shared_from_this(), *plans_);
 }
 
-std::vector<StoredPlans::Head> Store::read_heads(const EachObject& plain, std::vector<double>& records,
-                                                 Interrupt& interrupt) {
+std::vector<StoredPlans::Head> TableReader::read_heads(const EachObject& plain, std::vector<double>& records,
+                                                       Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   std::size_t objects = 0;
   std::vector<StoredPlans::Head> heads;
@@ -90,7 +86,7 @@ std::vector<StoredPlans::Head> Store::read_heads(const EachObject& plain, std::v
   return heads;
 }
 
-void Store::read_objects(double from, double until, const EachObject& each, Interrupt& interrupt) {
+void TableReader::read_objects(double from, double until, const EachObject& each, Interrupt& interrupt) {
   if (plans_) revalidate_cache();
   merge_pending();
   std::vector<double> records;
@@ -101,33 +97,6 @@ void Store::read_objects(double from, double until, const EachObject& each, Inte
     each(head.object, std::span<const double>(records).subspan(head.record * size, size), legs);
   };
   plans_->read_all(heads, from, until, use, interrupt);
-}
-
-// --- changes
-
-std::span<const double> Store::change_plans(StoredPlans::Change& plans, std::int64_t id, std::int64_t new_id,
-                                            std::span<const double> record, const Plan* plan) {
-  const std::optional<std::vector<double>> before = read(id);
-  if (!before) throw_missing(id);
-  if (new_id != id) plans.remove(new_id, read(new_id).value_or(std::vector<double>()));
-  if (!plan) {
-    record = plans.keep(id, new_id, *before, record);
-  } else {
-    std::optional<StoredPlans::Head> old;
-    if (has_plan(format_.at, before->data())) old = plans_->head_of(id, before->data());
-    record = plans.add(new_id, record, *plan, old ? &*old : nullptr);
-  }
-  require_sound(record);
-  return record;
-}
-
-// --- commands
-
-void Store::pack_plans(Interrupt& interrupt) {
-  std::vector<double> records;
-  const auto ignore = [](std::int64_t, std::span<const double>, std::span<const Leg>) {};
-  std::vector<StoredPlans::Head> heads = read_heads(ignore, records, interrupt);
-  plans_->rebuild(heads, records, interrupt);
 }
 
 }  // namespace foresee

@@ -1,7 +1,8 @@
-// Store: reads, from pending objects and dirty nodes first, then from the shadow rows.
+// TableReader: reads, from pending objects and dirty nodes first, then from the shadow rows.
+#include "storage/table/table_reader.h"
+
 #include "storage/format/leaf_node.h"
 #include "storage/rows/value_text.h"
-#include "storage/table/store.h"
 
 namespace foresee {
 namespace {
@@ -79,24 +80,45 @@ double likely_share(const std::optional<IdRange>& all, const IdRange& range) {
 
 }  // namespace
 
-// While this connection writes no other one can. At any other time another one may have written.
-void Store::revalidate_cache(StatementReadState* statement_state) {
-  resolve_doubt();
-  if (version_.written_here() || (version_.seen() && version_.is_checked(statement_state))) return;
-  const auto stamp = shadow_rows().read_stamp();
-  if (!stamp) damaged("the stamp is missing");
-  if (version_.seen() != stamp) {
-    forget_nodes();
-    version_.forget();
-    totals_.change().count.stored = shadow_rows().read_objects();
-    watch_names_.change().reset();
-    origin_.change() = {};
-    version_.read(*stamp);
+// It holds the table and a position in the history of its nodes (node_history.h).
+class TableReader::Snapshot final : public NodeSource, private FormSource {
+ public:
+  explicit Snapshot(std::shared_ptr<TableReader> table)
+      : table_(std::move(table)),
+        root_(table_->nodes().find_root()),
+        forms_(table_->forms_ ? table_->forms_->known() : nullptr),
+        nodes_(table_->nodes().take_snapshot()) {}
+  ~Snapshot() override { table_->tree_.nodes().give_up(nodes_); }
+  Snapshot(const Snapshot&) = delete;
+  Snapshot& operator=(const Snapshot&) = delete;
+
+  const Layout& layout() const override { return table_->format().layout; }
+  NodeNumber find_root() override { return root_; }
+  std::shared_ptr<const Node> read(NodeNumber number) override {
+    return table_->nodes().read_at(nodes_, number);
   }
-  version_.note_checked(statement_state);
+  FormSource* forms() override { return forms_ ? this : nullptr; }
+
+ private:
+  /// From the forms at the time of the snapshot first: a rollback may have removed rows.
+  std::shared_ptr<const Form> form(std::int64_t number) override {
+    const auto known = forms_->find(number);
+    return known == forms_->end() ? table_->form(number) : known->second;
+  }
+
+  std::shared_ptr<TableReader> table_;
+  NodeNumber root_;
+  std::shared_ptr<const StoredForms::ByNumber> forms_;  ///< null: the layout has no forms
+  NodeHistory::Snapshot nodes_;
+};
+
+std::shared_ptr<NodeSource> TableReader::take_snapshot(StatementReadState* statement_state) {
+  revalidate_cache(statement_state);
+  merge_pending();
+  return std::make_shared<Snapshot>(shared_from_this());
 }
 
-const Frame& Store::frame() {
+const Frame& TableReader::frame() {
   if (!declaration_.frame.chooses_origin()) return frame_;
   revalidate_cache();
   if (!origin_->known) {
@@ -112,67 +134,60 @@ const Frame& Store::frame() {
   return frame_;
 }
 
-const Frame& Store::frame_of_objects(StatementReadState* statement_state) {
+const Frame& TableReader::frame_of_objects(StatementReadState* statement_state) {
   if (!declaration_.frame.chooses_origin()) return frame_;
-  if (!version_.is_checked(statement_state) || !origin_->known) frame();
-  version_.note_checked(statement_state);
+  if (!version().is_checked(statement_state) || !origin_->known) frame();
+  version().note_checked(statement_state);
   if (!origin_->value) damaged("the origin is missing in _meta");
   frame_.origin = origin_->value;
   return frame_;
 }
 
-ContentVersion Store::read_version() {
-  revalidate_cache();
-  const auto stamp = version_.written_here() ? shadow_rows().read_stamp() : version_.seen();
-  if (!stamp) damaged("the stamp is missing");
-  return version_.shown(*stamp);
+std::optional<std::int64_t> TableReader::find_leaf(std::int64_t id) {
+  return version().written_here() ? nodes().find_leaf(id) : shadow_rows().tree().map().find_leaf(id);
 }
 
-std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
-  return version_.written_here() ? nodes().find_leaf(id) : shadow_rows().tree().map().find_leaf(id);
-}
-
-bool Store::contains(std::int64_t id) {
-  resolve_doubt();
+bool TableReader::contains(std::int64_t id) {
+  transaction_.resolve_doubt();
   // New ascending ids, the common case, are larger than any known id.
   const LargestId& largest = totals_->largest;
   if (largest.known && (!largest.id || *largest.id < id)) return false;
   return tree_.pending().find(id) || (!tree_.pending().is_erased(id) && find_leaf(id));
 }
 
-std::optional<std::vector<double>> Store::read(std::int64_t id) {
-  resolve_doubt();
+std::optional<std::vector<double>> TableReader::read(std::int64_t id) {
+  transaction_.resolve_doubt();
   const auto size = static_cast<std::size_t>(format_.at.size);
   if (tree_.pending().is_erased(id)) return std::nullopt;
   const double* found = tree_.pending().find(id);
-  if (!found && version_.written_here()) found = nodes().find_record(id);
+  if (!found && version().written_here()) found = nodes().find_record(id);
   if (found) return std::vector<double>(found, found + size);
   std::vector<double> record;
-  if (version_.written_here() || !tree().read_stored(id, record)) return std::nullopt;
+  if (version().written_here() || !tree().read_stored(id, record)) return std::nullopt;
   return record;
 }
 
-std::span<const double> Store::find(std::int64_t id, StatementReadState& statement_state) {
+std::span<const double> TableReader::find(std::int64_t id, StatementReadState& statement_state) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   const auto found = [size](const double* record) { return std::span(record, record ? size : 0); };
-  resolve_doubt();
+  transaction_.resolve_doubt();
   if (const double* record = tree_.pending().find(id)) return found(record);
   if (tree_.pending().is_erased(id)) return found(nullptr);
-  if (version_.written_here()) return found(nodes().find_record(id));
-  if (version_.is_checked(&statement_state)) {
+  if (version().written_here()) return found(nodes().find_record(id));
+  if (version().is_checked(&statement_state)) {
     if (const double* record = nodes().find_record_in_memory(id)) return found(record);
     if (!nodes().find_leaf(id)) return found(nullptr);
   }
   // The first row after opening should not wait until one more statement is compiled.
-  if (!version_.seen() && first_found_.empty())
+  if (!version().seen() && first_found_.empty())
     return tree().read_stored(id, first_found_) ? found(first_found_.data()) : found(nullptr);
   // Also before a node is read: with uncommitted reads (shared cache) it may belong to another stamp.
   revalidate_cache(&statement_state);
   return found(nodes().find_record(id));
 }
 
-bool Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt,
-                     const std::optional<KindTest>& wanted) {
+bool TableReader::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt,
+                           const std::optional<KindTest>& wanted) {
   merge_pending();
   ids.clear();
   rows.clear();
@@ -194,18 +209,18 @@ bool Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
   return ids.size() == found.objects();
 }
 
-void Store::expect_objects(std::size_t found) {
+void TableReader::expect_objects(std::size_t found) {
   totals_.change().count.note_all(found);
   tree().require_as_many(found);
 }
 
-std::int64_t Store::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
-                              std::vector<double>& records) {
+std::int64_t TableReader::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
+                                    std::vector<double>& records) {
   if (after == 0) merge_pending();
   return tree().next_leaf(after, ids, records);
 }
 
-std::optional<IdWalk> Store::walk_ids(const IdRange& range, std::optional<IdOrder> order) {
+std::optional<IdWalk> TableReader::walk_ids(const IdRange& range, std::optional<IdOrder> order) {
   revalidate_cache();
   merge_pending();
   // An object of a scan costs as much as a tenth of a look-up in memory, or a sixtieth of one that reads a leaf.
@@ -217,27 +232,27 @@ std::optional<IdWalk> Store::walk_ids(const IdRange& range, std::optional<IdOrde
   return nodes().walk_ids(range, order.value_or(IdOrder::ascending));
 }
 
-bool Store::next_ids(IdWalk& walk, std::vector<std::int64_t>& ids) {
-  require_usable();
+bool TableReader::next_ids(IdWalk& walk, std::vector<std::int64_t>& ids) {
+  transaction_.require_usable();
   return walk.next(ids);
 }
 
-void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int column) {
+void TableReader::result_auxiliary(sqlite3_context* context, std::int64_t id, int column) {
   shadow_rows().result_auxiliary(context, id, column);
 }
 
-double Store::read_newest_t(StatementReadState* statement_state) {
+double TableReader::read_newest_t(StatementReadState* statement_state) {
   revalidate_cache(statement_state);
   merge_pending();
   return tree_.reporting_damage([&] { return foresee::read_newest_t(nodes()); });
 }
 
-std::shared_ptr<const Form> Store::form(std::int64_t number) {
+std::shared_ptr<const Form> TableReader::form(std::int64_t number) {
   revalidate_cache();  // under another stamp the number may refer to another form
   return forms_->form(number);
 }
 
-std::shared_ptr<const Form> Store::form(std::int64_t number, StatementReadState& statement_state) {
+std::shared_ptr<const Form> TableReader::form(std::int64_t number, StatementReadState& statement_state) {
   revalidate_cache(&statement_state);
   return forms_->form(number);
 }
