@@ -21,7 +21,10 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
+#include "base/interval_tree.h"
 #include "index/tpr_tree/bounds.h"
 #include "shape/swept_boxes.h"
 
@@ -42,6 +45,14 @@ struct MovingBox {
   Vec<D> lower, upper, v_lower, v_upper;
   SharedInterval span;
 };
+
+/// The spans of boxes, for those that exist together with another one.
+template <int D>
+IntervalTree spans_of(std::span<const MovingBox<D>> boxes) {
+  std::vector<IntervalTree::Interval> spans;
+  for (const MovingBox<D>& box : boxes) spans.push_back({box.span.begin, box.span.end});
+  return IntervalTree(spans);
+}
 
 /// The part of [0, h] between two times, rounded outward.
 inline SharedInterval span_between(double first, double last, const Horizon& horizon) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <unordered_set>
 
@@ -37,6 +38,15 @@ void grow_row(const Layout& layout, const double* row, double age, Layout out_la
     for (int axis = 0; axis < layout.axes; ++axis) grow(to.half + axis, axis);
   if (to.r != Offsets::absent) grow(to.r, 0);
   if (to.hz != Offsets::absent) grow(to.hz, 2);
+}
+
+/// From the t to the until of each row.
+IntervalTree lives_of(const Bodies& bodies) {
+  std::vector<IntervalTree::Interval> lives;
+  for (std::size_t i = 0; i < bodies.count; ++i)
+    lives.push_back({value_or(bodies.row(i), bodies.at.t, -infinity),
+                     value_or(bodies.row(i), bodies.at.until, infinity)});
+  return IntervalTree(lives);
 }
 
 /// Leaves the pairs whose moving boxes meet. Outlines alone are worth it: the first test of one turns it.
@@ -83,6 +93,8 @@ ExactAvoidance::ExactAvoidance(const ManoeuvreCase& manoeuvre, Interrupt& interr
   set_motion({own.record});
   for (std::size_t table = 0; table < tables(); ++table)
     contacts_.push_back(contact(table, {question_.now, question_.h}));
+  for (std::size_t table = 0; table < tables(); ++table)
+    lives_.push_back(lives_of(near_scene(table).bodies()));
   start_contacts_.resize(tables());
 }
 
@@ -140,12 +152,20 @@ std::unique_ptr<Contact> ExactAvoidance::contact(std::size_t table, const Horizo
   return contact;
 }
 
-bool ExactAvoidance::may_meet(std::uint32_t leg, std::size_t table, std::uint32_t row) const {
-  if (legs_ == 1) return true;
-  const Bodies own = moved_.bodies(), others = near_scene(table).bodies();
-  const double *one = own.row(leg), *other = others.row(row);
-  return value_or(other, others.at.t, -infinity) <= value_or(one, own.at.until, infinity) &&
-         value_or(one, own.at.t, -infinity) <= value_or(other, others.at.until, infinity);
+void ExactAvoidance::find_rows(std::uint32_t leg, std::size_t table, std::vector<std::uint32_t>& rows) const {
+  rows.clear();
+  if (legs_ == 1) {
+    rows.resize(near_scene(table).size());
+    std::iota(rows.begin(), rows.end(), std::uint32_t{0});
+    return;
+  }
+  const Bodies own = moved_.bodies();
+  lives_[table].find(value_or(own.row(leg), own.at.t, -infinity),
+                     value_or(own.row(leg), own.at.until, infinity), [&](std::size_t row) {
+                       rows.push_back(static_cast<std::uint32_t>(row));
+                       return true;
+                     });
+  std::sort(rows.begin(), rows.end());
 }
 
 std::vector<NearRow> ExactAvoidance::decided(std::vector<std::unique_ptr<Contact>>& contacts,
@@ -155,18 +175,23 @@ std::vector<NearRow> ExactAvoidance::decided(std::vector<std::unique_ptr<Contact
   for (std::size_t table = 0; table < tables(); ++table) {
     std::vector<Pair> pairs, hits;
     const PairRule rule(moved_.layout, near_scene(table).layout, question_.within, question_.within_z);
-    const auto count = static_cast<std::uint32_t>(near_scene(table).size());
-    for (std::uint32_t leg = 0; leg < legs_; ++leg)
-      for (std::uint32_t row = 0; row < count;) {
-        interrupt_.check();
-        pairs.clear();
-        for (; row < count && pairs.size() < pairs_at_once; ++row)
-          if ((left_out.empty() || !left_out[table][row]) && may_meet(leg, table, row))
-            pairs.push_back({leg, row});
-        keep_near_outlines(moved_.bodies(), near_scene(table).bodies(), horizon, rule, pairs);
-        contacts[table]->decide(pairs, hits);
+    const auto decide = [&] {
+      interrupt_.check();
+      keep_near_outlines(moved_.bodies(), near_scene(table).bodies(), horizon, rule, pairs);
+      contacts[table]->decide(pairs, hits);
+      pairs.clear();
+    };
+    std::vector<std::uint32_t> rows;
+    for (std::uint32_t leg = 0; leg < legs_; ++leg) {
+      find_rows(leg, table, rows);
+      for (const std::uint32_t row : rows) {
+        if (!left_out.empty() && left_out[table][row]) continue;
+        pairs.push_back({leg, row});
+        if (pairs.size() == pairs_at_once) decide();
       }
-    std::vector<std::uint8_t> known(legs_ > 1 ? count : 0);
+    }
+    decide();
+    std::vector<std::uint8_t> known(legs_ > 1 ? near_scene(table).size() : 0);
     for (const Pair& hit : hits) {
       if (legs_ > 1 && known[hit.b]++ > 0) continue;
       touching.push_back({table, hit.b});
@@ -227,9 +252,15 @@ std::optional<Blocker> ExactAvoidance::first_touching(const Records& legs,
     pairs.clear();
     hits.clear();
     times.clear();
+    std::vector<std::uint32_t> of_table, rows;
     for (const NearRow& near_row : touching)
-      for (std::uint32_t leg = 0; leg < legs_ && near_row.table == table; ++leg)
-        if (may_meet(leg, table, near_row.row)) pairs.push_back({leg, near_row.row});
+      if (near_row.table == table) of_table.push_back(near_row.row);
+    std::sort(of_table.begin(), of_table.end());
+    for (std::uint32_t leg = 0; leg < legs_ && !of_table.empty(); ++leg) {
+      find_rows(leg, table, rows);
+      for (const std::uint32_t row : rows)
+        if (std::binary_search(of_table.begin(), of_table.end(), row)) pairs.push_back({leg, row});
+    }
     contacts_[table]->first_contacts(pairs, TimesWanted::starts, hits, times);
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const Blocker blocker{near_scene(table).ids[hits[i].b], static_cast<int>(table), times[i].t};

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/interval_tree.h"
 #include "contact/contact.h"
 #include "query/avoid/manoeuvre_case.h"
 
@@ -64,8 +65,8 @@ class ExactAvoidance {
   /// Rotates the own form by the heading of each row.
   void set_forms();
   std::unique_ptr<Contact> contact(std::size_t table, const Horizon& horizon) const;
-  /// Whether the leg and the near object's row exist at one time; true where this is not worth a test.
-  bool may_meet(std::uint32_t leg, std::size_t table, std::uint32_t row) const;
+  /// The rows of a table that exist together with the leg, ascending; all if there is one leg.
+  void find_rows(std::uint32_t leg, std::size_t table, std::vector<std::uint32_t>& rows) const;
   /// The near objects that these contacts find during the horizon.
   std::vector<NearRow> decided(std::vector<std::unique_ptr<Contact>>& contacts, const Horizon& horizon,
                                const std::vector<std::vector<std::uint8_t>>& left_out);
@@ -90,6 +91,7 @@ class ExactAvoidance {
   Scene moved_;             ///< the object: a row for each leg, which set_motion() sets
   std::uint32_t legs_ = 1;  ///< rows in use
   std::vector<std::unique_ptr<Contact>> contacts_, start_contacts_;
+  std::vector<IntervalTree> lives_;  ///< of the rows of each table
   double start_ = 0;
   std::vector<double> headings_;
 };

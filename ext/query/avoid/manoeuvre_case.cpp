@@ -70,28 +70,31 @@ template <int D>
 class RowsNear {
  public:
   RowsNear(const Scene& scene, const Horizon& horizon, const std::vector<MovingBox<D>>& boxes)
-      : bodies_(scene.bodies()), horizon_(horizon), boxes_(boxes) {
+      : bodies_(scene.bodies()), horizon_(horizon), boxes_(boxes), spans_(spans_of<D>(boxes)) {
     for (MovingBox<D>& box : boxes_) {
       box.lower = lower_end<D>(box.lower, box.lower.abs() * rounding_pad);
       box.upper = upper_end<D>(box.upper, box.upper.abs() * rounding_pad);
     }
   }
 
-  bool has(std::size_t row, std::size_t box) const {
+  /// Calls use(number) for each box that the row meets, until it returns false. Returns false then.
+  template <class Use>
+  bool find_boxes(std::size_t row, Use use) const {
     const MovingBox<D> other = moving_box<D>(bodies_, row, horizon_, Vec<D>::Zero());
-    SharedInterval span = shared_span(other, boxes_[box]);
-    return !span.is_empty() && narrow_to_contact(other, boxes_[box], span);
+    return spans_.find(other.span.begin, other.span.end, [&](std::size_t box) {
+      SharedInterval span = shared_span(other, boxes_[box]);
+      return span.is_empty() || !narrow_to_contact(other, boxes_[box], span) || use(box);
+    });
   }
   bool has(std::size_t row) const {
-    for (std::size_t box = 0; box < boxes_.size(); ++box)
-      if (has(row, box)) return true;
-    return false;
+    return !find_boxes(row, [](std::size_t) { return false; });
   }
 
  private:
   Bodies bodies_;
   Horizon horizon_;
   std::vector<MovingBox<D>> boxes_;
+  IntervalTree spans_;
 };
 
 /// Reads a scene as a tree is searched: the objects whose boxes meet one of the boxes. For applications that have no
@@ -147,10 +150,12 @@ NearObjects find_near_objects(const ManoeuvreCase& manoeuvre, const SearchTarget
     if (legs.size() == 1) return;
     const RowsNear<D> rows(*scene, horizon, boxes);
     found.of_leg.resize(legs.size());
-    for (std::size_t box = 0; box < legs.size(); ++box) {
-      interrupt.check();
-      for (std::uint32_t row = 0; row < scene->size(); ++row)
-        if (rows.has(row, box)) found.of_leg[box].push_back(row);
+    for (std::uint32_t row = 0; row < scene->size(); ++row) {
+      if (row % 1024 == 0) interrupt.check();
+      rows.find_boxes(row, [&](std::size_t box) {
+        if (box < legs.size()) found.of_leg[box].push_back(row);
+        return true;
+      });
     }
   });
   if (others.tree) scene->take_forms(others.tree->forms(), interrupt);

@@ -1,6 +1,7 @@
 #include "query/avoid/question.h"
 
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -129,18 +130,23 @@ void require_join(const AvoidQuestion& question, const SearchTarget& others) {
   contact_of(join);
 }
 
-void require_start_to_come(const AvoidQuestion& question, const OwnMotion& stored) {
-  const double lo = *question.lo;
+/// The first delay: lo. If that is now - t as SQL computes it, rounded, the object may start before `now`: then the
+/// smallest one after which it does not.
+double first_delay(const AvoidQuestion& question, const OwnMotion& stored) {
+  double lo = *question.lo;
   if (stored.t + lo < question.now) {
-    double first = question.now - stored.t;  // rounded, perhaps to an earlier start
-    while (stored.t + first < question.now) first = std::nextafter(first, 0.0);
-    throw Error(
-        "'delay' cannot make an object start before now: lo must not be less than now - t, which is " +
-        shown(first) + "; lo is " + shown(lo));
+    const double given = std::exchange(lo, question.now - stored.t);
+    const bool is_rounded = given == lo;
+    while (stored.t + lo < question.now) lo = std::nextafter(lo, 0.0);
+    if (!is_rounded)
+      throw Error(
+          "'delay' cannot make an object start before now: lo must not be less than now - t, which is " +
+          shown(lo) + "; lo is " + shown(given));
   }
   if (lo < 0 && grows(question.own_scene->layout))
     throw Error("'delay' with lo = " + shown(lo) +
                 " is not supported for objects that grow; write lo >= 0 for " + question.own_scene->name);
+  return lo;
 }
 
 /// A velocity that has grown until the start of the manoeuvre must be stored, too.
@@ -230,8 +236,8 @@ std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const
       break;
     case Manoeuvre::delay:
       if (own.stored.t < question.now) break;
-      require_start_to_come(question, own.stored);
-      add(Manoeuvre::delay, 0, 0);
+      queried.push_back({Manoeuvre::delay, first_delay(question, own.stored), *question.hi});
+      require_width(queried.back().lo, queried.back().hi);
       break;
   }
   return queried;

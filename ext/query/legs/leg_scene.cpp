@@ -57,16 +57,16 @@ class LegFilter {
  public:
   LegFilter(std::span<const MovingBox<D>> boxes, const Layout& layout, const Horizon& horizon,
             const Vec<D>& margin)
-      : layout_(layout), at_(record_offsets(layout)), horizon_(horizon), boxes_(boxes.begin(), boxes.end()) {
+      : layout_(layout),
+        at_(record_offsets(layout)),
+        horizon_(horizon),
+        boxes_(boxes.begin(), boxes.end()),
+        spans_(spans_of<D>(boxes)) {
     for (MovingBox<D>& box : boxes_) {  // as WindowWalk does
       const Vec<D> lower = box.lower - margin, upper = box.upper + margin;
       box.lower = lower_end<D>(lower, (box.lower.abs() + margin) * rounding_pad);
       box.upper = upper_end<D>(upper, (box.upper.abs() + margin) * rounding_pad);
     }
-    std::sort(boxes_.begin(), boxes_.end(),
-              [](const auto& a, const auto& b) { return a.span.begin < b.span.begin; });
-    for (const MovingBox<D>& box : boxes_)
-      last_ends_.push_back(last_ends_.empty() ? box.span.end : std::max(last_ends_.back(), box.span.end));
   }
 
   void keep_near(Chunk& chunk) const {
@@ -81,20 +81,17 @@ class LegFilter {
  private:
   /// A mover of many legs has many boxes, of which few exist while this one does.
   bool may_meet_one(const MovingBox<D>& box) const {
-    auto i = static_cast<std::size_t>(std::lower_bound(last_ends_.begin(), last_ends_.end(), box.span.begin) -
-                                      last_ends_.begin());
-    for (; i < boxes_.size() && boxes_[i].span.begin <= box.span.end; ++i) {
+    return !spans_.find(box.span.begin, box.span.end, [&](std::size_t i) {
       SharedInterval span = shared_span(box, boxes_[i]);
-      if (!span.is_empty() && narrow_to_contact(box, boxes_[i], span)) return true;
-    }
-    return false;
+      return span.is_empty() || !narrow_to_contact(box, boxes_[i], span);
+    });
   }
 
   Layout layout_;
   Offsets at_;
   Horizon horizon_;
-  std::vector<MovingBox<D>> boxes_;  ///< in the order in which they start to exist
-  std::vector<double> last_ends_;    ///< of each box and those before it
+  std::vector<MovingBox<D>> boxes_;
+  IntervalTree spans_;  ///< of the boxes
 };
 
 /// Calls use(id, record, legs) for each object of these chunks, with its legs that exist during `times` and that

@@ -51,6 +51,23 @@ void RowReader::start_planned_row(std::int64_t id, sqlite3_value** motion, Table
     read_plan(id, plan, store, updated);
   else if (foresee::has_plan(at_, before_.data()))
     keep_plan();
+  if (leg_.empty() && !before_.empty() && foresee::has_plan(at_, before_.data()))
+    require_place_without_plan(id, motion);
+}
+
+/// `SET plan = (SELECT …)` of no row would leave the object at the start of its old plan: no query would see where it
+/// goes. UPDATE FROM sets every column in some versions of SQLite; then this cannot be seen.
+void RowReader::require_place_without_plan(std::int64_t id, sqlite3_value** motion) const {
+  std::string_view place;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const Column& column = columns_[i];
+    if (column.quantity != Quantity::centre) continue;
+    if (!sqlite3_value_nochange(motion[i])) return;
+    if (place.empty()) place = column.name;
+  }
+  refuse(
+      "plan", id, "NULL",
+      "without its plan the object needs a position; set " + std::string(place) + " too, or DELETE the row");
 }
 
 void RowReader::keep_plan() {

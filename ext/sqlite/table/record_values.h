@@ -120,6 +120,7 @@ class RowReader {
   void keep_plan();
   void read_plan(std::int64_t id, sqlite3_value* value, TableWriter& store,
                  std::optional<std::int64_t> updated);
+  void require_place_without_plan(std::int64_t id, sqlite3_value** motion) const;
   bool is_of_before(int place, double number) const;
   double number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const;
   void check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, TableWriter& store) const;

@@ -12,6 +12,7 @@
 // figures.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -96,5 +97,31 @@ class MemoryShare {
   MemoryHolder& holder_;
   std::size_t pending_ = 0, waiting_ = 0, map_ = 0, kept_ = 0;
 };
+
+inline void MemoryBudget::write_out() {
+  // By index: a trigger on a shadow table may open more tables meanwhile.
+  for (std::size_t i = 0; i < holders_.size(); ++i) holders_[i]->write_out();
+}
+
+inline void MemoryBudget::evict() {
+  const std::size_t limit = limits_.memory;
+  if (kept_ < limit) evict_at_ = 0;
+  if (kept_ < std::max(limit, evict_at_)) return;
+  for (MemoryHolder* holder : holders_) holder->drop_nodes(false);
+  if (kept_ > limit / 2)
+    for (MemoryHolder* holder : holders_) holder->drop_nodes(true);
+  evict_at_ = kept_ + limit / 8;
+}
+
+inline MemoryShare::MemoryShare(MemoryBudget& budget, MemoryHolder& holder)
+    : budget_(budget), holder_(holder) {
+  budget_.holders_.push_back(&holder);
+}
+
+inline MemoryShare::~MemoryShare() {
+  hold_pending(0);
+  hold_nodes(0, 0, 0);
+  std::erase(budget_.holders_, &holder_);
+}
 
 }  // namespace foresee

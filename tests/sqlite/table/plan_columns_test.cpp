@@ -184,8 +184,8 @@ TEST_F(Plans, UpdateOfThePlanAloneBringsThemAlong) {
   db.exec(std::string("INSERT INTO robots(id, plan, r, name) VALUES (7, ") + stops + ", 0.5, 'A')");
   db.exec("UPDATE robots SET plan = 'LINESTRING M(3 4 2, 3 9 7)'");
   EXPECT_EQ(row(), "2.0|3.0|4.0|0.0|1.0|LINESTRING M(3 4 2, 3 9 7)|0.5|NULL|A");
-  // to NULL: the row stays as its columns read
-  db.exec("UPDATE robots SET plan = NULL");
+  // to NULL, with a position: the row stays as its columns read
+  db.exec("UPDATE robots SET plan = NULL, x = x");
   EXPECT_EQ(row(), "2.0|3.0|4.0|0.0|1.0|NULL|0.5|NULL|A");
   db.exec("UPDATE robots SET vy = 5");
   EXPECT_EQ(row(), "2.0|3.0|4.0|0.0|5.0|NULL|0.5|NULL|A");
@@ -193,6 +193,22 @@ TEST_F(Plans, UpdateOfThePlanAloneBringsThemAlong) {
   EXPECT_EQ(row(), "0.0|0.0|0.0|2.0|0.0|LINESTRING M(0 0 0, 10 0 5, 10 0 9, 10 20 29)|0.5|NULL|A");
   db.exec("UPDATE robots SET plan = NULL, x = 44, t = 3");
   EXPECT_EQ(row(), "3.0|44.0|0.0|2.0|0.0|NULL|0.5|NULL|A");
+}
+
+// As SET plan = (SELECT plan FROM predictive_avoid(…) WHERE clear) where no change is clear.
+TEST_F(Plans, NoPlanAndNoPositionIsRefused) {
+  db.exec(std::string("INSERT INTO robots(id, plan, r) VALUES (7, ") + stops + ", 1), (8, " + stops + ", 1)");
+  const std::string before = db.rows("SELECT * FROM robots");
+  const std::string message =
+      "robots.plan of row 7 is NULL: without its plan the object needs a position; set x too, or DELETE the "
+      "row";
+  for (const char* set :
+       {"plan = NULL", "plan = ''", "plan = (SELECT 1 WHERE 0)", "plan = NULL, vx = 0, r = 2"})
+    EXPECT_EQ(db.error_of(std::string("UPDATE robots SET ") + set), message);
+  EXPECT_EQ(db.rows("SELECT * FROM robots"), before);
+  EXPECT_EQ(db.error_of("UPDATE robots SET plan = NULL, y = 3 WHERE id = 7"), "");
+  EXPECT_EQ(db.error_of("UPDATE robots SET plan = NULL, r = 2 WHERE id = 7"), "")
+      << "it has no plan any more";
 }
 
 TEST_F(Plans, UpdateOfOtherColumnsKeepsThePlan) {
@@ -248,7 +264,7 @@ TEST_F(Plans, UpdateFromPassesAllColumns) {
   db.exec("UPDATE robots SET r = w.r FROM w WHERE w.robot + 1 = robots.id");
   EXPECT_EQ(db.rows("SELECT x, vx, plan, r > 1 FROM robots WHERE id = 8"),
             "0.0|2.0|LINESTRING M(0 0 0, 10 0 5, 10 0 9, 10 20 29)|1");
-  db.exec("UPDATE robots SET plan = NULL FROM w WHERE w.robot = robots.id");
+  db.exec("UPDATE robots SET plan = NULL, x = x FROM w WHERE w.robot = robots.id");
   EXPECT_EQ(db.rows("SELECT plan FROM robots WHERE id = 7"), "NULL");
 }
 
@@ -259,7 +275,7 @@ TEST_F(Plans, WithoutDeclaredTimeAndVelocity) {
   EXPECT_EQ(db.rows("SELECT * FROM few ORDER BY id"),
             "7|1.0|2.0|LINESTRING M(1 2 30, 5 2 34)\n8|1.0|2.0|NULL");
   // A row without its plan is what its columns say: at rest.
-  db.exec("UPDATE few SET plan = NULL WHERE id = 7");
+  db.exec("UPDATE few SET plan = NULL, y = y WHERE id = 7");
   EXPECT_EQ(db.rows("SELECT * FROM few WHERE id = 7"), "7|1.0|2.0|NULL");
   db.exec("INSERT INTO few(few) VALUES ('integrity-check')");
 }

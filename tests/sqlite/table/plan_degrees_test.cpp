@@ -65,7 +65,11 @@ TEST_F(PlanDegrees, TheFirstKnotChoosesTheOrigin) {
   db.exec("INSERT INTO here(id, plan) VALUES (1, 'SRID=4326;LINESTRING M(7.87 53.96 0, 8 54 60)')");
   EXPECT_EQ(db.rows("SELECT origin FROM foresee_tables WHERE name = 'here'"), "54 7.9");
   EXPECT_EQ(db.rows("SELECT * FROM here"), "1|53.96|7.87|LINESTRING M(7.87 53.96 0, 8 54 60)");
-  db.exec("UPDATE here SET plan = NULL");
+  EXPECT_EQ(
+      db.error_of("UPDATE here SET plan = NULL"),
+      "here.plan of row 1 is NULL: without its plan the object needs a position; set lat too, or DELETE "
+      "the row");
+  db.exec("UPDATE here SET plan = NULL, lat = lat, lon = lon");
   EXPECT_EQ(db.rows("SELECT lat, lon, plan FROM here"), "53.96|7.87|NULL");
 }
 

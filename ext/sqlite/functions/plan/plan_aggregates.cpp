@@ -42,13 +42,22 @@ struct Collected {
 
 constexpr const char* vector_names[3][3] = {{"x", "y", "z"}, {"vx", "vy", "vz"}, {"ax", "ay", "az"}};
 
+/// " at (3, 4)", for the user to find the row
+std::string shown_place(const PlanRow& row, int axes) {
+  if (row.is_gap) return " without a position";
+  std::string text;
+  for (int j = 0; j < axes; ++j)
+    text += (j == 0 ? " at (" : ", ") + shown(row.leg.x[static_cast<std::size_t>(j)]);
+  return text + ")";
+}
+
 double finite_number(double number, const char* name) {
   if (!std::isfinite(number)) throw Error(std::string(name) + " is infinite: write a finite number");
   return number;
 }
 
-/// Reads the numbers of one vector; false if one of them is NULL.
-bool read_vector(sqlite3_value** values, int axes, int which, std::array<double, 3>& vector) {
+/// Reads the numbers of one vector of the row with this t; false if one of them is NULL.
+bool read_vector(double t, sqlite3_value** values, int axes, int which, std::array<double, 3>& vector) try {
   bool is_known = true;
   for (int j = 0; j < axes; ++j) {
     const char* name = vector_names[which][j];
@@ -57,6 +66,8 @@ bool read_vector(sqlite3_value** values, int axes, int which, std::array<double,
     is_known &= number.has_value();
   }
   return is_known;
+} catch (const Error& error) {
+  throw Error("at t = " + shown(t) + ": " + error.what());
 }
 
 /// Nothing for a row of NULLs, as an outer join gives.
@@ -68,7 +79,7 @@ std::optional<PlanRow> read_row(const AggregateRules& rules, int axes, int count
   if (!t) throw Error("t is NULL in a row with other values: write a time, or leave the row out");
   row.leg.t = *t == no_end && rules.kind == PlanKind::knots ? *t : finite_number(*t, "t");
   if (rules.kind == PlanKind::knots) {
-    row.is_gap = !read_vector(values + 1, axes, 0, row.leg.x);
+    row.is_gap = !read_vector(*t, values + 1, axes, 0, row.leg.x);
     return row;
   }
   const std::optional<double> until = plan_number(values[1], "until");
@@ -77,7 +88,7 @@ std::optional<PlanRow> read_row(const AggregateRules& rules, int axes, int count
   bool is_known = true;
   const int vectors = rules.kind == PlanKind::uniform ? 2 : 3;
   for (int i = 0; i < vectors; ++i)
-    is_known &= read_vector(values + 2 + i * axes, axes, i,
+    is_known &= read_vector(*t, values + 2 + i * axes, axes, i,
                             i == 0   ? row.leg.x
                             : i == 1 ? row.leg.v
                                      : row.leg.a);
@@ -110,7 +121,8 @@ Plan plan_of_points(const Collected& collected) {
   const PlanRow* before = nullptr;
   for (const PlanRow& row : collected.rows) {
     if (before && before->leg.t == row.leg.t)
-      throw Error("t is " + shown(row.leg.t) + " in two rows: times must rise; leave one out");
+      throw Error("t is " + shown(row.leg.t) + " in two rows," + shown_place(*before, plan.axes) + " and" +
+                  shown_place(row, plan.axes) + ": times must rise; leave one out");
     before = &row;
     after_gap |= row.is_gap;
     if (row.is_gap) continue;
@@ -134,7 +146,9 @@ Plan plan_of_legs(const Collected& collected, PlanKind kind) {
     if (collected.rows[i].lasts_to_next) {
       leg.until = is_last ? no_end : collected.rows[i + 1].leg.t;
       if (leg.until == leg.t)
-        throw Error("t is " + shown(leg.t) + " in two rows: times must rise; write until, or leave one out");
+        throw Error("t is " + shown(leg.t) + " in two rows," + shown_place(collected.rows[i], plan.axes) +
+                    " and" + shown_place(collected.rows[i + 1], plan.axes) +
+                    ": times must rise; write until, or leave one out");
     }
     plan.legs.push_back(leg);
   }

@@ -188,11 +188,18 @@ TEST_F(AvoidInLegs, NamesTheFirstDelayThatItTakes) {
       "INSERT INTO trams VALUES (1, 10.047163307392325, 0, 1, 1), (2, 0, 5, 0, 1)");
   const std::string call = "SELECT clear FROM predictive_avoid(60, 'trams', 1, 0.5, 'delay', ",
                     now = ", 5, 1.9352673989719382)";
-  EXPECT_EQ(db.error_of(call + "1.9352673989719382 - 10.047163307392325" + now),
+  EXPECT_EQ(db.error_of(call + "-8.111895908420388" + now),
             "predictive_avoid: 'delay' cannot make an object start before now: lo must not be less than now "
-            "- t, which "
-            "is -8.111895908420385; lo is -8.111895908420387");
+            "- t, which is -8.111895908420385; lo is -8.111895908420388");
   EXPECT_EQ(db.error_of(call + "-8.111895908420385" + now), "");
+  // now - t as SQL computes it is the nearest double, here one that is too early.
+  EXPECT_EQ(
+      db.rows("SELECT 10.047163307392325 + (1.9352673989719382 - 10.047163307392325) < 1.9352673989719382"),
+      "1");
+  EXPECT_EQ(db.rows("SELECT DISTINCT 10.047163307392325 + k_from >= 1.9352673989719382 FROM "
+                    "predictive_avoid(60, 'trams', "
+                    "1, 0.5, 'delay', 1.9352673989719382 - 10.047163307392325, 5, 1.9352673989719382)"),
+            "1");
 }
 
 }  // namespace

@@ -189,13 +189,17 @@ TEST_F(PlanFunctions, SayWhichNumberIsWrong) {
   EXPECT_EQ(error("plan_points('noon', 1)"), "plan_points: t must be a number, not 'noon'");
   EXPECT_EQ(error("plan_points(NULL, 1)"),
             "plan_points: t is NULL in a row with other values: write a time, or leave the row out");
-  EXPECT_EQ(error("plan_points(1, 9e999)"), "plan_points: x is infinite: write a finite number");
+  EXPECT_EQ(error("plan_points(1, 9e999)"), "plan_points: at t = 1: x is infinite: write a finite number");
+  EXPECT_EQ(error("plan_points(1, 2, 'east')"), "plan_points: at t = 1: y must be a number, not 'east'");
   EXPECT_EQ(error("plan_points(1, 2)"),
             "plan_points: one knot at t = 1: a leg needs two; leave it out, or write a plain row");
   EXPECT_EQ(error("plan_points(t, t) FROM (SELECT 1 AS t UNION ALL SELECT 1)"),
-            "plan_points: t is 1 in two rows: times must rise; leave one out");
+            "plan_points: t is 1 in two rows, at (1) and at (1): times must rise; leave one out");
+  EXPECT_EQ(
+      error("plan_points(1, x, 7) FROM (SELECT NULL AS x UNION ALL SELECT -2)"),
+      "plan_points: t is 1 in two rows, at (-2, 7) and without a position: times must rise; leave one out");
   EXPECT_EQ(error("plan_points(t, t) FROM (SELECT 1 AS t UNION ALL SELECT 9e999)"),
-            "plan_points: x is infinite: write a finite number");
+            "plan_points: at t = inf: x is infinite: write a finite number");
   EXPECT_EQ(error("plan_points(t, iif(t < 9, t, 7)) FROM (SELECT 1 AS t UNION ALL SELECT 9e999)"),
             "plan_points: knot 2: t is inf, but its place is not that of knot 1: write the place where the "
             "mover stays");
@@ -203,8 +207,9 @@ TEST_F(PlanFunctions, SayWhichNumberIsWrong) {
   EXPECT_EQ(error("plan_uniform(1, 0, 1, 1)"), "plan_uniform: leg 1 ends at 0, before it starts at 1");
   EXPECT_EQ(error("plan_uniform(1, 2, 1, NULL)"),
             "plan_uniform: a number of the leg at t = 1 is NULL: write 0, or leave the row out");
-  EXPECT_EQ(error("plan_uniform(t, NULL, 1, 1) FROM (SELECT 1 AS t UNION ALL SELECT 1)"),
-            "plan_uniform: t is 1 in two rows: times must rise; write until, or leave one out");
+  EXPECT_EQ(
+      error("plan_uniform(t, NULL, 1, 1) FROM (SELECT 1 AS t UNION ALL SELECT 1)"),
+      "plan_uniform: t is 1 in two rows, at (1) and at (1): times must rise; write until, or leave one out");
   EXPECT_EQ(error("plan_accelerated(t, t + 2, 1, 1, 1) FROM (SELECT 1 AS t UNION ALL SELECT 2)"),
             "plan_accelerated: leg 2 starts at 2, before leg 1 ends at 3");
   EXPECT_EQ(error("plan_uniform(9e999, NULL, 1, 1)"), "plan_uniform: t is infinite: write a finite number");
