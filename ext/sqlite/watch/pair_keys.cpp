@@ -29,30 +29,30 @@ void PairKeys::connect(const ShadowTables& tables, bool in_tables) {
   in_tables_ = in_tables;
   const std::string back = in_tables ? "{back} " : "{pair} ", due = in_tables ? "{due} " : "{pair} ";
   const auto sql = [&](const std::string& text) { return tables.statement(text); };
-  of_b_ = sql("SELECT a, b FROM " + back + "WHERE b = ?1 ORDER BY a");
-  due_ = sql("SELECT a, b FROM " + due + "WHERE state = ?1 AND due <= ?2");
-  all_back_ = sql("SELECT a, b FROM " + back + "ORDER BY b, a");
-  all_due_ = sql("SELECT a, b, due, state FROM " + due + "ORDER BY state, due, a, b");
+  back_.found = sql("SELECT a, b FROM " + back + "WHERE b = ?1 ORDER BY a");
+  back_.all = sql("SELECT a, b FROM " + back + "ORDER BY b, a");
+  due_.found = sql("SELECT a, b FROM " + due + "WHERE state = ?1 AND due <= ?2");
+  due_.all = sql("SELECT a, b, due, state FROM " + due + "ORDER BY state, due, a, b");
   if (!in_tables) return;
-  add_back_ = sql("INSERT INTO {back} VALUES(?1, ?2)");
-  erase_back_ = sql("DELETE FROM {back} WHERE b = ?1 AND a = ?2");
-  erase_all_back_ = sql("DELETE FROM {back}");
-  add_due_ = sql("INSERT INTO {due} VALUES(?1, ?2, ?3, ?4)");
-  erase_due_ = sql("DELETE FROM {due} WHERE state = ?1 AND due = ?2 AND a = ?3 AND b = ?4");
-  erase_all_due_ = sql("DELETE FROM {due}");
+  back_.add = sql("INSERT INTO {back} VALUES(?1, ?2)");
+  back_.erase = sql("DELETE FROM {back} WHERE b = ?1 AND a = ?2");
+  back_.erase_all = sql("DELETE FROM {back}");
+  due_.add = sql("INSERT INTO {due} VALUES(?1, ?2, ?3, ?4)");
+  due_.erase = sql("DELETE FROM {due} WHERE state = ?1 AND due = ?2 AND a = ?3 AND b = ?4");
+  due_.erase_all = sql("DELETE FROM {due}");
 }
 
 // --- reading
 
 void PairKeys::append_of_b(std::int64_t b, std::vector<PairIds>& pairs) {
-  Statement::Run run(of_b_);
+  Statement::Run run(back_.found);
   run.bind(1, b);
   append_ids(run, pairs);
 }
 
 std::vector<PairIds> PairKeys::due(PairState state, double until) {
   std::vector<PairIds> pairs;
-  Statement::Run run(due_);
+  Statement::Run run(due_.found);
   run.bind(1, static_cast<std::int64_t>(state));
   run.bind(2, until);
   append_ids(run, pairs);
@@ -77,12 +77,12 @@ bool PairKeys::agree(std::vector<WatchedPair> pairs) {
     std::sort(pairs.begin(), pairs.end(), [&](const auto& x, const auto& y) { return key(x) < key(y); });
   };
   sort_by([](const WatchedPair& pair) { return std::tuple(pair.b, pair.a); });
-  if (!holds(all_back_, pairs, false)) return false;
+  if (!holds(back_.all, pairs, false)) return false;
   if (in_tables_) std::erase_if(pairs, [](const WatchedPair& pair) { return pair.due == never_due; });
   sort_by([](const WatchedPair& pair) {  // NULL, never due, comes first
     return std::tuple(pair.state, pair.due != never_due, pair.due, pair.a, pair.b);
   });
-  return holds(all_due_, pairs, true);
+  return holds(due_.all, pairs, true);
 }
 
 // --- writing
@@ -112,8 +112,8 @@ void PairKeys::change(const WatchedPair& before, const WatchedPair& after) {
 void PairKeys::erase_all() {
   forget();
   if (!in_tables_) return;
-  run_all(erase_all_back_);
-  run_all(erase_all_due_);
+  run_all(back_.erase_all);
+  run_all(due_.erase_all);
 }
 
 void PairKeys::write() {
@@ -124,13 +124,13 @@ void PairKeys::write() {
   std::sort(back.begin(), back.end());
   std::sort(due.begin(), due.end());
   for (const BackKey& key : back) {
-    Statement::Run run(key.adds ? add_back_ : erase_back_);
+    Statement::Run run(key.adds ? back_.add : back_.erase);
     run.bind(1, key.b);
     run.bind(2, key.a);
     run.step();
   }
   for (const DueKey& key : due) {
-    Statement::Run run(key.adds ? add_due_ : erase_due_);
+    Statement::Run run(key.adds ? due_.add : due_.erase);
     run.bind(1, static_cast<std::int64_t>(key.state));
     run.bind(2, key.due);
     run.bind(3, key.a);

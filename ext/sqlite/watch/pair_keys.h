@@ -65,12 +65,16 @@ class PairKeys {
     auto operator<=>(const DueKey&) const = default;
   };
 
+  /// Of one table of keys. `found`: those of one b, or the due ones.
+  struct KeyStatements {
+    Statement found, all, add, erase, erase_all;
+  };
+
   void note_due(const WatchedPair& pair, bool adds);
   static bool holds(Statement& keys, const std::vector<WatchedPair>& pairs, bool with_due);
 
   bool in_tables_ = false;
-  Statement of_b_, due_, all_back_, all_due_;
-  Statement add_back_, erase_back_, erase_all_back_, add_due_, erase_due_, erase_all_due_;
+  KeyStatements back_, due_;
   std::vector<BackKey> back_waits_;
   std::vector<DueKey> due_waits_;
 };

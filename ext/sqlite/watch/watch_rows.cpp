@@ -42,11 +42,11 @@ WatchRows::WatchRows(sqlite3* db, const QualifiedName& name) : db_(db), name_(na
   const auto sql = [&](const std::string& text) { return shadow.statement(text); };
   meta_ = sql("SELECT key, value FROM {meta}");
   write_meta_ = sql("INSERT OR REPLACE INTO {meta} VALUES(?1, ?2)");
-  append_ = sql("INSERT OR REPLACE INTO {log} VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
-  trim_ = sql("DELETE FROM {log} WHERE seq <= ?1");
-  oldest_ = sql("SELECT min(seq) FROM {log}");
-  changes_ =
-      sql("SELECT seq, op, a, b, t, now FROM {log} WHERE seq > ?1 AND seq <= ?2 ORDER BY seq LIMIT ?3");
+  log_ = {.append = sql("INSERT OR REPLACE INTO {log} VALUES(?1, ?2, ?3, ?4, ?5, ?6)"),
+          .trim = sql("DELETE FROM {log} WHERE seq <= ?1"),
+          .oldest = sql("SELECT min(seq) FROM {log}"),
+          .after = sql(
+              "SELECT seq, op, a, b, t, now FROM {log} WHERE seq > ?1 AND seq <= ?2 ORDER BY seq LIMIT ?3")};
 }
 
 /// Another connection may have created the watch again, with or without tables of keys.
@@ -57,17 +57,17 @@ void WatchRows::use_pairs(bool with_key_tables) {
   has_key_tables_.reset();  // until all statements are made
   keys_.connect(shadow, with_key_tables);
   const auto sql = [&](const std::string& text) { return shadow.statement(text); };
-  const std::string pairs = pair_columns;
-  pairs_ = sql(pairs + "ORDER BY a, b");
-  pairs_of_a_ = sql(pairs + "WHERE a = ?1 ORDER BY b");
-  pair_ = sql(pairs + "WHERE a = ?1 AND b = ?2");
-  add_pair_ = sql("INSERT INTO {pair} VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
-  move_pair_ = sql("UPDATE {pair} SET t = ?3, told = ?6 WHERE a = ?1 AND b = ?2");
-  change_pair_ = sql("UPDATE {pair} SET t = ?3, due = ?4, state = ?5, told = ?6 WHERE a = ?1 AND b = ?2");
-  erase_pair_ = sql("DELETE FROM {pair} WHERE a = ?1 AND b = ?2");
-  erase_all_pairs_ = sql("DELETE FROM {pair}");
-  count_pairs_ = sql("SELECT count(*) FROM {pair} WHERE state = ?1");
-  any_pair_ = sql("SELECT 1 FROM {pair} LIMIT 1");
+  const std::string select = pair_columns, of_pair = " WHERE a = ?1 AND b = ?2";
+  pairs_ = {.all = sql(select + "ORDER BY a, b"),
+            .of_a = sql(select + "WHERE a = ?1 ORDER BY b"),
+            .one = sql(select + of_pair),
+            .any = sql("SELECT 1 FROM {pair} LIMIT 1"),
+            .count = sql("SELECT count(*) FROM {pair} WHERE state = ?1"),
+            .add = sql("INSERT INTO {pair} VALUES(?1, ?2, ?3, ?4, ?5, ?6)"),
+            .move = sql("UPDATE {pair} SET t = ?3, told = ?6" + of_pair),
+            .change = sql("UPDATE {pair} SET t = ?3, due = ?4, state = ?5, told = ?6" + of_pair),
+            .erase = sql("DELETE FROM {pair}" + of_pair),
+            .erase_all = sql("DELETE FROM {pair}")};
   has_key_tables_ = with_key_tables;
 }
 
@@ -103,7 +103,7 @@ std::vector<WatchedPair> WatchRows::pairs_with(std::vector<PairIds> keys) {
   pairs.reserve(keys.size());
   for (const PairIds& key : keys) {
     const std::size_t before = pairs.size();
-    Statement::Run run(pair_);
+    Statement::Run run(pairs_.one);
     run.bind(1, key.a);
     run.bind(2, key.b);
     read_pairs(run, pairs);
@@ -114,7 +114,7 @@ std::vector<WatchedPair> WatchRows::pairs_with(std::vector<PairIds> keys) {
 
 std::vector<WatchedPair> WatchRows::pairs() {
   std::vector<WatchedPair> pairs;
-  Statement::Run run(pairs_);
+  Statement::Run run(pairs_.all);
   read_pairs(run, pairs);
   return pairs;
 }
@@ -123,7 +123,7 @@ std::vector<WatchedPair> WatchRows::stored_pairs_of(std::span<const std::int64_t
                                                     std::span<const std::int64_t> b) {
   std::vector<WatchedPair> pairs;
   for (const std::int64_t id : a) {
-    Statement::Run run(pairs_of_a_);
+    Statement::Run run(pairs_.of_a);
     run.bind(1, id);
     read_pairs(run, pairs);
   }
@@ -140,7 +140,7 @@ std::vector<WatchedPair> WatchRows::due_pairs(PairState state, double until) {
 }
 
 std::optional<WatchedPair> WatchRows::pair(std::int64_t a, std::int64_t b) {
-  Statement::Run run(pair_);
+  Statement::Run run(pairs_.one);
   run.bind(1, a);
   run.bind(2, b);
   std::vector<WatchedPair> found;
@@ -151,7 +151,7 @@ std::optional<WatchedPair> WatchRows::pair(std::int64_t a, std::int64_t b) {
 // An unexpected row is damage of the watch, not an error of the statement that commits.
 void WatchRows::write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_reported_t) try {
   const bool only_moves = before && before->state == pair.state && before->due == pair.due;
-  Statement::Run run(!before ? add_pair_ : only_moves ? move_pair_ : change_pair_);
+  Statement::Run run(!before ? pairs_.add : only_moves ? pairs_.move : pairs_.change);
   run.bind(1, pair.a);
   run.bind(2, pair.b);
   run.bind(3, pair.t);
@@ -171,7 +171,7 @@ void WatchRows::write_pair(const WatchedPair* before, const WatchedPair& pair, b
 }
 
 void WatchRows::erase_pair(const WatchedPair& pair) {
-  Statement::Run run(erase_pair_);
+  Statement::Run run(pairs_.erase);
   run.bind(1, pair.a);
   run.bind(2, pair.b);
   run.step();
@@ -179,7 +179,7 @@ void WatchRows::erase_pair(const WatchedPair& pair) {
 }
 
 void WatchRows::erase_all_pairs() {
-  Statement::Run run(erase_all_pairs_);
+  Statement::Run run(pairs_.erase_all);
   run.step();
   keys_.erase_all();
 }
@@ -190,20 +190,20 @@ void WatchRows::write_keys() try { keys_.write(); } catch (const StoreError&) {
 }
 
 std::int64_t WatchRows::count_pairs(PairState state) {
-  Statement::Run run(count_pairs_);
+  Statement::Run run(pairs_.count);
   run.bind(1, static_cast<std::int64_t>(state));
   return run.step() ? run.integer(0) : 0;
 }
 
 bool WatchRows::has_pairs() {
-  Statement::Run run(any_pair_);
+  Statement::Run run(pairs_.any);
   return run.step();
 }
 
 // --- _log
 
 void WatchRows::append(const LoggedChange& change) {
-  Statement::Run run(append_);
+  Statement::Run run(log_.append);
   run.bind(1, change.seq);
   run.bind(2, std::string_view(&change.op, 1));
   run.bind(3, change.a);
@@ -214,20 +214,20 @@ void WatchRows::append(const LoggedChange& change) {
 }
 
 void WatchRows::trim(std::int64_t up_to) {
-  Statement::Run run(trim_);
+  Statement::Run run(log_.trim);
   run.bind(1, up_to);
   run.step();
 }
 
 std::optional<std::int64_t> WatchRows::readable_after() {
-  Statement::Run run(oldest_);
+  Statement::Run run(log_.oldest);
   if (!run.step() || !run.is_integer(0)) return std::nullopt;
   return run.integer(0) - 1;
 }
 
 std::vector<LoggedChange> WatchRows::changes(std::int64_t after, std::int64_t last, std::int64_t limit) {
   std::vector<LoggedChange> found;
-  Statement::Run run(changes_);
+  Statement::Run run(log_.after);
   run.bind(1, after);
   run.bind(2, last);
   run.bind(3, limit);

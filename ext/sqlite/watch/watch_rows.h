@@ -72,6 +72,14 @@ class WatchRows final : public WatchStorage {
   std::vector<LoggedChange> changes(std::int64_t after, std::int64_t last, std::int64_t limit);
 
  private:
+  struct PairStatements {
+    Statement all, of_a, one, any, count;
+    Statement add, move, change, erase, erase_all;
+  };
+  struct LogStatements {
+    Statement append, trim, oldest, after;
+  };
+
   [[noreturn]] void damaged(const std::string& what) const;
   void use_pairs(bool with_key_tables);
   void read_pairs(Statement::Run& run, std::vector<WatchedPair>& pairs) const;
@@ -87,9 +95,8 @@ class WatchRows final : public WatchStorage {
   std::optional<bool> has_key_tables_;  ///< nothing: not known yet
   PairKeys keys_;
   Statement meta_, write_meta_;
-  Statement pairs_, pairs_of_a_, pair_, any_pair_, count_pairs_;
-  Statement add_pair_, move_pair_, change_pair_, erase_pair_, erase_all_pairs_;
-  Statement append_, trim_, oldest_, changes_;
+  PairStatements pairs_;
+  LogStatements log_;
 };
 
 }  // namespace foresee

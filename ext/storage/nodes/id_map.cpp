@@ -28,12 +28,12 @@ void IdMap::set(std::int64_t id, std::int64_t leaf) {
   unwritten_ids_.reset();
   if (!is_marked()) {
     leaves_.exchange(id, leaf);
-    started_empty_ = false;
+    log_.started_empty = false;
     return;
   }
   constexpr std::size_t some = 64;
-  if (log_.size() == log_.capacity()) log_.reserve(std::max(some, 2 * log_.size()));
-  log_.push_back({id, leaves_.exchange(id, leaf)});
+  if (log_.old.size() == log_.old.capacity()) log_.old.reserve(std::max(some, 2 * log_.old.size()));
+  log_.old.push_back({id, leaves_.exchange(id, leaf)});
 }
 
 void IdMap::place(std::span<const std::int64_t> ids, std::int64_t leaf) {
@@ -52,14 +52,14 @@ void IdMap::log_all(bool voids) {
   join();
   if (!is_marked()) return;
   const std::vector<IdHashMap::Entry> unwritten = leaves_.known();
-  log_.reserve(log_.size() + unwritten.size() + 1);
-  log_.insert(log_.end(), unwritten.begin(), unwritten.end());
-  if (voids || stored_is_void_) log_.push_back({0, stored_is_void_ ? was_void : was_not_void});
+  log_.old.reserve(log_.old.size() + unwritten.size() + 1);
+  log_.old.insert(log_.old.end(), unwritten.begin(), unwritten.end());
+  if (voids || stored_is_void_) log_.old.push_back({0, stored_is_void_ ? was_void : was_not_void});
 }
 
 void IdMap::void_stored() {
   log_all(true);
-  started_empty_ &= is_marked();
+  log_.started_empty &= is_marked();
   leaves_.reset();
   unwritten_ids_.reset();
   stored_is_void_ = true;
@@ -168,14 +168,14 @@ void IdMap::log_write() {
   join();
   std::size_t newest = 0;
   for_each_position([&](std::size_t position) { newest = std::max(newest, position); });
-  if (empty_at_ && *empty_at_ >= newest)
-    log_.resize(*empty_at_);
+  if (log_.empty_at && *log_.empty_at >= newest)
+    log_.old.resize(*log_.empty_at);
   else
     log_all(false);
   IdHashMap prepared;
-  for (const IdHashMap::Entry& entry : log_) prepared.prepare(entry.id);
+  for (const IdHashMap::Entry& entry : log_.old) prepared.prepare(entry.id);
   leaves_ = std::move(prepared);
-  empty_at_ = log_.size();
+  log_.empty_at = log_.old.size();
 }
 
 void IdMap::note_written() {
@@ -228,20 +228,20 @@ void IdMap::write_list(const std::optional<IdSum>& expected, Interrupt& interrup
 
 std::size_t IdMap::keep() {
   if (!has_unwritten())
-    empty_at_ = log_.size();
-  else if (empty_at_ == log_.size())
-    empty_at_.reset();
-  return log_.size();
+    log_.empty_at = log_.old.size();
+  else if (log_.empty_at == log_.old.size())
+    log_.empty_at.reset();
+  return log_.old.size();
 }
 
 void IdMap::rewind(std::size_t position) noexcept {
   forget_stored();
   list_.reset();
   unwritten_ids_.reset();
-  if (position == 0 && started_empty_) return clear();  // fast path: a bulk load is rolled back
-  if (empty_at_ && *empty_at_ > position) empty_at_.reset();
-  for (; log_.size() > position; log_.pop_back()) {
-    const IdHashMap::Entry& before = log_.back();
+  if (position == 0 && log_.started_empty) return clear();  // fast path: a bulk load is rolled back
+  if (log_.empty_at && *log_.empty_at > position) log_.empty_at.reset();
+  for (; log_.old.size() > position; log_.old.pop_back()) {
+    const IdHashMap::Entry& before = log_.old.back();
     if (before.value == was_void || before.value == was_not_void)
       stored_is_void_ = before.value == was_void;
     else
@@ -251,20 +251,20 @@ void IdMap::rewind(std::size_t position) noexcept {
 }
 
 void IdMap::forget() noexcept {
-  log_.clear();
-  empty_at_.reset();
-  started_empty_ = !has_unwritten();
+  log_.old.clear();
+  log_.empty_at.reset();
+  log_.started_empty = !has_unwritten();
   held_after_writing_ = std::min(held_after_writing_, held());
 }
 
 void IdMap::clear() noexcept {
   leaves_.clear();
   unwritten_ids_.reset();
-  log_.clear();
-  empty_at_.reset();
+  log_.old.clear();
+  log_.empty_at.reset();
   held_after_writing_ = 0;
   stored_is_void_ = false;
-  started_empty_ = true;
+  log_.started_empty = true;
   last_block_.reset();
 }
 

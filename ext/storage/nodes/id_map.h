@@ -88,22 +88,26 @@ class IdMap final : public Journal::Participant {
   void forget() noexcept override;
   void end(Journal::Ended how) noexcept override;
 
+  struct Log {
+    std::vector<IdHashMap::Entry> old;    ///< values, oldest first
+    bool started_empty = true;            ///< nothing was unwritten when the log was empty
+    std::optional<std::size_t> empty_at;  ///< the last position at which nothing was unwritten
+  };
+
   bool has_no_ids() const { return leaves_.none_known() && (stored_is_void_ || rows_->map().is_empty()); }
   void set(std::int64_t id, std::int64_t leaf);
   void log_all(bool voids);
   void log_write();
   void add_to_filter(std::span<const IdHashMap::Entry> changes);
   void note_written();
-  std::size_t held() const { return leaves_.memory() + log_.size() * sizeof(IdHashMap::Entry); }
+  std::size_t held() const { return leaves_.memory() + log_.old.size() * sizeof(IdHashMap::Entry); }
 
   const QualifiedName& name_;
   TreeRows* rows_ = nullptr;
   IdHashMap leaves_;
   std::shared_ptr<const Ids> unwritten_ids_;  ///< of leaves_; null: not known
   bool stored_is_void_ = false;
-  std::vector<IdHashMap::Entry> log_;    ///< old values, oldest first
-  bool started_empty_ = true;            ///< nothing was unwritten when the log was empty
-  std::optional<std::size_t> empty_at_;  ///< the last position at which nothing was unwritten
+  Log log_;
   std::size_t held_after_writing_ = 0;
   std::uint64_t writes_ = 0;
   std::optional<IdBlock> last_block_;

@@ -78,7 +78,7 @@ class MemoryShare {
   MemoryShare(const MemoryShare&) = delete;
   MemoryShare& operator=(const MemoryShare&) = delete;
 
-  MemoryBudget& budget() { return budget_; }
+  MemoryBudget& budget() const { return budget_; }
   void hold_pending(std::size_t bytes) noexcept { replace(budget_.pending_, pending_, bytes); }
   /// Unwritten nodes, changes of the map, and all nodes in memory including the unwritten ones.
   void hold_nodes(std::size_t waiting, std::size_t map, std::size_t kept) noexcept {

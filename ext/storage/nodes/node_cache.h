@@ -76,10 +76,7 @@ class NodeCache final : public Pages, public Journal::Participant {
   }
   /// From now until the map is written, the leaves that wait with these objects are up to date, but for objects that
   /// have been placed or forgotten since. They must outlive all look-ups.
-  void trust_leaves_of(const PendingObjects& pending) {
-    pending_ = &pending;
-    trusted_ = ids_.writes();
-  }
+  void trust_leaves_of(const PendingObjects& pending) { trusted_ = {&pending, ids_.writes()}; }
   /// find_record() without reading rows; null: not known in memory.
   const double* find_record_in_memory(std::int64_t id);
   /// As IdMap::extent(), and the ids of a range, both without pending objects.
@@ -143,6 +140,11 @@ class NodeCache final : public Pages, public Journal::Participant {
     bool root_dirty = false;
     bool wrote_early = false;  ///< some nodes were written during a change, the rest is still dirty
   };
+  /// See trust_leaves_of().
+  struct TrustedLeaves {
+    const PendingObjects* pending = nullptr;
+    std::uint64_t writes = 0;  ///< of the map, when it was called
+  };
   /// Whether rows of deleted nodes are deleted too.
   enum class Deletions : std::uint8_t { write, defer };
 
@@ -197,8 +199,7 @@ class NodeCache final : public Pages, public Journal::Participant {
   NodeSlots slots_;
   ChangedNodes changed_;
   LeafHints hints_;
-  const PendingObjects* pending_ = nullptr;  ///< see trust_leaves_of()
-  std::uint64_t trusted_ = 0;                ///< the writes of the map then
+  TrustedLeaves trusted_;
   NodeHistory history_;
   std::uint64_t keeper_ = 1;  ///< advances with every mark and snapshot that may keep a node
 };

@@ -36,8 +36,8 @@ std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
 }
 
 NodeNumber NodeCache::known_leaf(std::int64_t id) {
-  if (pending_ && trusted_ == ids_.writes())
-    if (const NodeNumber leaf = pending_->leaf_of(id); leaf != 0) return leaf;
+  if (trusted_.pending && trusted_.writes == ids_.writes())
+    if (const NodeNumber leaf = trusted_.pending->leaf_of(id); leaf != 0) return leaf;
   return find_by_hint(id).leaf;
 }
 

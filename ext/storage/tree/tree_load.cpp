@@ -52,7 +52,7 @@ class TreeStore::PartitionedLoad {
     tree_.require_unique(ids_, interrupt_);
     for (const std::int64_t id : ids_) seen_.add(id);
     std::vector<std::int64_t>().swap(ids_);
-    const std::size_t limit = std::max<std::size_t>(1, tree_.memory_.max_ordered());
+    const std::size_t limit = std::max<std::size_t>(1, tree_.share_.budget().max_ordered());
     const std::size_t partitions = seen_.count() * tree_.format_.record_size / limit + 1;
     division_ = tree_.tree_->divide(sample_.records(), partitions, newest, interrupt_);
     spill_.emplace(tree_.db_, tree_.name_, record_size_, partitions, limit / 4);
@@ -126,7 +126,7 @@ bool TreeStore::Replacement::read_into_memory(const EachObject& for_each) {
   for_each([&](std::int64_t id, const double* record) {
     ids_.push_back(id);
     records_.insert(records_.end(), record, record + size);
-    return fits = records_.size() * sizeof(double) <= tree_.memory_.max_ordered();
+    return fits = records_.size() * sizeof(double) <= tree_.share_.budget().max_ordered();
   });
   if (!fits) {
     ids_ = {};

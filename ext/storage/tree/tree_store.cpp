@@ -34,7 +34,6 @@ TreeStore::TreeStore(sqlite3* db, const NodeFormat& format, const QualifiedName&
     : db_(db),
       format_(format),
       name_(name),
-      memory_(memory),
       write_out_(std::move(write_out)),
       share_(memory, *this),
       cache_(format, name, share_, journal),
@@ -109,7 +108,7 @@ void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
     constexpr std::size_t many = 1 << 14;
     if (reason == Reason::commit && pending_.count() + erased.size() >= many) cache_.start_commit();
     const std::size_t max_leaves =
-        memory_.max_waiting() / format_.node_size / 2;  // each as it was and as it becomes
+        share_.budget().max_waiting() / format_.node_size / 2;  // each as it was and as it becomes
     tree_->erase_all(erased, std::max<std::size_t>(max_leaves, 1), interrupt);
     changes_ += pending_.count() + erased.size();
     if (pending_.count() > 0 || (reason == Reason::commit && has_runs_.get()))
@@ -135,7 +134,7 @@ double TreeStore::min_loaded(bool is_large) const {
 void TreeStore::merge_records(Reason reason, Interrupt& interrupt) {
   const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
   const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
-  const bool is_large = bytes > static_cast<double>(memory_.max_ordered());
+  const bool is_large = bytes > static_cast<double>(share_.budget().max_ordered());
   const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
   const bool many = pending > stored * (packs_new ? min_loaded_of_new : min_loaded(is_large));
   const bool more_follow = reason == Reason::memory && (many || has_runs_.get());

@@ -137,7 +137,6 @@ class TreeStore final : private MemoryHolder {
   sqlite3* db_;
   NodeFormat format_;
   const QualifiedName& name_;
-  MemoryBudget& memory_;
   std::function<void()> write_out_;
   MemoryShare share_;
   TreeRows* rows_ = nullptr;
