@@ -39,16 +39,6 @@ void TableContents::connect(const QualifiedName& name) {
   if (plans_) plans_->connect(tables, shadow_rows_->meta());
 }
 
-ShadowRows& TableContents::shadow_rows() {
-  transaction_.require_usable();
-  return *shadow_rows_;
-}
-
-TreeStore& TableContents::tree() {
-  transaction_.require_usable();
-  return tree_;
-}
-
 void TableContents::damaged(const std::string& what) const {
   throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
 }

@@ -57,8 +57,14 @@ class TableContents : private ChangingTable {
   Version& version() { return transaction_.version(); }
   const Version& version() const { return transaction_.version(); }
   /// These two: requires that the table is usable; throws if it is not.
-  ShadowRows& shadow_rows();
-  TreeStore& tree();
+  ShadowRows& shadow_rows() {
+    transaction_.require_usable();
+    return *shadow_rows_;
+  }
+  TreeStore& tree() {
+    transaction_.require_usable();
+    return tree_;
+  }
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
 
   /// Empties the cache if another connection has committed meanwhile. Cost: at most one look-up per statement.

@@ -10,7 +10,7 @@ TableTransaction::TableTransaction(sqlite3* db, ChangingTable& table, const std:
   if (is_new_) journal_.begin();
 }
 
-void TableTransaction::require_usable() {
+void TableTransaction::settle() {
   if (gone_)
     throw StoreError(SQLITE_SCHEMA, name_.get() + ": the table is dropped; prepare the statement again");
   resolve_doubt();
@@ -82,8 +82,7 @@ bool TableTransaction::was_rolled_back() {
   }
 }
 
-void TableTransaction::resolve_doubt() {
-  if (!in_doubt_) return;
+void TableTransaction::settle_doubt() {
   if (was_rolled_back()) undo();
   in_doubt_ = false;
 }

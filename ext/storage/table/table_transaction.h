@@ -60,10 +60,14 @@ class TableTransaction {
 
   /// Throws SQLITE_ABORT if the table is torn, until SQLite rolls back; SQLITE_SCHEMA if it is gone, so that SQLite
   /// prepares the statement again.
-  void require_usable();
+  void require_usable() {
+    if (gone_ || in_doubt_ || torn_) settle();
+  }
   /// Finds out by the stored stamp whether SQLite has rolled back all that this transaction wrote, if in doubt. What
   /// reads changes in memory calls it first.
-  void resolve_doubt();
+  void resolve_doubt() {
+    if (in_doubt_) settle_doubt();
+  }
   /// True if SQLite has rolled back all that this transaction wrote, without a callback.
   bool was_rolled_back();
   /// Forgets what this transaction has changed. It goes on.
@@ -94,6 +98,9 @@ class TableTransaction {
     bool has_unwritten;  ///< it has unwritten changes
   };
 
+  /// require_usable() and resolve_doubt(), where there is something to do.
+  void settle();
+  void settle_doubt();
   void end(Journal::Ended how);
   void restore(const Savepoint& savepoint);
   /// restart(), but closes a table that this transaction has created.
