@@ -92,7 +92,8 @@ class Alerts(Live):
     def test_a_line_per_change_with_names_tcpa_cpa_and_place(self):
         first = self.alerts()
         self.assertEqual(len(first), 1, first)
-        self.assertRegex(first[0], r"^1970-01-01 00:00:10  \+  ANNA, DORA  TCPA 10\.0 min  CPA \d\d\d m  53\.9\d\d\d N 7\.9\d\d\d E$")
+        # Half a nautical mile is at the end of the horizon, the closest approach two minutes later.
+        self.assertRegex(first[0], r"^1970-01-01 00:00:10  \+  ANNA, DORA  TCPA 10\.\d min  CPA \d\d\d m  53\.9\d\d\d N 7\.9\d\d\d E$")
         self.assertEqual(self.alerts(), [])
         self.report("1,70,53.99,7.8612,14,91,ANNA\n2,70,53.985,7.9935,12,272,BRUNO\n")
         self.assertEqual([line.split("  ")[1:3] for line in self.alerts()], [["+", "ANNA, BRUNO"], ["~", "ANNA, DORA"]])
@@ -103,7 +104,8 @@ class Alerts(Live):
 
     def test_json_has_what_the_watch_has(self):
         change, = (json.loads(line) for line in self.alerts("--json"))
-        row = self.database().execute("SELECT a, b, t, t_cpa, d_cpa, now FROM alerts").fetchone()
+        row = self.database().execute("SELECT w.a, w.b, w.t, j.t_cpa, j.d_cpa, w.now FROM alerts w, predictive_join(4200, 'ships', 926) j "
+                                      "WHERE j.now = w.now AND j.a = w.a AND j.b = w.b").fetchone()
         self.assertEqual((change["a"], change["b"], change["t"], change["cpa_m"], change["now"]), row[:3] + row[4:])
         self.assertEqual(change["tcpa_min"], (row[3] - row[5]) / 60)
         self.assertEqual((change["op"], change["a_name"], change["b_name"], change["near"]), ("+", "ANNA", "DORA", False))
@@ -129,7 +131,7 @@ class Alerts(Live):
 
     def test_news_leaves_out_what_is_near_already(self):
         self.report("4,10,53.99,7.8505,14,91,ELSE\n")                # beside Anna
-        self.assertEqual([line.split("  ")[2] for line in self.alerts("--news", "--reader", "news")], ["ANNA, DORA", "DORA, ELSE"])
+        self.assertEqual([line.split("  ")[2] for line in self.alerts("--news", "--reader", "news")], ["DORA, ELSE", "ANNA, DORA"])
         self.assertEqual(len(self.alerts()), 3)
 
     def test_readers_have_positions_of_their_own(self):
@@ -147,6 +149,22 @@ class Alerts(Live):
         out, errors = self.command("alerts", self.file, "alerts", "--once")
         self.assertIn("the whole watch follows", errors)
         self.assertEqual(len(out.splitlines()), 1)
+
+    def test_a_watch_that_was_made_again_is_another_one_at_any_position(self):
+        self.assertEqual(len(self.alerts()), 1)
+        db = self.database()
+        db.execute("DROP TABLE alerts")
+        db.execute("CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 900, within = 5000)")
+        out, errors = self.command("alerts", self.file, "ALERTS", "--once")     # a name in other letters is the same reader
+        self.assertIn("alerts was created again: the whole watch follows", errors)
+        self.assertEqual(len(out.splitlines()), 3)
+        self.assertEqual(self.command("alerts", self.file, "alerts", "--once"), ("", ""))
+
+    def test_a_web_server_has_a_position_of_its_own(self):
+        self.assertEqual(len(self.alerts()), 1)
+        server = Server(self)
+        self.alerts("--webhook", server.url)
+        self.assertEqual(len(server.received), 1)
 
     def test_errors_are_one_line(self):
         for arguments, message in (((self.file, "nowhere"), "there is no watch nowhere; watches here: alerts"),
@@ -218,7 +236,7 @@ class Alerts(Live):
         print(f"{KILLS} kills of alerts: {len(set(seen))} changes, none missed, {len(seen) - len(set(seen))} repeated")
 
     def test_a_server_that_fails_now_and_then_gets_every_change_in_order(self):
-        self.alerts()
+        self.alerts("--reader", "webhook")
         start = self.published(0)[0]
         server = Server(self, random.Random(43))
         thread = self.write_changes(40, 0.002)
@@ -236,7 +254,7 @@ class Alerts(Live):
 
     def posts_of(self, server, count):
         """What the server got of so many changes, as one reader sends them; the lines on stderr."""
-        self.alerts()
+        self.alerts("--reader", "webhook")
         start = self.published(0)[0]
         self.write_changes(count, 0).join()
         wanted = self.published(start)
@@ -261,7 +279,7 @@ class Alerts(Live):
         self.assertEqual(proxy.lines, [("http://hook.invalid/x?key=1", "hook.invalid", "Basic dXNlcjpwYXNzIHdvcmQ=")])
 
     def test_killed_at_random_it_misses_no_post(self):
-        self.alerts()
+        self.alerts("--reader", "webhook")
         start, chance = self.published(0)[0], random.Random(47)
         port = free_port()                                           # no server at first
         reader = Command(self, "alerts", self.file, "alerts", "--webhook", f"http://127.0.0.1:{port}/")

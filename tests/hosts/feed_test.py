@@ -44,7 +44,7 @@ class StandardInput(Live):
         self.assertEqual(db.execute("SELECT frame, speed_unit, objects FROM foresee_tables WHERE name = 'ships'").fetchall(),
                          [("degrees", "knots", 237)])
         self.assertEqual(db.execute("SELECT name FROM ships WHERE id = 367061610").fetchall(), [("IVORY WILLET",)])
-        self.assertEqual(db.execute("SELECT name, horizon, within, ahead FROM predictive_watches").fetchall(), [("alerts", 600, 926, 3600)])
+        self.assertEqual(db.execute("SELECT name, horizon, within, ahead FROM predictive_watches").fetchall(), [("alerts", 600, 926, 300)])
         # No pair of moored ships.
         self.assertEqual(db.execute("SELECT count(*) FROM alerts w JOIN ships a ON a.id = w.a JOIN ships b ON b.id = w.b "
                                     "WHERE a.speed = 0 AND b.speed = 0").fetchone(), (0,))
@@ -58,10 +58,11 @@ class StandardInput(Live):
         self.assert_holds(reports)
 
     def test_times_of_every_form(self):
-        forms = [1641168000, 1641168000000, "1641168000", "2022-01-03T00:00:00", "2022-01-03T00:00:00Z", "2022-01-03 00:00:00 UTC",
-                 "2022-01-03T01:00:00+01:00", "2022-01-03T00:00:00.0000000Z", "03/01/2022 00:00:00", "20220103000000"]
-        self.feed("".join(json.dumps({"mmsi": i, "timestamp": t, "lat": 53, "lon": 7, "sog": 5, "cog": 5}) + "\n" for i, t in enumerate(forms)))
-        self.assertEqual(self.database().execute("SELECT id, t FROM ships ORDER BY id").fetchall(), [(i, START) for i in range(len(forms))])
+        forms = [1641168000, 1641168000000, 1641168000000000, 1641168000000000000, "1641168000", "2022-01-03T00:00:00", "2022-01-03T00:00:00Z",
+                 "2022-01-03 00:00:00 UTC", "2022-01-03T01:00:00+01:00", "2022-01-03T00:00:00.0000000Z", "03/01/2022 00:00:00",
+                 "20220103000000", "20220103T000000Z"]
+        self.feed("".join(json.dumps({"mmsi": i, "timestamp": t, "lat": 53, "lon": 7, "sog": 5, "cog": 5}) + "\n" for i, t in enumerate(forms, 1)))
+        self.assertEqual(self.database().execute("SELECT id, t FROM ships").fetchall(), [(i, START) for i in range(1, len(forms) + 1)])
 
     def test_files_of_noaa_and_dma(self):
         noaa = ("MMSI,BaseDateTime,LAT,LON,SOG,COG,Heading,VesselName\n1,2022-01-03T00:00:00,53.5,7.5,11.0,215.5,215,ANNA\n"

@@ -1,5 +1,6 @@
 #include "query/avoid/question.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -237,6 +238,7 @@ std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const
     case Manoeuvre::delay:
       if (own.stored.t < question.now) break;
       queried.push_back({Manoeuvre::delay, first_delay(question, own.stored), *question.hi});
+      queried.back().hi = std::max(queried.back().hi, queried.back().lo);
       require_width(queried.back().lo, queried.back().hi);
       break;
   }

@@ -17,6 +17,7 @@ bool place_object(const Bodies& bodies, std::size_t i, double time, PositionRow&
   for (int axis = 0; axis < D; ++axis) {
     row.x[static_cast<std::size_t>(axis)] = state.x[axis];
     row.v[static_cast<std::size_t>(axis)] = state.v[axis];
+    row.a[static_cast<std::size_t>(axis)] = motion.a[axis];
   }
   return true;
 }
@@ -29,7 +30,7 @@ std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies,
     if (!leg) return std::nullopt;
     i = *leg;
   }
-  PositionRow row{scene.ids[i], {}, {}};
+  PositionRow row{scene.ids[i], {}, {}, {}};
   const bool exists =
       with_axes(bodies.layout.axes, [&]<int D>(Axes<D>) { return place_object<D>(bodies, i, time, row); });
   return exists ? std::optional(row) : std::nullopt;

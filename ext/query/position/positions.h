@@ -19,7 +19,7 @@ namespace foresee {
 
 struct PositionRow {
   std::int64_t id;
-  std::array<double, 3> x, v;  ///< as many as the scene has axes
+  std::array<double, 3> x, v, a;  ///< as many as the scene has axes
 };
 
 /// The scene's object number i (Scene::rows_of) at `time`; empty if it does not exist then.

@@ -62,7 +62,13 @@ class PairUpdate {
   /// Sets the new clock, and the end of the horizon: by an 'advance', else by the newest reference times.
   void move_clock();
   void follow_reports();
-  std::vector<double> report_times() const;
+  void follow_majority();
+  struct Reporting {
+    const ChangedObjects* changed;
+    TableSource* table;
+  };
+  std::vector<Reporting> reporting_tables() const;
+  std::vector<double> report_times(bool of_all = false) const;
   /// Whether all pairs are joined again: after 'rebuild', for unknown or too many changes, or if the clock has left the
   /// time that the rows cover.
   bool must_recompute() const;

@@ -2,17 +2,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "query/watch/pair_update.h"
 
 namespace foresee {
 namespace {
 
-/// Appends the reference times of all objects, of a plan that of its first leg; 0 for each in a table without t.
+/// Appends the reference times of all objects, of a plan that of its first leg. Requires: a layout with t, or none has.
 void append_times(const Scene& scene, std::vector<double>& instants) {
   const Bodies bodies = scene.bodies();
   for (std::size_t i = 0; i < scene.object_count(); ++i)
     instants.push_back(value_or(bodies.row(scene.rows_of(i).first), bodies.at.t, 0));
+}
+
+/// The median of a part of sorted numbers.
+double median_from(const std::vector<double>& sorted, std::size_t first = 0) {
+  return sorted[first + (sorted.size() - first - 1) / 2];
 }
 
 }  // namespace
@@ -32,20 +38,27 @@ void PairUpdate::move_clock() {
   if (before_.clock && clock_ != *before_.clock) state_.last_advance = std::abs(clock_ - *before_.clock);
 }
 
+/// The tables whose rows have the time of a report. Zones without t are always there, and say nothing about the time.
+std::vector<PairUpdate::Reporting> PairUpdate::reporting_tables() const {
+  std::vector<Reporting> tables{{&changed_.a, tables_.a.get()}};
+  if (!tables_.is_within_one()) tables.push_back({&changed_.b, tables_.b.get()});
+  const auto lacks_t = [](const Reporting& one) { return !one.table->layout().has_t; };
+  if (!std::all_of(tables.begin(), tables.end(), lacks_t)) std::erase_if(tables, lacks_t);
+  return tables;
+}
+
 /// Reference times of the objects that this transaction has changed, or of all objects if the changes are
-/// unknown; in rising order.
-std::vector<double> PairUpdate::report_times() const {
+/// unknown or if all are wanted; in rising order.
+std::vector<double> PairUpdate::report_times(bool of_all) const {
   std::vector<double> instants;
-  const auto add = [&](const ChangedObjects& changed, TableSource& table) {
-    if (changed.are_known && table.layout().has_t)
-      instants.insert(instants.end(), changed.instants.begin(), changed.instants.end());
-    else if (changed.are_known)
-      instants.resize(instants.size() + changed.ids.size());
+  for (const auto& [changed, table] : reporting_tables()) {
+    if (of_all || !changed->are_known)
+      append_times(*table->all(), instants);
+    else if (table->layout().has_t)
+      instants.insert(instants.end(), changed->instants.begin(), changed->instants.end());
     else
-      append_times(*table.all(), instants);
-  };
-  add(changed_.a, *tables_.a);
-  if (!tables_.is_within_one()) add(changed_.b, *tables_.b);
+      instants.resize(instants.size() + changed->ids.size());
+  }
   std::sort(instants.begin(), instants.end());
   return instants;
 }
@@ -55,14 +68,36 @@ std::vector<double> PairUpdate::report_times() const {
 void PairUpdate::follow_reports() {
   const std::vector<double> instants = report_times();
   const bool counts = !state_.clock || (changed_.a.are_known && changed_.b.are_known);
-  if (!state_.clock && !instants.empty()) state_.clock = instants[(instants.size() - 1) / 2];
+  if (!state_.clock && !instants.empty()) state_.clock = median_from(instants);
+  if (!state_.clock && any_object(tables_)) state_.clock = 0;  // zones, and no report yet
+  std::int64_t early = 0, on_time = 0;
   for (const double t : instants) {
     if (t > *state_.clock + *state_.ahead) {
-      if (counts) ++state_.early_reports;
+      ++early;
     } else {
+      if (t >= *state_.clock - *state_.ahead) ++on_time;
       state_.clock = std::max(*state_.clock, t);
     }
   }
+  if (!counts) return;
+  // All objects are counted after each so many early reports: a few reads of a row for each.
+  const double objects =
+      tables_.a->likely_objects() + (tables_.is_within_one() ? 0 : tables_.b->likely_objects());
+  const auto some = std::max<std::int64_t>(1, static_cast<std::int64_t>(objects / 64));
+  const std::int64_t before = std::exchange(state_.early_reports, state_.early_reports + early);
+  if (early > on_time && before / some != state_.early_reports / some) follow_majority();
+}
+
+/// After a pause of the feed that is longer than `ahead`, every report is early. The clock follows them as soon as they
+/// are of more objects than have reported within `ahead` of it.
+void PairUpdate::follow_majority() {
+  const std::vector<double> instants = report_times(true);
+  const auto recent = std::lower_bound(instants.begin(), instants.end(), *state_.clock - *state_.ahead);
+  const auto early = std::upper_bound(recent, instants.end(), *state_.clock + *state_.ahead);
+  if (instants.end() - early <= early - recent) return;
+  state_.clock = median_from(instants, static_cast<std::size_t>(early - instants.begin()));
+  for (auto t = early; t != instants.end() && *t <= *state_.clock + *state_.ahead; ++t)
+    state_.clock = std::max(*state_.clock, *t);
 }
 
 // The next look-ahead is due at known_to - horizon, and finds all ends again. A quarter of its length is for the step

@@ -1,12 +1,12 @@
-// Outputs lat, lon and height of a table-valued function: the place on the Earth of a row's stored position.
+// Outputs lat, lon, height, speed, course and climb of a table-valued function: place and motion on the Earth of a row.
 //
 //   PlaceOutput place({.kind = FrameKind::degrees, .origin = LatLon{53.9, 7.9}}, 2);      // Store::frame(), its axes
-//   place.output(context, GeoColumn::lat, position);   // NULL for a plain table
+//   place.output(context, GeoColumn::lat, row);           // NULL for a plain table
 //   place.next_row();
 //
 // The numbers are those that the table's columns show. The height is z, on the globe that above the ellipsoid. NULL for
-// a position that is no place: farther from the origin than any, or near the centre of the Earth.
-// Cost: one geodesic per row that is read.
+// a position that is no place: farther from the origin than any, or near the centre of the Earth; and for the course of
+// an object at rest. Cost: one geodesic per row that is read.
 #pragma once
 
 #include <array>
@@ -16,14 +16,16 @@
 #include "base/error.h"
 #include "base/float_environment.h"
 #include "geography/frame.h"
+#include "query/position/positions.h"
+#include "sqlite/table/degrees_columns.h"
 #include "storage/format/declaration.h"
 #include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 
-/// The column of the first, second and third output.
+/// The column of these outputs, counted from lat: in the order of GeoColumn.
 constexpr GeoColumn geo_column_of(int output) {
-  return output == 0 ? GeoColumn::lat : output == 1 ? GeoColumn::lon : GeoColumn::height;
+  return static_cast<GeoColumn>(1 + output);
 }
 
 class PlaceOutput {
@@ -32,22 +34,20 @@ class PlaceOutput {
 
   void next_row() { is_known_ = false; }
 
-  void output(sqlite3_context* context, GeoColumn column, const std::array<double, 3>& x) const {
-    if (!frame_.knows_places() || (column == GeoColumn::height && axes_ < 3)) return;
-    if (!is_known_) report_ = find(x), is_known_ = true;
+  void output(sqlite3_context* context, GeoColumn column, const PositionRow& row) const {
+    const bool on_height = column == GeoColumn::height || column == GeoColumn::climb;
+    if (!frame_.knows_places() || (on_height && axes_ < 3)) return;
+    if (!is_known_) report_ = find({row.x, {{row.v, row.a}}}), is_known_ = true;
     if (!report_) return;
-    const LatLon& place = report_->fix.place;
-    sqlite3_result_double(context, column == GeoColumn::lat   ? place.lat
-                                   : column == GeoColumn::lon ? place.lon
-                                                              : report_->height);
+    if (const auto number = shown_number(column, *report_)) sqlite3_result_double(context, *number);
   }
 
  private:
-  std::optional<Flight> find(std::array<double, 3> x) const {
+  std::optional<Flight> find(Metres point) const {
     const FloatEnvironment environment;
-    if (axes_ < 3) x[2] = 0;
+    if (axes_ < 3) point.x[2] = point.motion->v[2] = 0;
     try {
-      return frame_.shown({x, {}});
+      return frame_.shown(point);
     } catch (const Error&) {
       return std::nullopt;
     }

@@ -7,8 +7,9 @@
 namespace foresee {
 namespace {
 
-constexpr ColumnList position_outputs{"id INTEGER", "x REAL",  "y REAL",   "z REAL",   "vx REAL",
-                                      "vy REAL",    "vz REAL", "lat REAL", "lon REAL", "height REAL"};
+constexpr ColumnList position_outputs{"id INTEGER", "x REAL",      "y REAL",    "z REAL",   "vx REAL",
+                                      "vy REAL",    "vz REAL",     "lat REAL",  "lon REAL", "height REAL",
+                                      "speed REAL", "course REAL", "climb REAL"};
 constexpr int out_id = position_outputs["id"], out_x = position_outputs["x"], out_vx = position_outputs["vx"],
               out_lat = position_outputs["lat"];
 constexpr ColumnList position_inputs{"at", "tbl", "schema"};
@@ -32,7 +33,7 @@ class PositionRows final : public FunctionRows {
 
   void output(sqlite3_context* context, int output) const override {
     if (output == out_id) return sqlite3_result_int64(context, row_->id);
-    if (output >= out_lat) return place_.output(context, geo_column_of(output - out_lat), row_->x);
+    if (output >= out_lat) return place_.output(context, geo_column_of(output - out_lat), *row_);
     const int axis = (output - out_x) % 3;
     if (axis >= axes_) return;
     const auto& values = output < out_vx ? row_->x : row_->v;

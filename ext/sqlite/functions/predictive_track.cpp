@@ -7,8 +7,9 @@
 namespace foresee {
 namespace {
 
-constexpr ColumnList track_outputs{"id INTEGER", "t REAL",   "x REAL",   "y REAL",
-                                   "z REAL",     "lat REAL", "lon REAL", "height REAL"};
+constexpr ColumnList track_outputs{"id INTEGER", "t REAL",      "x REAL",    "y REAL",
+                                   "z REAL",     "lat REAL",    "lon REAL",  "height REAL",
+                                   "speed REAL", "course REAL", "climb REAL"};
 constexpr int out_id = track_outputs["id"], out_t = track_outputs["t"], out_x = track_outputs["x"],
               out_lat = track_outputs["lat"];
 constexpr ColumnList track_inputs{"t0", "t1", "step", "tbl", "schema"};
@@ -30,10 +31,9 @@ class TrackRows final : public FunctionRows {
   void output(sqlite3_context* context, int output) const override {
     if (output == out_id) return sqlite3_result_int64(context, row_->at.id);
     if (output == out_t) return sqlite3_result_double(context, row_->t);
-    const auto& x = row_->at.x;
-    if (output >= out_lat) return place_.output(context, geo_column_of(output - out_lat), x);
+    if (output >= out_lat) return place_.output(context, geo_column_of(output - out_lat), row_->at);
     const int axis = output - out_x;
-    if (axis < axes_) sqlite3_result_double(context, x[static_cast<std::size_t>(axis)]);
+    if (axis < axes_) sqlite3_result_double(context, row_->at.x[static_cast<std::size_t>(axis)]);
   }
 
  private:

@@ -35,39 +35,56 @@ bool is_near(GeoColumn column, double number, double shown) {
 }  // namespace
 
 void RowReader::start_planned_row(std::int64_t id, sqlite3_value** motion, TableWriter& store,
-                                  std::optional<std::int64_t> updated, std::span<const double> at_start) {
+                                  const std::optional<UpdatedRow>& updated) {
   new_plan_.reset();
   new_origin_.reset();
   leg_.clear();
   before_.clear();
-  at_start_ = at_start;
+  at_start_ = updated ? updated->at_start : std::span<const double>();
   std::fill(record_.begin(), record_.end(), 0.0);  // what is not declared
   record_[static_cast<std::size_t>(at_.until)] = std::numeric_limits<double>::infinity();
-  if (updated) before_ = store.read(*updated).value_or(before_);
+  if (updated) before_ = store.read(updated->id).value_or(before_);
   const auto column = std::find_if(columns_.begin(), columns_.end(),
                                    [](const Column& one) { return one.quantity == Quantity::plan; });
   sqlite3_value* const plan = motion[column - columns_.begin()];
   if (before_.empty() || !sqlite3_value_nochange(plan))
-    read_plan(id, plan, store, updated);
+    read_plan(id, plan, store, updated ? std::optional(updated->id) : std::nullopt);
   else if (foresee::has_plan(at_, before_.data()))
     keep_plan();
   if (leg_.empty() && !before_.empty() && foresee::has_plan(at_, before_.data()))
-    require_place_without_plan(id, motion);
+    require_place_without_plan(*updated, motion, store);
+}
+
+/// Whether the value is what the column showed before. `report`: of the row, in a table in degrees.
+bool RowReader::shows_before(const Column& column, sqlite3_value* value,
+                             const std::optional<Flight>& report) const {
+  if (is_null_or_empty(value)) return false;
+  const double number = sqlite3_value_double(value);
+  return report ? shown_number(column.geo, *report) == number : is_of_before(column.place, number);
 }
 
 /// `SET plan = (SELECT …)` of no row would leave the object at the start of its old plan: no query would see where it
-/// goes. UPDATE FROM sets every column in some versions of SQLite; then this cannot be seen.
-void RowReader::require_place_without_plan(std::int64_t id, sqlite3_value** motion) const {
-  std::string_view place;
+/// goes. So the whole position must be set. Where SQLite passes all columns, as SQLite 3.40 in an UPDATE FROM, some of
+/// it must differ.
+void RowReader::require_place_without_plan(const UpdatedRow& updated, sqlite3_value** motion,
+                                           TableWriter& store) const {
+  std::optional<Flight> report;
+  if (updated.has_all_columns && frame_.in_degrees())
+    report = shown_report(store, updated.id, at_start_.empty() ? before_.data() : at_start_.data());
+  std::string names;
+  bool is_all_set = true;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
     if (column.quantity != Quantity::centre) continue;
-    if (!sqlite3_value_nochange(motion[i])) return;
-    if (place.empty()) place = column.name;
+    names += (names.empty() ? "" : ", ") + column.name;
+    if (!updated.has_all_columns)
+      is_all_set &= !sqlite3_value_nochange(motion[i]);
+    else if (!shows_before(column, motion[i], report))
+      return;
   }
-  refuse(
-      "plan", id, "NULL",
-      "without its plan the object needs a position; set " + std::string(place) + " too, or DELETE the row");
+  if (is_all_set && !updated.has_all_columns) return;
+  refuse("plan", updated.id, "NULL",
+         "without its plan the object needs a position; set " + names + " too, or DELETE the row");
 }
 
 void RowReader::keep_plan() {

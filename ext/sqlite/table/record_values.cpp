@@ -143,8 +143,9 @@ RowReader::RowReader(const Declaration& declaration, const std::string& table, I
 }
 
 NewRecord RowReader::read(std::int64_t id, sqlite3_value** motion, TableWriter& store,
-                          std::optional<std::int64_t> updated, std::span<const double> at_start) {
-  if (layout_.has_plan) start_planned_row(id, motion, store, updated, at_start);
+                          const std::optional<UpdatedRow>& updated) {
+  const std::optional<std::int64_t> old_id = updated ? std::optional(updated->id) : std::nullopt;
+  if (layout_.has_plan) start_planned_row(id, motion, store, updated);
   sqlite3_value* shape = nullptr;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
@@ -161,11 +162,11 @@ NewRecord RowReader::read(std::int64_t id, sqlite3_value** motion, TableWriter& 
     check_degrees_of_leg(id, motion, store);
     std::copy(leg_.begin(), leg_.end(), record_.begin());
   } else if (!degrees_.empty()) {
-    fill_degrees(id, motion, store, updated);
+    fill_degrees(id, motion, store, old_id);
   }
   if (layout_.has_until) require_motion_to_last(id);
   if (layout_.law == Law::forced) require_finite_acceleration(id);
-  if (shape) fill_form(id, shape, store, updated);
+  if (shape) fill_form(id, shape, store, old_id);
   if (!leg_.empty()) require_heading_beside_plan(id, motion);
   return {record_, new_plan_ ? &*new_plan_ : nullptr, new_origin_};
 }

@@ -60,6 +60,13 @@ class FormValues {
   Interrupt& interrupt_;
 };
 
+/// A row that an UPDATE changes.
+struct UpdatedRow {
+  std::int64_t id;
+  std::span<const double> at_start = {};  ///< its record when the statement started, if it is known
+  bool has_all_columns = false;           ///< SQLite passes also those that the statement leaves alone
+};
+
 /// What the values of a row become.
 struct NewRecord {
   std::span<const double> record;
@@ -75,11 +82,10 @@ class RowReader {
 
   void rename(const std::string& table) { table_ = table; }
 
-  /// `motion`: one value per declared motion column, in declared order. `updated`: the row that an UPDATE
-  /// changes. `at_start`: its record when the statement started, if it is known. Adds new outlines and meshes to the
-  /// store; objects stay unchanged. The result is valid until the next call.
+  /// `motion`: one value per declared motion column, in declared order. `updated`: for an UPDATE. Adds new
+  /// outlines and meshes to the store; objects stay unchanged. The result is valid until the next call.
   NewRecord read(std::int64_t id, sqlite3_value** motion, TableWriter& store,
-                 std::optional<std::int64_t> updated = {}, std::span<const double> at_start = {});
+                 const std::optional<UpdatedRow>& updated = {});
 
   /// The id in this value; nothing for NULL and ''. `updated`: the row that an UPDATE changes. Throws Refusal
   /// (SQLITE_MISMATCH) for a value that is not an integer.
@@ -116,11 +122,13 @@ class RowReader {
 
   // tables with plans (planned_rows.cpp)
   void start_planned_row(std::int64_t id, sqlite3_value** motion, TableWriter& store,
-                         std::optional<std::int64_t> updated, std::span<const double> at_start);
+                         const std::optional<UpdatedRow>& updated);
   void keep_plan();
   void read_plan(std::int64_t id, sqlite3_value* value, TableWriter& store,
                  std::optional<std::int64_t> updated);
-  void require_place_without_plan(std::int64_t id, sqlite3_value** motion) const;
+  void require_place_without_plan(const UpdatedRow& updated, sqlite3_value** motion,
+                                  TableWriter& store) const;
+  bool shows_before(const Column& column, sqlite3_value* value, const std::optional<Flight>& report) const;
   bool is_of_before(int place, double number) const;
   double number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const;
   void check_degrees_of_leg(std::int64_t id, sqlite3_value** motion, TableWriter& store) const;

@@ -140,8 +140,8 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
                                        " would become NULL: every object has an id; write an INTEGER");
   require_not_replaced(table, old_id);
   require_unwritten(table, row, old_id);
-  const NewRecord made =
-      table.reader.read(*id, row.motion, table.store(), old_id, record_at_start(table, old_id));
+  const UpdatedRow updated{old_id, record_at_start(table, old_id), !sqlite3_value_nochange(row.command)};
+  const NewRecord made = table.reader.read(*id, row.motion, table.store(), updated);
   if (*id != old_id && table.store().contains(*id)) require_replace(table);
   keep_record(table, row, old_id);
   table.store().update(old_id, *id, made.record, row.auxiliaries, made.plan);

@@ -10,10 +10,11 @@
 namespace foresee {
 namespace {
 
-constexpr ColumnList watches_outputs{
-    "name TEXT",     "schema TEXT",    "tbl TEXT",       "other TEXT",      "horizon REAL",  "within REAL",
-    "within_z REAL", "clock TEXT",     "tolerance REAL", "keep INTEGER",    "ahead REAL",    "now REAL",
-    "seq INTEGER",   "oldest INTEGER", "pairs INTEGER",  "waiting INTEGER", "early INTEGER", "fault TEXT"};
+constexpr ColumnList watches_outputs{"name TEXT",      "schema TEXT",    "tbl TEXT",       "other TEXT",
+                                     "horizon REAL",   "within REAL",    "within_z REAL",  "clock TEXT",
+                                     "tolerance REAL", "keep INTEGER",   "ahead REAL",     "now REAL",
+                                     "seq INTEGER",    "oldest INTEGER", "pairs INTEGER",  "waiting INTEGER",
+                                     "early INTEGER",  "fault TEXT",     "created INTEGER"};
 constexpr int out_name = watches_outputs["name"], out_schema = watches_outputs["schema"],
               out_tbl = watches_outputs["tbl"], out_other = watches_outputs["other"],
               out_horizon = watches_outputs["horizon"], out_within = watches_outputs["within"],
@@ -22,7 +23,7 @@ constexpr int out_name = watches_outputs["name"], out_schema = watches_outputs["
               out_ahead = watches_outputs["ahead"], out_now = watches_outputs["now"],
               out_seq = watches_outputs["seq"], out_oldest = watches_outputs["oldest"],
               out_pairs = watches_outputs["pairs"], out_waiting = watches_outputs["waiting"],
-              out_fault = watches_outputs["fault"];
+              out_fault = watches_outputs["fault"], out_created = watches_outputs["created"];
 constexpr ColumnList watches_inputs{"schema_name", "within_schema"};  // the second: its name up to 0.2.0
 constexpr int in_schema = watches_inputs["schema_name"], in_old_schema = watches_inputs["within_schema"];
 
@@ -126,6 +127,8 @@ class WatchList final : public FunctionRows {
         return sqlite3_result_int64(context, watch.pairs);
       case out_waiting:
         return sqlite3_result_int64(context, watch.waiting);
+      case out_created:
+        return state.created ? sqlite3_result_int64(context, *state.created) : sqlite3_result_null(context);
       default:
         return sqlite3_result_int64(context, state.early_reports);
     }

@@ -177,6 +177,7 @@ WatchState WatchRows::read_state() {
   constexpr auto min_integer = std::numeric_limits<std::int64_t>::min();
   state.stamp = values.whole("stamp", min_integer);
   state.other_stamp = values.whole("other_stamp", min_integer);
+  state.created = values.whole("created", min_integer);
   use_pairs(values.whole("key_tables", 0, 1).value_or(0) != 0);
   keys_.forget();
   require_clock_in_range(values, state, [&] { return has_pairs(); });
@@ -218,6 +219,9 @@ void WatchRows::write_declaration(const WatchDeclaration& declaration) {
   write_meta("seq", std::optional(std::int64_t{0}));
   write_meta(early_key(newest_format), std::optional(std::int64_t{0}));
   write_meta("key_tables", std::optional(std::int64_t{1}));
+  std::int64_t created;
+  sqlite3_randomness(sizeof created, &created);
+  write_meta("created", std::optional(created));
 }
 
 void WatchRows::write_state(const WatchState& state, const WatchState& before) {

@@ -6,6 +6,12 @@ namespace foresee {
 
 Journal::Participant::Participant(Journal& journal, Scope scope) : journal_(journal), scope_(scope) {
   journal_.participants_.push_back(this);
+  try {
+    journal_.reserve();  // it may join marks that are set already
+  } catch (...) {
+    journal_.participants_.pop_back();
+    throw;
+  }
 }
 
 Journal::Participant::~Participant() {
@@ -14,7 +20,10 @@ Journal::Participant::~Participant() {
   std::erase(journal_.participants_, this);
 }
 
-// Reserves memory for all participants, so that nothing that follows can fail for lack of it.
+void Journal::reserve() {
+  for (std::size_t depth = 0; depth < depth_; ++depth) levels_[depth].joined.reserve(participants_.size());
+}
+
 void Journal::push() {
   if (depth_ == levels_.size()) levels_.emplace_back();
   Level& level = levels_[depth_];

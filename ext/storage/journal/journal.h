@@ -112,6 +112,9 @@ class Journal {
     std::vector<Joined> joined = {};
   };
 
+  /// Memory for all participants at each mark, so that nothing that follows can fail for lack of it. push() does it for
+  /// its mark.
+  void reserve();
   void push();
   void pop() noexcept;
   void join(Participant& participant);

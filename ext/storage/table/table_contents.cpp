@@ -53,7 +53,7 @@ void TableContents::revalidate_cache(StatementReadState* statement_state) {
   const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
   if (valid.seen() != stamp) {
-    forget_all();
+    forget_rows();
     valid.forget();
     totals_.change().count.stored = shadow_rows().read_objects();
     watch_names_.change().reset();
@@ -67,7 +67,7 @@ void TableContents::revalidate_cache(StatementReadState* statement_state) {
 void TableContents::revalidate_at_begin() try { revalidate_cache(); } catch (const StoreError& error) {
   const int code = error.code & 0xff;
   if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
-  forget_all();
+  forget_rows();
   version().forget();
 }
 
@@ -78,7 +78,7 @@ ContentVersion TableContents::read_version() {
   return version().shown(*stamp);
 }
 
-void TableContents::forget_all() {
+void TableContents::forget_rows() {
   tree_.nodes().forget_all();
   if (plans_) plans_->tree().nodes().forget_all();
   if (forms_) forms_->forget_all();

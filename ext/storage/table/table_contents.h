@@ -1,9 +1,10 @@
 // What one connection holds of a table: its rows, its trees, forms and plans in memory, and which of them are valid.
 //
-// The base of TableReader, TableWriter and Store, in this order: each uses only those before it. A write goes through
-// memory; a read sees everything that is still unwritten there (tree_store.h). Changes wait in memory until flush(), at
-// the end of the transaction or when the tables of the connection together exceed their budget. The cache stays valid
-// in the next transaction only under the same stamp (version.h). Blobs are checked when they are read.
+// The base of TableReader, TableWriter and Store, in this order: each calls only those before it, except through
+// ChangingTable. A write goes through memory; a read sees everything that is still unwritten there (tree_store.h).
+// Changes wait in memory until flush(), at the end of the transaction or when the tables of the connection together
+// exceed their budget. The cache stays valid in the next transaction only under the same stamp
+// (version.h). Blobs are checked when they are read.
 // Errors: SQLite's result codes as StoreError; SQLITE_CORRUPT_VTAB for a blob that foresee did not write.
 #pragma once
 
@@ -85,9 +86,9 @@ class TableContents : private ChangingTable {
   void connect(const QualifiedName& name);
 
   void note_end() noexcept override;
-  void forget_all() override;
+  void forget_rows() override;
 
-  QualifiedName name_;
+  QualifiedName name_;  ///< under which the rows are open
   Declaration declaration_;
   NodeFormat format_;
   std::shared_ptr<MemoryBudget> memory_;

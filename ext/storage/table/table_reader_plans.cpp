@@ -1,5 +1,4 @@
 // TableReader: plans of objects, for queries, and for 'rebuild'.
-#include "base/float_environment.h"
 #include "storage/format/leaf_node.h"
 #include "storage/table/table_reader.h"
 

@@ -53,7 +53,7 @@ void TableTransaction::rollback() {
 
 void TableTransaction::close() {
   end(Journal::Ended::rolled_back);
-  table_.forget_all();
+  table_.forget_rows();
   gone_ = true;
 }
 

@@ -22,7 +22,7 @@
 
 namespace foresee {
 
-/// What a transaction needs of its table.
+/// What a transaction needs of its table: TableContents implements most of it, TableWriter and Store the rest.
 class ChangingTable {
  public:
   /// The stored stamp, as this connection sees it now; nothing if it is missing.
@@ -33,9 +33,10 @@ class ChangingTable {
   virtual bool has_unwritten_changes() const = 0;
   /// Reads and writes rows under this name from now on.
   virtual void use_name(const std::string& table) = 0;
+  /// The journal has ended: a COMMIT, a ROLLBACK, or a rollback after which the transaction goes on.
   virtual void note_end() noexcept = 0;
-  /// The table is gone. An old prepared statement may keep this object, so it forgets everything at once.
-  virtual void forget_all() = 0;
+  /// Forgets what was read of rows. The table is gone, and an old prepared statement may keep this object.
+  virtual void forget_rows() = 0;
 
  protected:
   ~ChangingTable() = default;
@@ -55,7 +56,8 @@ class TableTransaction {
   bool is_gone() const { return gone_; }
   bool is_torn() const { return torn_; }
   bool runs_own_statements() const { return own_statements_ > 0; }
-  /// Refers to what becomes true if SQLite rolls everything back during own statements.
+  /// True once SQLite has rolled everything back during own statements. The reference stays valid, for a
+  /// change that reads it while it writes.
   const bool& rolled_back_within() const { return rolled_back_; }
 
   /// Throws SQLITE_ABORT if the table is torn, until SQLite rolls back; SQLITE_SCHEMA if it is gone, so that SQLite
@@ -112,7 +114,7 @@ class TableTransaction {
   ChangingTable& table_;
   Journal journal_;
   Version version_{journal_};
-  Journaled<std::string> name_;
+  Journaled<std::string> name_;  ///< of the table, which use_name() gives it again after a rollback
   std::vector<Savepoint> savepoints_;
   bool is_new_;               ///< this transaction has created the table
   bool gone_ = false;         ///< the table is dropped, or its creation was rolled back

@@ -122,6 +122,14 @@ TEST_F(TableMemoryFaults, Degrees) {
       "SELECT * FROM foresee_tables; DROP TABLE g; COMMIT");
 }
 
+/// SQLite makes no xBegin for a table that is created within the transaction: its journal is open from the start.
+TEST_F(TableMemoryFaults, ATableThatIsNewInItsTransaction) {
+  run("BEGIN; CREATE VIRTUAL TABLE a USING moving_objects(id, lat, lon, plan, r, +n); SAVEPOINT s;"
+      "INSERT INTO a(id, lat, lon, r, n) VALUES (1, 54, 8, 1, 2), (2, 54, 8, 1, 2); ALTER TABLE a RENAME TO "
+      "b;"
+      "RELEASE s; DROP TABLE b; COMMIT");
+}
+
 /// The first statement on a watch fails at every allocation; then the watch answers, and its table can be written.
 TEST_F(TableMemoryFaults, AWatchThatWasNotReadYet) {
   TemporaryFile file;

@@ -74,7 +74,19 @@ TEST_F(DegreesFunctions, GivePlaces) {
           "SELECT p.lat = s.lat, p.lon = s.lon FROM ships s, predictive_position(0, 'ships') p WHERE p.id = "
           "s.id AND s.id = 7"),
       "1|1");
-  EXPECT_EQ(db.rows("SELECT count(lat), count(lon) FROM predictive_position(300, 'plain')"), "0|0");
+  EXPECT_EQ(db.rows("SELECT count(*), sum(p.course IS g.course OR abs(p.course - g.course) < 1e-6), "
+                    "sum(abs(p.speed - g.speed * 3600 / "
+                    "1852) < 1e-6), count(p.climb) FROM predictive_position(300, 'ships') p, "
+                    "plane_to_geo(p.x, p.y, p.vx, p.vy, 53.9, 7.9) g"),
+            "400|400|400|0");
+  EXPECT_EQ(
+      db.rows("SELECT p.speed = s.speed, p.course = s.course FROM ships s, predictive_position(0, 'ships') "
+              "p WHERE p.id = s.id AND s.id = 7"),
+      "1|1");
+  EXPECT_EQ(
+      db.rows("SELECT count(lat), count(lon), count(speed), count(course) FROM predictive_position(300, "
+              "'plain')"),
+      "0|0|0|0");
   EXPECT_EQ(db.rows("SELECT count(lat), count(lon) FROM predictive_track(0, 60, 60, 'plain')"), "0|0");
   EXPECT_EQ(db.rows("SELECT count(lat), count(lon), count(speed), count(course), count(*) > 0 FROM "
                     "predictive_avoid(600, 'plain', 17, 300, 'turn')"),
@@ -84,7 +96,8 @@ TEST_F(DegreesFunctions, GivePlaces) {
 /// After 30,000 hours the point of the plane is beyond the Earth.
 TEST_F(DegreesFunctions, GiveNoPlaceBeyondTheEarth) {
   db.exec("DELETE FROM ships WHERE id <> 3");
-  EXPECT_EQ(db.rows("SELECT x IS NULL, lat, lon FROM predictive_position(1e9, 'ships')"), "0|NULL|NULL");
+  EXPECT_EQ(db.rows("SELECT x IS NULL, lat, lon, speed FROM predictive_position(1e9, 'ships')"),
+            "0|NULL|NULL|NULL");
 }
 
 TEST_F(DegreesFunctions, FindNearestByAPlace) {

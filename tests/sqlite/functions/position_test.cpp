@@ -8,16 +8,17 @@ struct PositionTest : Harbour {};
 
 TEST_F(PositionTest, GivesPlaceAndVelocityWithNullForUndeclaredAxes) {
   EXPECT_EQ(db.rows("SELECT * FROM predictive_position(2) ORDER BY id"),
-            "1|2.0|0.0|NULL|1.0|0.0|NULL|NULL|NULL|NULL\n2|8.0|0.0|NULL|-1.0|0.0|NULL|NULL|NULL|NULL\n"
-            "3|0.0|99.0|NULL|0.0|0.0|NULL|NULL|NULL|NULL");
+            "1|2.0|0.0|NULL|1.0|0.0|NULL|NULL|NULL|NULL|NULL|NULL|NULL\n2|8.0|0.0|NULL|-1.0|0.0|NULL|NULL|"
+            "NULL|NULL|NULL|NULL|NULL\n"
+            "3|0.0|99.0|NULL|0.0|0.0|NULL|NULL|NULL|NULL|NULL|NULL|NULL");
   db.exec("CREATE VIRTUAL TABLE rails USING moving_objects(id, x); INSERT INTO rails VALUES (7, 1.5)");
   EXPECT_EQ(db.rows("SELECT * FROM predictive_position(2, 'rails')"),
-            "7|1.5|NULL|NULL|0.0|NULL|NULL|NULL|NULL|NULL");
+            "7|1.5|NULL|NULL|0.0|NULL|NULL|NULL|NULL|NULL|NULL|NULL|NULL");
   db.exec(
       "CREATE VIRTUAL TABLE drones USING moving_objects(id, x, y, z, vx, vy, vz, ax, ay, az);"
       "INSERT INTO drones VALUES (1, 0, 0, 0, 1, 2, 3, 2, 0, -2)");
   EXPECT_EQ(db.rows("SELECT * FROM predictive_position(3, 'drones')"),
-            "1|12.0|6.0|0.0|7.0|2.0|-3.0|NULL|NULL|NULL");
+            "1|12.0|6.0|0.0|7.0|2.0|-3.0|NULL|NULL|NULL|NULL|NULL|NULL");
   db.exec(
       "CREATE VIRTUAL TABLE carts USING moving_objects(id, x, vx, fx, m); INSERT INTO carts VALUES (1, 0, 0, "
       "8, 4)");

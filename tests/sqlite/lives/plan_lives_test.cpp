@@ -46,8 +46,9 @@ TEST_F(PlanLives, RolledBackTransactionsAndSavepoints) {
   db.exec(insert(1, 40) + insert(2, 3));
   db.exec("BEGIN;" + insert(1, 5) + insert(3, 100) + "DELETE FROM robots WHERE id = 2; ROLLBACK");
   expect_sound(row(1, 40) + "\n" + row(2, 3));
-  db.exec("BEGIN;" + insert(1, 17) + "SAVEPOINT s;" + insert(1, 70) + insert(2, 33) +
-          "UPDATE robots SET r = 9; SAVEPOINT s2; UPDATE robots SET plan = NULL, x = x; ROLLBACK TO s2");
+  db.exec(
+      "BEGIN;" + insert(1, 17) + "SAVEPOINT s;" + insert(1, 70) + insert(2, 33) +
+      "UPDATE robots SET r = 9; SAVEPOINT s2; UPDATE robots SET plan = NULL, x = x, y = y; ROLLBACK TO s2");
   EXPECT_EQ(db.rows("SELECT id, plan, r FROM robots ORDER BY id"),
             "1|" + plan_text(1, 70) + "|9.0\n2|" + plan_text(2, 33) + "|9.0");
   db.exec("ROLLBACK TO s");

@@ -185,13 +185,13 @@ TEST_F(Plans, UpdateOfThePlanAloneBringsThemAlong) {
   db.exec("UPDATE robots SET plan = 'LINESTRING M(3 4 2, 3 9 7)'");
   EXPECT_EQ(row(), "2.0|3.0|4.0|0.0|1.0|LINESTRING M(3 4 2, 3 9 7)|0.5|NULL|A");
   // to NULL, with a position: the row stays as its columns read
-  db.exec("UPDATE robots SET plan = NULL, x = x");
+  db.exec("UPDATE robots SET plan = NULL, x = x, y = y");
   EXPECT_EQ(row(), "2.0|3.0|4.0|0.0|1.0|NULL|0.5|NULL|A");
   db.exec("UPDATE robots SET vy = 5");
   EXPECT_EQ(row(), "2.0|3.0|4.0|0.0|5.0|NULL|0.5|NULL|A");
   db.exec(std::string("UPDATE robots SET plan = ") + stops);
   EXPECT_EQ(row(), "0.0|0.0|0.0|2.0|0.0|LINESTRING M(0 0 0, 10 0 5, 10 0 9, 10 20 29)|0.5|NULL|A");
-  db.exec("UPDATE robots SET plan = NULL, x = 44, t = 3");
+  db.exec("UPDATE robots SET plan = NULL, x = 44, y = 0, t = 3");
   EXPECT_EQ(row(), "3.0|44.0|0.0|2.0|0.0|NULL|0.5|NULL|A");
 }
 
@@ -199,16 +199,19 @@ TEST_F(Plans, UpdateOfThePlanAloneBringsThemAlong) {
 TEST_F(Plans, NoPlanAndNoPositionIsRefused) {
   db.exec(std::string("INSERT INTO robots(id, plan, r) VALUES (7, ") + stops + ", 1), (8, " + stops + ", 1)");
   const std::string before = db.rows("SELECT * FROM robots");
-  const std::string message =
-      "robots.plan of row 7 is NULL: without its plan the object needs a position; set x too, or DELETE the "
-      "row";
-  for (const char* set :
-       {"plan = NULL", "plan = ''", "plan = (SELECT 1 WHERE 0)", "plan = NULL, vx = 0, r = 2"})
-    EXPECT_EQ(db.error_of(std::string("UPDATE robots SET ") + set), message);
+  for (const char* set : {"plan = NULL", "plan = ''", "plan = (SELECT 1 WHERE 0)",
+                          "plan = NULL, vx = 0, r = 2", "plan = NULL, y = 3", "plan = NULL, id = id + 100",
+                          "plan = q FROM (SELECT NULL AS q)", "plan = NULL, r = q FROM (SELECT 5 AS q)"})
+    EXPECT_EQ(
+        db.error_of(std::string("UPDATE robots SET ") + set + " WHERE robots.id = 7"),
+        "robots.plan of row 7 is NULL: without its plan the object needs a position; set x, y too, or DELETE "
+        "the row")
+        << set;
   EXPECT_EQ(db.rows("SELECT * FROM robots"), before);
-  EXPECT_EQ(db.error_of("UPDATE robots SET plan = NULL, y = 3 WHERE id = 7"), "");
-  EXPECT_EQ(db.error_of("UPDATE robots SET plan = NULL, r = 2 WHERE id = 7"), "")
-      << "it has no plan any more";
+  db.exec("UPDATE robots SET plan = NULL, x = x, y = 3 WHERE id = 7");
+  db.exec("UPDATE robots SET plan = q, x = 3, y = 4 FROM (SELECT NULL AS q) WHERE id = 8");
+  db.exec("UPDATE robots SET plan = NULL, r = 2");  // they have no plan any more
+  EXPECT_EQ(db.rows("SELECT id, x, y, plan FROM robots ORDER BY id"), "7|0.0|3.0|NULL\n8|3.0|4.0|NULL");
 }
 
 TEST_F(Plans, UpdateOfOtherColumnsKeepsThePlan) {
@@ -264,7 +267,7 @@ TEST_F(Plans, UpdateFromPassesAllColumns) {
   db.exec("UPDATE robots SET r = w.r FROM w WHERE w.robot + 1 = robots.id");
   EXPECT_EQ(db.rows("SELECT x, vx, plan, r > 1 FROM robots WHERE id = 8"),
             "0.0|2.0|LINESTRING M(0 0 0, 10 0 5, 10 0 9, 10 20 29)|1");
-  db.exec("UPDATE robots SET plan = NULL, x = x FROM w WHERE w.robot = robots.id");
+  db.exec("UPDATE robots SET plan = NULL, x = -1, y = robots.y FROM w WHERE w.robot = robots.id");
   EXPECT_EQ(db.rows("SELECT plan FROM robots WHERE id = 7"), "NULL");
 }
 
@@ -275,7 +278,7 @@ TEST_F(Plans, WithoutDeclaredTimeAndVelocity) {
   EXPECT_EQ(db.rows("SELECT * FROM few ORDER BY id"),
             "7|1.0|2.0|LINESTRING M(1 2 30, 5 2 34)\n8|1.0|2.0|NULL");
   // A row without its plan is what its columns say: at rest.
-  db.exec("UPDATE few SET plan = NULL, y = y WHERE id = 7");
+  db.exec("UPDATE few SET plan = NULL, x = x, y = y WHERE id = 7");
   EXPECT_EQ(db.rows("SELECT * FROM few WHERE id = 7"), "7|1.0|2.0|NULL");
   db.exec("INSERT INTO few(few) VALUES ('integrity-check')");
 }

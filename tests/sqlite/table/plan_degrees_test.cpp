@@ -65,10 +65,11 @@ TEST_F(PlanDegrees, TheFirstKnotChoosesTheOrigin) {
   db.exec("INSERT INTO here(id, plan) VALUES (1, 'SRID=4326;LINESTRING M(7.87 53.96 0, 8 54 60)')");
   EXPECT_EQ(db.rows("SELECT origin FROM foresee_tables WHERE name = 'here'"), "54 7.9");
   EXPECT_EQ(db.rows("SELECT * FROM here"), "1|53.96|7.87|LINESTRING M(7.87 53.96 0, 8 54 60)");
-  EXPECT_EQ(
-      db.error_of("UPDATE here SET plan = NULL"),
-      "here.plan of row 1 is NULL: without its plan the object needs a position; set lat too, or DELETE "
-      "the row");
+  EXPECT_EQ(db.error_of("UPDATE here SET plan = NULL"),
+            "here.plan of row 1 is NULL: without its plan the object needs a position; set lat, lon too, or "
+            "DELETE the row");
+  EXPECT_NE(db.error_of("UPDATE here SET plan = q FROM (SELECT NULL AS q)"), "");
+  EXPECT_NE(db.error_of("UPDATE here SET plan = NULL, lat = lat"), "");
   db.exec("UPDATE here SET plan = NULL, lat = lat, lon = lon");
   EXPECT_EQ(db.rows("SELECT lat, lon, plan FROM here"), "53.96|7.87|NULL");
 }
@@ -96,7 +97,7 @@ TEST_F(PlanDegrees, Errors) {
             "ships.lon of row 7 is 9: its plan starts with lon = 8; leave lon out, or set plan to NULL");
   EXPECT_EQ(db.error_of("UPDATE ships SET x = 9"),
             "ships.x follows from lat, lon, speed, course; write these");
-  db.exec("UPDATE ships SET lon = 9, speed = 3, course = 90, plan = NULL");
+  db.exec("UPDATE ships SET lat = lat, lon = 9, speed = 3, course = 90, plan = NULL");
   EXPECT_EQ(db.rows("SELECT lat, lon, speed, course, plan FROM ships"), "54.0|9.0|3.0|90.0|NULL");
 }
 

@@ -78,5 +78,23 @@ TEST_F(WatchStamps, AReaderWhoseChangesAreTrimmedGetsAnError) {
   sqlite3_finalize(reader);
 }
 
+TEST(WatchCreated, DiffersForAWatchThatIsCreatedAgain) {
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, x);"
+      "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100)");
+  const std::string created = db.rows("SELECT created FROM predictive_watches");
+  EXPECT_NE(created, "NULL");
+  db.exec(
+      "ALTER TABLE alerts RENAME TO near; ALTER TABLE near RENAME TO alerts; INSERT INTO alerts(alerts) "
+      "VALUES "
+      "('rebuild')");
+  EXPECT_EQ(db.rows("SELECT created FROM predictive_watches"), created);
+  db.exec("DROP TABLE alerts; CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100)");
+  EXPECT_NE(db.rows("SELECT created FROM predictive_watches"), created);
+  db.exec("DELETE FROM alerts_meta WHERE key = 'created'");  // as version 0.2.0 writes it
+  EXPECT_EQ(db.rows("SELECT created, fault FROM predictive_watches"), "NULL|NULL");
+}
+
 }  // namespace
 }  // namespace foresee

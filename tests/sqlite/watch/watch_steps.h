@@ -66,7 +66,7 @@ inline const WatchStep watch_steps[] = {
     {"Drop", create_alerts + create_passing, "DROP TABLE alerts"},
 };
 
-/// All contents of tables and watches under any name, except the random stamps.
+/// All contents of tables and watches under any name, except the random numbers.
 inline std::string all_of_watch(Database& db) {
   std::string all;
   for (const std::string table : {"ships", "boats", "buoys"})
@@ -77,7 +77,8 @@ inline std::string all_of_watch(Database& db) {
     all += db.rows("SELECT * FROM " + watch + "_back ORDER BY b, a") + "\n";
     all += db.rows("SELECT * FROM " + watch + "_due ORDER BY state, due, a, b") + "\n";
     all += db.rows("SELECT * FROM " + watch + "_log") + "\n";
-    all += db.rows("SELECT * FROM " + watch + "_meta WHERE key NOT LIKE '%stamp'") + "\n";
+    all +=
+        db.rows("SELECT * FROM " + watch + "_meta WHERE key NOT LIKE '%stamp' AND key <> 'created'") + "\n";
   }
   return all + db.rows("SELECT name FROM sqlite_master ORDER BY name") +
          db.rows("SELECT name, tbl, now, seq, fault FROM predictive_watches ORDER BY name");

@@ -46,7 +46,7 @@ class NumberTable final : public ChangingTable {
     name = table;
   }
   void note_end() noexcept override { ++ends; }
-  void forget_all() override { is_forgotten = true; }
+  void forget_rows() override { is_forgotten = true; }
 
   std::optional<std::int64_t> row = 10;  ///< what SQLite restores
   int error = SQLITE_OK;                 ///< of each access to rows

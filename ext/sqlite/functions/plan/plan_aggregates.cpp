@@ -56,8 +56,8 @@ double finite_number(double number, const char* name) {
   return number;
 }
 
-/// Reads the numbers of one vector of the row with this t; false if one of them is NULL.
-bool read_vector(double t, sqlite3_value** values, int axes, int which, std::array<double, 3>& vector) try {
+/// Reads the numbers of one vector; false if one of them is NULL.
+bool read_vector(sqlite3_value** values, int axes, int which, std::array<double, 3>& vector) {
   bool is_known = true;
   for (int j = 0; j < axes; ++j) {
     const char* name = vector_names[which][j];
@@ -66,8 +66,20 @@ bool read_vector(double t, sqlite3_value** values, int axes, int which, std::arr
     is_known &= number.has_value();
   }
   return is_known;
-} catch (const Error& error) {
-  throw Error("at t = " + shown(t) + ": " + error.what());
+}
+
+void read_leg(const AggregateRules& rules, int axes, sqlite3_value** values, PlanRow& row) {
+  const std::optional<double> until = plan_number(values[0], "until");
+  row.lasts_to_next = !until;
+  if (until) row.leg.until = *until == no_end ? no_end : finite_number(*until, "until");
+  bool is_known = true;
+  const int vectors = rules.kind == PlanKind::uniform ? 2 : 3;
+  for (int i = 0; i < vectors; ++i)
+    is_known &= read_vector(values + 1 + i * axes, axes, i,
+                            i == 0   ? row.leg.x
+                            : i == 1 ? row.leg.v
+                                     : row.leg.a);
+  if (!is_known) throw Error("a number of the leg is NULL: write 0, or leave the row out");
 }
 
 /// Nothing for a row of NULLs, as an outer join gives.
@@ -77,23 +89,16 @@ std::optional<PlanRow> read_row(const AggregateRules& rules, int axes, int count
   PlanRow row;
   const std::optional<double> t = plan_number(values[0], "t");
   if (!t) throw Error("t is NULL in a row with other values: write a time, or leave the row out");
-  row.leg.t = *t == no_end && rules.kind == PlanKind::knots ? *t : finite_number(*t, "t");
-  if (rules.kind == PlanKind::knots) {
-    row.is_gap = !read_vector(*t, values + 1, axes, 0, row.leg.x);
-    return row;
+  const bool is_knot = rules.kind == PlanKind::knots;
+  row.leg.t = *t == no_end && is_knot ? *t : finite_number(*t, "t");
+  try {
+    if (is_knot)
+      row.is_gap = !read_vector(values + 1, axes, 0, row.leg.x);
+    else
+      read_leg(rules, axes, values + 1, row);
+  } catch (const Error& error) {
+    throw Error("at t = " + shown(*t) + ": " + error.what());
   }
-  const std::optional<double> until = plan_number(values[1], "until");
-  row.lasts_to_next = !until;
-  if (until) row.leg.until = *until == no_end ? no_end : finite_number(*until, "until");
-  bool is_known = true;
-  const int vectors = rules.kind == PlanKind::uniform ? 2 : 3;
-  for (int i = 0; i < vectors; ++i)
-    is_known &= read_vector(*t, values + 2 + i * axes, axes, i,
-                            i == 0   ? row.leg.x
-                            : i == 1 ? row.leg.v
-                                     : row.leg.a);
-  if (!is_known)
-    throw Error("a number of the leg at t = " + shown(*t) + " is NULL: write 0, or leave the row out");
   return row;
 }
 

@@ -72,6 +72,13 @@ TEST_F(GlobeFunctions, GivePlaces) {
               "'ships')"),
       "20000|20000|1");
   EXPECT_EQ(db.rows("SELECT count(height) FROM predictive_position(300, 'plain')"), "0");
+  EXPECT_EQ(db.rows("SELECT sum(p.speed = s.speed AND p.course IS s.course) FROM ships s JOIN "
+                    "predictive_position(0, 'ships') p USING(id) WHERE s.t = 0"),
+            db.rows("SELECT count(*) FROM ships WHERE t = 0"));
+  // On its way the speed of a ship stays, but for the error of a path without a jerk.
+  EXPECT_EQ(db.rows("SELECT max(abs(k.speed - s.speed)) < 0.001, max(abs(k.climb)) < 0.001 FROM ships s JOIN "
+                    "predictive_track(60, 600, 60, 'ships') k USING(id)"),
+            "1|1");
 }
 
 /// A table in degrees has its z as height, if it has one.
@@ -79,9 +86,10 @@ TEST_F(GlobeFunctions, GiveHeightsOfThePlane) {
   db.exec(
       "CREATE VIRTUAL TABLE drones USING moving_objects(id, lat, lon, z, speed, course, vz, origin = '50 8');"
       "INSERT INTO drones VALUES (1, 50, 8, 120.123456789012, 10, 90, -2)");
-  EXPECT_EQ(db.rows("SELECT height FROM predictive_position(0, 'drones')"), "120.123456789012");
-  EXPECT_EQ(db.rows("SELECT height, z FROM predictive_track(10, 10, 1, 'drones')"),
-            "100.123456789012|100.123456789012");
+  EXPECT_EQ(db.rows("SELECT height, speed, course, climb FROM predictive_position(0, 'drones')"),
+            "120.123456789012|10.0|90.0|-2.0");
+  EXPECT_EQ(db.rows("SELECT height, z, climb FROM predictive_track(10, 10, 1, 'drones')"),
+            "100.123456789012|100.123456789012|-2.0");
   EXPECT_EQ(db.rows("SELECT height = z, climb FROM predictive_avoid(600, 'drones', 1, 300, 'turn', 5, 5)"),
             "1|-2.0");
 }

@@ -206,7 +206,7 @@ TEST_F(PlanFunctions, SayWhichNumberIsWrong) {
   EXPECT_EQ(error("plan_points(t, t * 1e308) FROM (SELECT -1.0 AS t UNION ALL SELECT -0.9)"), "");
   EXPECT_EQ(error("plan_uniform(1, 0, 1, 1)"), "plan_uniform: leg 1 ends at 0, before it starts at 1");
   EXPECT_EQ(error("plan_uniform(1, 2, 1, NULL)"),
-            "plan_uniform: a number of the leg at t = 1 is NULL: write 0, or leave the row out");
+            "plan_uniform: at t = 1: a number of the leg is NULL: write 0, or leave the row out");
   EXPECT_EQ(
       error("plan_uniform(t, NULL, 1, 1) FROM (SELECT 1 AS t UNION ALL SELECT 1)"),
       "plan_uniform: t is 1 in two rows, at (1) and at (1): times must rise; write until, or leave one out");

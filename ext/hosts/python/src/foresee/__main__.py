@@ -53,12 +53,13 @@ def arguments(given=None):
     feed.add_argument("--table", required=True, type=name, help="the table; it is created where it is not there")
     feed.add_argument("--origin", type=place, help="'LAT LON' of the plane (a new table: from the first report)")
     feed.add_argument("--watch", type=name, help="a watch of the table to create where it is not there")
-    feed.add_argument("--horizon", type=not_negative, default=600.0, help="of the new watch, in seconds (%(default)g)")
-    feed.add_argument("--within", type=not_negative, default=926.0, help="of the new watch, in metres (%(default)g, half a nautical mile)")
-    feed.add_argument("--tolerance", type=not_negative, default=30.0,
-                      help="of the new watch: smaller moves of a pair's time are no change, in seconds (%(default)g)")
+    feed.add_argument("--horizon", type=not_negative, help="of the new watch, in seconds (600)")
+    feed.add_argument("--within", type=not_negative, help="of the new watch, in metres (926, half a nautical mile)")
+    feed.add_argument("--tolerance", type=not_negative,
+                      help="of the new watch: smaller moves of a pair's time are no change, in seconds (30)")
     feed.add_argument("--format", dest="layout", choices=("auto", "csv", "json", "nmea"), default="auto",
                       help="of standard input (%(default)s)")
+    feed.add_argument("--arrival", action="store_true", help="a line of JSON without a time has the time of its arrival")
     feed.add_argument("--resume", action="store_true", help="skip the lines of standard input that were committed before")
     feed.add_argument("--every", type=positive, default=1.0, help="seconds between transactions; 1,000 rows end one before (%(default)g)")
     feed.add_argument("--forget", type=positive, default=900.0,
@@ -72,7 +73,7 @@ def arguments(given=None):
     alerts.add_argument("--json", action="store_true", help="lines of JSON")
     alerts.add_argument("--news", action="store_true", help="only new pairs whose encounter is still to come")
     alerts.add_argument("--webhook", metavar="URL", help="POST each change as JSON; what fails is repeated, in order")
-    alerts.add_argument("--reader", default="alerts", help="whose position in the watch is kept (%(default)s)")
+    alerts.add_argument("--reader", help="whose position in the watch is kept (alerts; with --webhook, webhook)")
     alerts.add_argument("--from-start", action="store_true", help="the whole watch first, as for a new reader")
     alerts.add_argument("--once", action="store_true", help="end when all changes are delivered")
     alerts.add_argument("--poll", type=positive, default=0.05, help="seconds between two reads of the file (%(default)g)")

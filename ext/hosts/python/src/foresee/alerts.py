@@ -35,12 +35,21 @@ class Reader:
     def __init__(self, db, watch, name):
         self.db, self.watch, self.name = db, watch, name
         with committed(db):
-            db.execute("CREATE TABLE IF NOT EXISTS foresee_readers(watch TEXT, reader TEXT, seq INTEGER NOT NULL, "
+            db.execute("CREATE TABLE IF NOT EXISTS foresee_readers(watch TEXT, reader TEXT, seq INTEGER NOT NULL, created INTEGER, "
                        "PRIMARY KEY(watch, reader))")
-            db.execute("INSERT OR IGNORE INTO foresee_readers VALUES (?, ?, 0)", (watch, name))
+            db.execute("INSERT OR IGNORE INTO foresee_readers VALUES (?, ?, 0, NULL)", (watch, name))
         # A position that is lost in a power failure repeats changes: it need not wait for the disk.
         db.execute("PRAGMA synchronous = NORMAL")
-        self.position = self.saved = db.execute("SELECT seq FROM foresee_readers WHERE watch = ? AND reader = ?", (watch, name)).fetchone()[0]
+        self.position, self.created = db.execute("SELECT seq, created FROM foresee_readers WHERE watch = ? AND reader = ?",
+                                                 (watch, name)).fetchone()
+        self.saved = self.position, self.created
+
+    def recognise(self, created):
+        """A watch that was dropped and created again counts its changes from the start: nothing of it was read yet."""
+        if self.created is not None and created != self.created and self.position:
+            say(f"{self.watch} was created again: the whole watch follows")
+            self.position = 0
+        self.created = created
 
     def move(self, position, patience=0.02):
         self.position = position
@@ -48,24 +57,27 @@ class Reader:
 
     def save(self, patience):
         """Tries so many seconds to write the position."""
-        if self.position == self.saved:
+        if (self.position, self.created) == self.saved:
             return
         if begun(self.db, patience):
-            self.db.execute("UPDATE foresee_readers SET seq = ? WHERE watch = ? AND reader = ?", (self.position, self.watch, self.name))
+            self.db.execute("UPDATE foresee_readers SET seq = ?, created = ? WHERE watch = ? AND reader = ?",
+                            (self.position, self.created, self.watch, self.name))
             try:
                 self.db.execute("COMMIT")
-                self.saved = self.position
+                self.saved = self.position, self.created
             except sqlite3.OperationalError as error:      # a file without WAL, in which a reader is in the way
                 self.db.execute("ROLLBACK")
                 if not is_busy(error):
                     raise
 
 
-def changes_after(db, watch, position):
+def changes_after(db, reader):
     """(changes, position behind them, whether they are the whole watch, because the next ones are no longer kept)."""
-    _, _, _, seq, oldest, fault = watch_of(db, watch)
-    if fault and "damaged" in fault:
-        raise Refusal(fault)
+    watch, there = reader.watch, watch_of(db, reader.watch)
+    if there.fault and "damaged" in there.fault:
+        raise Refusal(there.fault)
+    reader.recognise(there.created)
+    position, seq, oldest = reader.position, there.seq, there.oldest
     if position > seq or (position and position < oldest):
         say(f"{watch} has changes {oldest} to {seq}, and the position was {position}: the whole watch follows")
         position = 0
@@ -134,8 +146,9 @@ def deliver(changes, is_whole, options, hook, reader):
 
 
 def follow(db, options, hook, stop):
-    table, other, within, *_ = watch_of(db, options.watch)
-    encounters, reader = Encounters(db, options.watch, table, other, within), Reader(db, options.watch, options.reader)
+    watch = watch_of(db, options.watch)
+    encounters = Encounters(db, watch)
+    reader = Reader(db, watch.name, options.reader or ("webhook" if hook else "alerts"))
     if options.from_start:
         reader.move(0)
     seen, more = None, True
@@ -150,7 +163,7 @@ def follow(db, options, hook, stop):
                 continue
             seen = version
             with one_state(db):
-                rows, position, is_whole = changes_after(db, options.watch, reader.position)
+                rows, position, is_whole = changes_after(db, reader)
                 changes = [encounters.describe(row) for row in rows]
             if is_whole:
                 changes.sort(key=urgency)

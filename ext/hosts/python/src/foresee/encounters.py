@@ -1,9 +1,10 @@
 """A change of a watch in words and numbers for people: names, time to the closest approach, its distance, its place.
 
-    encounters = Encounters(db, "alerts", "ships", None, 926.0)
+    encounters = Encounters(db, watch_of(db, "alerts"))
     encounters.describe((7, "+", 1, 2, 1641168629.0, 1641168600.0))
 
-gives a dictionary that JSON can hold. TCPA, CPA and place are those of the pair as the watch has it now; they are None once it is gone.
+gives a dictionary that JSON can hold. TCPA, CPA and place are those of the pair as the tables have it now; they are None once it is gone.
+A pair enters a watch at the end of its horizon, mostly before its closest approach: that is searched for up to an hour beyond the horizon.
 With a table of areas (a column `zone`, or `shape` without a velocity) the distance to its position says nothing: then `entry_min` is the
 time until the object comes within the distance, place is where it does, and TCPA and CPA are None.
 """
@@ -14,14 +15,17 @@ KEYS = ("watch", "seq", "op", "a", "b", "a_name", "b_name", "now", "t", "near", 
         "entry_min")
 
 
+BEYOND = 3600.0         # seconds beyond the horizon
+
+
 class Encounters:
-    def __init__(self, db, watch, table, other, within):
-        self.db, self.watch, self.within = db, watch, within
-        self.first = Table(db, table)
-        self.second = Table(db, other) if other else self.first
+    def __init__(self, db, watch):
+        self.db, self.watch = db, watch
+        self.first = Table(db, watch.tbl)
+        self.second = Table(db, watch.other) if watch.other else self.first
         columns = self.second.columns
         self.is_of_areas = "zone" in columns or ("shape" in columns and "vx" not in columns and "speed" not in columns)
-        self.pair = f"SELECT t, t_cpa, d_cpa FROM {quoted(watch)} WHERE a = ? AND b = ?"
+        self.pair = f"SELECT t, t_cpa, d_cpa FROM {quoted(watch.name)} WHERE a = ? AND b = ?"
 
     def name(self, table, number):
         """Its name, else its number."""
@@ -49,12 +53,22 @@ class Encounters:
         measured = {"tcpa_min": None, "cpa_m": None, "entry_min": None}
         place = (None, None, None, None)
         if closest is not None:
-            start, t_cpa, distance = closest
+            start, t_cpa, distance = self.closest(a, b, closest, now)
             measured = self.measures(start, t_cpa, distance, now)
             place = self.place_at(a, max(start, now) if self.is_of_areas else t_cpa)
         near = t is not None and t <= now
-        return dict(zip(KEYS, (self.watch, seq, op, a, b, self.name(self.first, a), self.name(self.second, b), now, t, near,
-                               measured["tcpa_min"], measured["cpa_m"], *place, self.within, measured["entry_min"])))
+        return dict(zip(KEYS, (self.watch.name, seq, op, a, b, self.name(self.first, a), self.name(self.second, b), now, t, near,
+                               measured["tcpa_min"], measured["cpa_m"], *place, self.watch.within, measured["entry_min"])))
+
+    def closest(self, a, b, row, now):
+        """(t, t_cpa, d_cpa) of a pair of the watch, also where its closest approach is beyond the horizon."""
+        start, t_cpa, distance = row
+        if self.is_of_areas or t_cpa < now + self.watch.horizon * (1 - 1e-9):
+            return row
+        watch = self.watch
+        further = self.db.execute("SELECT t_cpa, d_cpa FROM predictive_join(?, ?, ?, ?) WHERE now = ? AND within_z IS ? AND a = ? AND b = ?",
+                                  (watch.horizon + BEYOND, watch.tbl, watch.within, watch.other, now, watch.within_z, a, b)).fetchone()
+        return (start, *further) if further else row
 
     def measures(self, t, t_cpa, distance, now):
         if self.is_of_areas:

@@ -26,22 +26,56 @@ from .tables import Table, create
 GAP = 0.001             # seconds between two transactions, in which readers can write their positions
 
 
-def prepared(db, options):
+# Of a new watch: horizon, within and tolerance where they are not given.
+NEW_WATCH = {"horizon": 600.0, "within": 926.0, "tolerance": 30.0}
+
+
+def prepared(db, options, say):
     """The table, created with its watch where --watch names one and they are not there."""
     with committed(db):
         if not exists(db, options.table):
             create(db, options.table, options.origin)
         elif options.origin:
-            db.execute("INSERT INTO foresee_feed(tbl, origin) VALUES (?, ?) ON CONFLICT(tbl) DO UPDATE SET origin = excluded.origin",
-                       (options.table, f"{options.origin[0]!r} {options.origin[1]!r}"))
+            require_origin(db, options.table, options.origin)
         if options.watch and not exists(db, options.watch):
-            db.execute(f"CREATE VIRTUAL TABLE {quoted(options.watch)} USING predictive_watch({quoted(options.table)}, "
-                       f"horizon = {options.horizon!r}, within = {options.within!r}, tolerance = {options.tolerance!r}, ahead = 3600)")
-    if options.watch and not db.execute("SELECT 1 FROM predictive_watches WHERE lower(name) = lower(?)", (options.watch,)).fetchone():
-        raise Refusal(f"{options.watch} is a table, not a watch; write another name after --watch")
+            create_watch(db, options)
+        elif options.watch:
+            require_watch(db, options, say)
     table = Table(db, options.table)
     table.prepare(options.forget, options.kinds)
     return table
+
+
+def require_origin(db, name, origin):
+    """A table in degrees has its origin; of one in metres the file remembers it."""
+    table = Table(db, name)
+    if not table.degrees:
+        db.execute("INSERT INTO foresee_feed(tbl, origin) VALUES (?, ?) ON CONFLICT(tbl) DO UPDATE SET origin = excluded.origin",
+                   (name, f"{origin[0]!r} {origin[1]!r}"))
+    elif table.globe or (table.origin and table.origin != origin):
+        there = "is on the globe" if table.globe else f"has the origin {table.origin[0]:g} {table.origin[1]:g}"
+        raise Refusal(f"{name} {there}: --origin is for a new table; leave it out, or write another --table")
+
+
+def create_watch(db, options):
+    # A ship whose clock is fast moves the clock of the watch by `ahead` at most: less than the time after which ships are forgotten.
+    ahead = min(3600.0, options.forget / 3)
+    given = {what: value if getattr(options, what) is None else getattr(options, what) for what, value in NEW_WATCH.items()}
+    db.execute(f"CREATE VIRTUAL TABLE {quoted(options.watch)} USING predictive_watch({quoted(options.table)}, "
+               f"{', '.join(f'{what} = {value!r}' for what, value in given.items())}, ahead = {ahead!r})")
+
+
+def require_watch(db, options, say):
+    """The watch that is there must be one of the table. Its options stay."""
+    row = db.execute("SELECT tbl, other, horizon, within, tolerance FROM predictive_watches('main') WHERE lower(name) = lower(?)",
+                     (options.watch,)).fetchone()
+    if row is None:
+        raise Refusal(f"{options.watch} is a table, not a watch; write another name after --watch")
+    if options.table.lower() not in (str(name).lower() for name in row[:2]):
+        raise Refusal(f"{options.watch} is a watch of {row[0]}, not of {options.table}; write another name after --watch")
+    for (what, given), there in zip(((what, getattr(options, what)) for what in NEW_WATCH), row[2:]):
+        if given is not None and given != there:
+            say(f"{options.watch} is there and has {what} = {there:g}: --{what} is for a new watch")
 
 
 def exists(db, name):
@@ -60,7 +94,7 @@ def from_standard_input(batches, options, stop):
             first = next((text for _, text in group if text.strip()), None)
             if first is None:
                 continue
-            decoder = decoder_of(first, options.layout)
+            decoder = decoder_of(first, options.layout, options.arrival)
             batches.progress.left_out = lambda: decoder.left_out
             if skip and options.layout in ("auto", "csv"):
                 decoder.read(group[:1])     # the header
@@ -124,7 +158,7 @@ def run(options):
     db = opened(options.file, create=True)
     try:
         progress = Progress(sys.stderr)
-        batches = Batches(db, prepared(db, options), progress)
+        batches = Batches(db, prepared(db, options, progress.say), progress)
         (from_broker if options.mqtt else from_standard_input)(batches, options, stop)
         progress.show(final=True)
     except (MissingColumns, NoDecoder) as reason:

@@ -6,12 +6,13 @@
 foresee_feed(tbl, line, messages, origin): per table the last committed line of standard input, how many messages of a broker were
 committed, and the origin of a table in metres.
 foresee_messages(tbl, session, mid, digest, number): per table and session of a broker the last messages that were committed.
-foresee_readers(watch, reader, seq): per watch and reader the last change that was delivered.
+foresee_readers(watch, reader, seq, created): per watch and reader the last change that was delivered, and which watch of this name it is.
 """
 import os
 import sqlite3
 import time
 from contextlib import contextmanager
+from typing import NamedTuple, Optional
 
 from . import connect
 from .process import Refusal
@@ -105,12 +106,26 @@ def one_state(db):
         db.execute("COMMIT")
 
 
+class Watch(NamedTuple):
+    """What predictive_watches says of a watch."""
+    name: str
+    tbl: str
+    other: Optional[str]
+    horizon: float
+    within: float
+    within_z: Optional[float]
+    now: float
+    seq: int
+    oldest: int
+    fault: Optional[str]
+    created: Optional[int]
+
+
 def watch_of(db, name):
-    """(table, other, within, seq, oldest, fault) of a watch."""
-    row = db.execute("SELECT tbl, other, within, seq, oldest, fault FROM predictive_watches('main') WHERE lower(name) = lower(?)",
-                     (name,)).fetchone()
+    """The Watch of this name."""
+    row = db.execute(f"SELECT {', '.join(Watch._fields)} FROM predictive_watches('main') WHERE lower(name) = lower(?)", (name,)).fetchone()
     if row is None:
         names = ", ".join(row[0] for row in db.execute("SELECT name FROM predictive_watches('main') ORDER BY name"))
         raise Refusal(f"there is no watch {name}; " + (f"watches here: {names}" if names else
                       f"CREATE VIRTUAL TABLE {name} USING predictive_watch(ships, horizon = 600, within = 926)"))
-    return row
+    return Watch(*row)

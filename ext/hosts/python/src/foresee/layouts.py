@@ -71,13 +71,16 @@ class CsvLines(Lines):
 
 
 class JsonLines(Lines):
+    def __init__(self, arrival):
+        self.arrival = arrival
+
     def report(self, line):
-        return report_of(by_quantity(json_object(line)), now=time.time())
+        return report_of(by_quantity(json_object(line)), now=time.time() if self.arrival else None)
 
 
-def decoder_of(first, layout="auto"):
-    """The decoder for a first line, or for a layout: csv, json or nmea."""
+def decoder_of(first, layout="auto", arrival=False):
+    """The decoder for a first line, or for a layout: csv, json or nmea. `arrival`: a JSON report without a time has the present one."""
     start = first.lstrip()[:1]
     if layout == "auto":
         layout = "json" if start == "{" else "nmea" if start in ("!", "$", "\\") else "csv"
-    return {"csv": CsvLines, "json": JsonLines, "nmea": Sentences}[layout]()
+    return JsonLines(arrival) if layout == "json" else {"csv": CsvLines, "nmea": Sentences}[layout]()

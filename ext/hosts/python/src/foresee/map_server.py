@@ -19,7 +19,7 @@ from urllib.parse import parse_qs, urlsplit
 
 from .areas import Areas
 from .encounters import Encounters, printable
-from .files import one_state, opened, quoted
+from .files import one_state, opened, quoted, watch_of
 from .process import Refusal, Stop
 from .tables import IN_UNIT, KNOT, Table
 
@@ -85,15 +85,15 @@ class State:
 
     def pairs(self, watch):
         """The pairs of a watch that come first; those that are near already come last."""
-        _, other, within, now, horizon = self.db.execute(
-            "SELECT tbl, other, within, now, horizon FROM predictive_watches('main') WHERE name = ?", (watch,)).fetchone()
-        encounters = Encounters(self.db, watch, self.table.name, other, within)
+        there = watch_of(self.db, watch)
+        encounters, now = Encounters(self.db, there), there.now
         first = "t" if encounters.is_of_areas else "t_cpa"
         rows = self.db.execute(f"SELECT a, b, t, t_cpa, d_cpa FROM {quoted(watch)} ORDER BY t <= ?, {first}, a, b LIMIT ?",
                                (now, MAX_PAIRS)).fetchall()
-        return {"name": watch, "within": within, "horizon": horizon, "other": other, "of_areas": encounters.is_of_areas, "now": now, "pairs": [
+        return {"name": watch, "within": there.within, "horizon": there.horizon, "other": there.other, "of_areas": encounters.is_of_areas,
+                "now": now, "pairs": [
             {"a": a, "b": b, "a_name": encounters.name(encounters.first, a), "b_name": encounters.name(encounters.second, b),
-             "near": t <= now, **encounters.measures(t, t_cpa, d_cpa, now)} for a, b, t, t_cpa, d_cpa in rows]}
+             "near": t <= now, **encounters.measures(*encounters.closest(a, b, (t, t_cpa, d_cpa), now), now)} for a, b, t, t_cpa, d_cpa in rows]}
 
 
 def only_table(db):

@@ -54,13 +54,13 @@ class Sentences:
         for number, line in numbered:
             if line.strip():
                 try:
-                    self.take(line.strip(), now, sent, times)
+                    self.take(number, line.strip(), now, sent, times)
                 except UNREADABLE as reason:
                     bad.append((number, str(reason)))
-        return self.reports(self.decoded(sent), times), bad
+        return self.reports(self.decoded(sent), times, bad), bad
 
-    def take(self, line, now, sent, times):
-        """Appends a message to `sent` once it is whole, and its ship and time to `times`."""
+    def take(self, number, line, now, sent, times):
+        """Appends a message to `sent` once it is whole, and its ship, its time and the number of its last line to `times`."""
         tag = TAG.match(line)
         seconds = re.search(r"(?:^|,)c:(\d+)", tag[1]) if tag else None
         sentence = line[tag.end():] if tag else line
@@ -81,7 +81,7 @@ class Sentences:
         whole.append(sentence)
         if place == count:
             sent += whole
-            times.append((ship, t))
+            times.append((ship, t, number))
             del self.unfinished[message]
         elif len(self.unfinished) > HELD:
             del self.unfinished[next(iter(self.unfinished))]
@@ -95,18 +95,25 @@ class Sentences:
             raise NoDecoder(f"gpsdecode ended with status {done.returncode}; try gpsdecode -j with the same lines")
         return done.stdout.decode("utf-8", "replace").splitlines()
 
-    def reports(self, lines, times):
+    def reports(self, lines, times, bad):
+        """The reports of outputs of gpsdecode. Appends to `bad` those with numbers that a transmitter sends wrong."""
         reports, place = [], 0
         for line in lines:
+            number = None
             try:
                 fields = json_object(line)
                 match = next((i for i in range(place, len(times)) if times[i][0] == fields.get("mmsi")), None)
-                if match is None or fields.get("type") not in POSITIONS_AND_NAMES:
+                if match is None:
                     continue
-                place = match + 1
-                report = report_of({**by_quantity({key: fields[key] for key in FIELDS if key in fields}), "t": times[match][1]})
-            except UNREADABLE:
-                continue                    # numbers that a transmitter sends wrong, such as a latitude of 100 degrees
+                place = match + 1           # also behind a message of another type
+                if fields.get("type") not in POSITIONS_AND_NAMES:
+                    continue
+                _, t, number = times[match]
+                report = report_of({**by_quantity({key: fields[key] for key in FIELDS if key in fields}), "t": t})
+            except UNREADABLE as reason:
+                if number is not None:
+                    bad.append((number, str(reason)))
+                continue
             if report is None:
                 self.left_out += 1
             else:

@@ -16,11 +16,13 @@ from typing import NamedTuple, Optional
 REST_BELOW = 0.5        # knots: slower ships lie still, their course is noise
 NO_SPEED = 102.15       # knots: 102.2 is "that or more", 102.3 "not available"
 MAX_SHIP = 2**53 - 1    # larger whole numbers may have been rounded
+NO_TIME = "neither Unix seconds nor a date with a time, as in 2023-11-14 22:13:20"
 
 # quantity: the names of its field, compared in lower case. Speeds are knots.
 FIELDS = {
     "id": ("mmsi", "id", "userid"),
-    "t": ("t", "basedatetime", "base_date_time", "# timestamp", "timestamp", "time", "msgtime", "rxtime", "tagblock_timestamp"),
+    "t": ("t", "basedatetime", "base_date_time", "# timestamp", "timestamp", "time", "datetime", "msgtime", "rxtime",
+          "tagblock_timestamp"),
     "lat": ("lat", "latitude"),
     "lon": ("lon", "longitude"),
     "speed": ("sog_kn", "sog", "speed"),
@@ -56,11 +58,18 @@ def by_quantity(fields):
     found = {}
     for field, value in fields.items():
         quantity = QUANTITY.get(str(field).strip().lower())
+        if quantity == "t" and is_second(value):
+            continue
         if quantity is not None and value not in (None, ""):
             rank = FIELDS[quantity].index(str(field).strip().lower())
             if quantity not in found or rank < found[quantity][0]:
                 found[quantity] = (rank, value)
     return {quantity: value for quantity, (_, value) in found.items()}
+
+
+def is_second(value):
+    """AIS messages have a field timestamp with the second of the minute, and with 60 to 63 for "not available": no time."""
+    return isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= 63
 
 
 def number(what, value):
@@ -85,16 +94,22 @@ def shortened(value):
 
 
 def seconds(value):
-    """Unix seconds of a time: seconds, milliseconds, ISO 8601, DMA's day/month/year, or fourteen digits. Without a zone it is UTC."""
+    """Unix seconds of a time: seconds, milli-, micro- or nanoseconds, ISO 8601, DMA's day/month/year, or fourteen digits. Without a
+    zone it is UTC."""
     text = str(value).strip()
-    if re.fullmatch(r"(19|20)\d{12}", text):
-        text = f"{text[:4]}-{text[4:6]}-{text[6:8]}T{text[8:10]}:{text[10:12]}:{text[12:]}"
+    digits = re.fullmatch(r"((?:19|20)\d{6})T?(\d{6})(Z?)", text)
+    if digits:
+        day, clock = digits[1], digits[2]
+        text = f"{day[:4]}-{day[4:6]}-{day[6:]}T{clock[:2]}:{clock[2:4]}:{clock[4:]}{digits[3]}"
     if ":" not in text:
         try:
             result = number("the time", value)
         except BadReport:
-            raise BadReport(f"the time is {shortened(value)}, not a date or Unix seconds") from None
-        return result / 1000 if abs(result) > 1e11 else result
+            raise BadReport(f"the time is {shortened(value)}, {NO_TIME}") from None
+        for units in (1e9, 1e6, 1e3):
+            if abs(result) > 1e8 * units:
+                return result / units
+        return result
     danish = re.fullmatch(r"(\d\d)/(\d\d)/(\d{4}) (.*)", text)
     if danish:
         text = f"{danish[3]}-{danish[2]}-{danish[1]} {danish[4]}"
@@ -104,7 +119,7 @@ def seconds(value):
     try:
         time = datetime.fromisoformat(text)
     except ValueError:
-        raise BadReport(f"the time is {shortened(value)}, not a date or Unix seconds") from None
+        raise BadReport(f"the time is {shortened(value)}, {NO_TIME}") from None
     return (time if time.tzinfo else time.replace(tzinfo=timezone.utc)).timestamp()
 
 
@@ -122,13 +137,18 @@ def report_of(value, now=None, id=None):
     """The Report of values by quantity; None where it says nothing about the future. `now` and `id` hold where it has none itself."""
     if not str(value.get("kind", "Class A")).startswith("Class"):
         return None
-    ship = number("the ship's number", value.get("id", id))
+    written = value.get("id", id)
+    if isinstance(written, str) and re.search(r"\de", written.lower()):
+        raise BadReport(f"the ship's number is {shortened(written)}, without its last digits: write them all")
+    ship = number("the ship's number", written)
     if ship is None:
         raise BadReport("the ship's number (mmsi) is missing")
+    if ship <= 0:
+        raise BadReport(f"the ship's number is {ship:g}, not a number of a ship")
     if ship != int(ship):
         raise BadReport(f"the ship's number is {ship:g}, not a whole one")
     if abs(ship) > MAX_SHIP:
-        raise BadReport(f"the ship's number is {shortened(value.get('id', id))}, more than {MAX_SHIP}; an MMSI has nine digits")
+        raise BadReport(f"the ship's number is {shortened(written)}, more than {MAX_SHIP}; an MMSI has nine digits")
     name = str(value.get("name", "")).encode("utf-8", "replace").decode().replace("\0", "").strip(" @") or None
     lat, lon = angle("the latitude", value.get("lat"), 90, 91), angle("the longitude", value.get("lon"), 180, 181)
     speed, course = number("the speed", value.get("speed")), number("the course", value.get("course"))
@@ -142,7 +162,7 @@ def report_of(value, now=None, id=None):
         return None if name is None else Report(int(ship), None, name=name)
     t = seconds(value["t"]) if "t" in value else now
     if t is None:
-        raise BadReport("the time is missing")
+        raise BadReport("the time (t) is missing; with --arrival a report without one has the time of its arrival")
     return Report(int(ship), t, lat, lon, 0.0 if still else speed, course, name)
 
 
