@@ -81,7 +81,7 @@ std::string list_watches(const std::vector<VisibleTable>& tables, bool with_sche
   for (const VisibleTable& table : tables) {
     if (!table.is_watch) continue;
     list += (list.empty() ? "" : ", ") + quoted(table.name);
-    if (with_schemas) list += " with schema = " + quoted(table.schema);
+    if (with_schemas || !same_name(table.schema, "main")) list += " with schema = " + quoted(table.schema);
   }
   return list.empty() ? " (none here; make one with CREATE VIRTUAL TABLE alerts USING "
                         "predictive_watch(ships, horizon = 600))"

@@ -62,6 +62,13 @@ TEST_F(WatchErrors, MeaninglessStatementsGiveErrorsThatSayWhatToWrite) {
          "predictive_changes: 'ships' is not a watch but a table of moving objects" + named + ")");
   starts("SELECT * FROM predictive_changes('list', 0, 'main')",
          "predictive_changes: 'list' in schema 'main' is not a watch" + named + " with schema = 'main')");
+  db.exec(
+      "ATTACH ':memory:' AS north; CREATE VIRTUAL TABLE north.boats USING moving_objects(id, x);"
+      "CREATE VIRTUAL TABLE north.storms USING predictive_watch(boats, horizon = 5)");
+  starts(
+      "SELECT * FROM predictive_changes('gone')",
+      "predictive_changes: no such watch: 'gone' (watches here: 'alerts', 'storms' with schema = 'north')");
+  db.exec("DETACH north");
   // A table of temp does not hide the watch.
   db.exec("CREATE TEMP TABLE alerts(x)");
   EXPECT_EQ(db.rows("SELECT a, b FROM predictive_changes('alerts')"), "1|2");
