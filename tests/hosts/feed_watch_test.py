@@ -61,6 +61,9 @@ class FeedWatch(Live):
         errors = self.feed(SHIPS.format(START + 2), "--origin", "7.9 53.9", fails=True)
         self.assertEqual(errors, ["foresee feed: ships has the origin 54 8: --origin is for a new table; leave it out, or write another "
                                   "--table"])
+        self.database().execute("CREATE VIRTUAL TABLE boats USING moving_objects(id, t, lat, lon, speed, course)")
+        errors = self.command("feed", self.file, "--table", "boats", "--origin", "54 8", text="", fails=True)[1]
+        self.assertIn("boats takes its origin from its first report: --origin is for a new table", errors)
 
     def test_json_without_a_time(self):
         report = {"mmsi": 1, "lat": 53, "lon": 7, "sog": 5, "cog": 5}
@@ -69,6 +72,7 @@ class FeedWatch(Live):
         self.assertEqual(totals(errors), (4, 0, 0, 0, 4))
         self.assertEqual(errors[0], "foresee feed: line 1: the time (t) is missing; with --arrival a report without one has the time of its "
                                     "arrival")
+        self.assertEqual(totals(self.feed(json.dumps({**report, "mmsi": 3, "t": 50}) + "\n"))[1], 1)      # seconds of a simulation
         self.assertEqual(totals(self.feed(lines, "--arrival"))[1], 4)
         self.feed(json.dumps({**report, "mmsi": 2, "datetime": "2022-01-03 00:00:00"}) + "\n")
         self.assertEqual(self.database().execute("SELECT t FROM ships WHERE id = 2").fetchall(), [(START,)])
@@ -92,6 +96,11 @@ class FeedWatch(Live):
                  binary_message(ship, START + 70), position(ship, START + 300, 53.9, 7.85), position(211000002, START + 300, 53.9, 7.9), *others]
         errors = self.feed("\n".join(lines) + "\n")
         self.assertEqual(self.positions()[ship][0], START + 300, errors)
+        # Two messages with a name have one output of gpsdecode.
+        names = [sentence([(24, 6), (0, 2), (ship, 30), (0, 2), (1, 6), (0, 114)], START + 400),
+                 sentence([(24, 6), (0, 2), (ship, 30), (1, 2), (0, 128)], START + 401)]
+        self.feed("\n".join([*names, *names, position(ship, START + 500, 53.9, 7.86), *others]) + "\n")
+        self.assertEqual(self.positions()[ship][0], START + 500)
         wrong = self.feed(position(211000003, START, 100.0, 7.8) + "\n" + "\n".join(others) + "\n")
         self.assertEqual(totals(wrong)[4], 1, wrong)
 

@@ -62,7 +62,7 @@ class PairUpdate {
   /// Sets the new clock, and the end of the horizon: by an 'advance', else by the newest reference times.
   void move_clock();
   void follow_reports();
-  void follow_majority();
+  void follow_early_reports();
   struct Reporting {
     const ChangedObjects* changed;
     TableSource* table;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "query/watch/pair_update.h"
@@ -16,9 +17,20 @@ void append_times(const Scene& scene, std::vector<double>& instants) {
     instants.push_back(value_or(bodies.row(scene.rows_of(i).first), bodies.at.t, 0));
 }
 
-/// The median of a part of sorted numbers.
-double median_from(const std::vector<double>& sorted, std::size_t first = 0) {
-  return sorted[first + (sorted.size() - first - 1) / 2];
+/// How many numbers an interval of this width has at its fullest place, and the last of them. Requires: ascending.
+struct Cluster {
+  std::int64_t count = 0;
+  double last = 0;
+};
+Cluster largest_cluster(std::span<const double> ascending, double width) {
+  Cluster largest;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < ascending.size(); ++i) {
+    while (ascending[i] - ascending[first] > width) ++first;
+    const auto count = static_cast<std::int64_t>(i - first + 1);
+    if (count >= largest.count) largest = {count, ascending[i]};
+  }
+  return largest;
 }
 
 }  // namespace
@@ -68,36 +80,44 @@ std::vector<double> PairUpdate::report_times(bool of_all) const {
 void PairUpdate::follow_reports() {
   const std::vector<double> instants = report_times();
   const bool counts = !state_.clock || (changed_.a.are_known && changed_.b.are_known);
-  if (!state_.clock && !instants.empty()) state_.clock = median_from(instants);
+  if (!state_.clock && !instants.empty()) state_.clock = instants[(instants.size() - 1) / 2];
   if (!state_.clock && any_object(tables_)) state_.clock = 0;  // zones, and no report yet
-  std::int64_t early = 0, on_time = 0;
+  std::int64_t early = 0;
   for (const double t : instants) {
-    if (t > *state_.clock + *state_.ahead) {
+    if (t > *state_.clock + *state_.ahead)
       ++early;
-    } else {
-      if (t >= *state_.clock - *state_.ahead) ++on_time;
+    else
       state_.clock = std::max(*state_.clock, t);
-    }
   }
   if (!counts) return;
-  // All objects are counted after each so many early reports: a few reads of a row for each.
-  const double objects =
-      tables_.a->likely_objects() + (tables_.is_within_one() ? 0 : tables_.b->likely_objects());
-  const auto some = std::max<std::int64_t>(1, static_cast<std::int64_t>(objects / 64));
+  const std::int64_t others = static_cast<std::int64_t>(instants.size()) - early;
+  state_.early_score = std::max<std::int64_t>(0, state_.early_score + early - 2 * others);
   const std::int64_t before = std::exchange(state_.early_reports, state_.early_reports + early);
-  if (early > on_time && before / some != state_.early_reports / some) follow_majority();
+  if (early <= others) return;
+  // All objects are read after each so many early reports: some rows for each.
+  double objects = 0;
+  for (const Reporting& one : reporting_tables()) {
+    if (one.table->layout().has_plan) return;  // its t is the start of a plan, which may be planned for later
+    objects += one.table->likely_objects();
+  }
+  const auto some = std::max<std::int64_t>(1, static_cast<std::int64_t>(objects / 64));
+  if (before / some != state_.early_reports / some) follow_early_reports();
 }
 
-/// After a pause of the feed that is longer than `ahead`, every report is early. The clock follows them as soon as they
-/// are of more objects than have reported within `ahead` of it.
-void PairUpdate::follow_majority() {
+/// After a pause of the feed that is longer than `ahead`, every report is early. The clock follows objects whose early
+/// reports agree within `ahead`, if they are more than agree at any other time. It follows fewer once each has reported
+/// twice and hardly any other report has come. Some fast clocks among many right ones are neither.
+void PairUpdate::follow_early_reports() {
+  constexpr std::int64_t min_score = 16;
   const std::vector<double> instants = report_times(true);
-  const auto recent = std::lower_bound(instants.begin(), instants.end(), *state_.clock - *state_.ahead);
-  const auto early = std::upper_bound(recent, instants.end(), *state_.clock + *state_.ahead);
-  if (instants.end() - early <= early - recent) return;
-  state_.clock = median_from(instants, static_cast<std::size_t>(early - instants.begin()));
-  for (auto t = early; t != instants.end() && *t <= *state_.clock + *state_.ahead; ++t)
-    state_.clock = std::max(*state_.clock, *t);
+  const auto end_of_others =
+      std::upper_bound(instants.begin(), instants.end(), *state_.clock + *state_.ahead);
+  const Cluster others = largest_cluster({instants.begin(), end_of_others}, *state_.ahead),
+                early = largest_cluster({end_of_others, instants.end()}, *state_.ahead);
+  if (early.count == 0) return;
+  if (early.count <= others.count && state_.early_score < 2 * early.count + min_score) return;
+  state_.clock = early.last;
+  state_.early_score = 0;
 }
 
 // The next look-ahead is due at known_to - horizon, and finds all ends again. A quarter of its length is for the step

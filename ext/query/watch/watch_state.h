@@ -36,6 +36,7 @@ struct WatchState : WatchDeclaration {
   std::int64_t dropped_waiting = 0;  ///< how many of those were removed before they were reported
   std::int64_t seq = 0;              ///< number of the last change
   std::int64_t early_reports = 0;    ///< number of reports later than `ahead` allows
+  std::int64_t early_score = 0;      ///< by how much they are more than twice the others, since it was 0
   std::optional<std::int64_t> created = {};  ///< a random number of its CREATE; nothing up to version 0.2.0
   std::optional<std::int64_t> stamp = {}, other_stamp = {};  ///< contents for which the rows were computed
 

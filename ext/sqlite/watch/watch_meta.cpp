@@ -177,6 +177,7 @@ WatchState WatchRows::read_state() {
   constexpr auto min_integer = std::numeric_limits<std::int64_t>::min();
   state.stamp = values.whole("stamp", min_integer);
   state.other_stamp = values.whole("other_stamp", min_integer);
+  state.early_score = values.whole("early_score", 0).value_or(0);
   state.created = values.whole("created", min_integer);
   use_pairs(values.whole("key_tables", 0, 1).value_or(0) != 0);
   keys_.forget();
@@ -231,6 +232,7 @@ void WatchRows::write_state(const WatchState& state, const WatchState& before) {
   write_changed("known_to", state.known_to, before.known_to);
   write_changed("step", state.last_advance, before.last_advance);
   write_changed("further", state.look_ahead_length, before.look_ahead_length);
+  write_changed("early_score", state.early_score, before.early_score);
   write_changed("waited", state.found_waiting, before.found_waiting);
   write_changed("dropped", state.dropped_waiting, before.dropped_waiting);
   write_changed("seq", state.seq, before.seq);

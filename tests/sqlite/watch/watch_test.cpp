@@ -208,37 +208,6 @@ TEST_F(Watch, TheFirstReportsMayBeFarAheadOfOneAnother) {
   EXPECT_EQ(db.rows("SELECT now, early FROM predictive_watches"), "50.0|1\n50.0|1");
 }
 
-// After a pause of the feed every report is beyond `ahead`.
-TEST_F(Watch, TheClockFollowsAMajorityBeyondAhead) {
-  db.exec(
-      "DROP TABLE alerts; INSERT INTO ships VALUES (4, 0, 0, 8000, 0, 0, 10), (5, -500, 0, 7000, 0, 0, 10);"
-      "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100, ahead = 60);"
-      "UPDATE ships SET t = 1000 WHERE id = 1; UPDATE ships SET t = 5e9 WHERE id = 4");
-  EXPECT_EQ(db.rows("SELECT now, early FROM predictive_watches"),
-            "0.0|2");  // as many as have reported in time
-  db.exec("UPDATE ships SET t = 1020 WHERE id = 2");
-  EXPECT_EQ(db.rows("SELECT now, early, fault FROM predictive_watches"), "1020.0|3|NULL");
-  EXPECT_EQ(alerts("*"), db.rows(std::string(joined) + "1020"));
-  db.exec("UPDATE ships SET t = 1050 WHERE id = 3");
-  EXPECT_EQ(db.rows("SELECT now, early FROM predictive_watches"), "1050.0|3");
-}
-
-/// Zones are always there: they say nothing about the time, however many they are.
-TEST_F(Watch, ZonesWithoutATimeDoNotHoldTheClock) {
-  db.exec(
-      "CREATE VIRTUAL TABLE zones USING moving_objects(id, x, y, r);"
-      "INSERT INTO zones VALUES (1, 9, 0, 5), (2, 900, 0, 5), (3, 950, 0, 5), (4, 990, 0, 5)");
-  const std::string watch = " USING predictive_watch(ships, other = zones, horizon = 100, ahead = 60)";
-  db.exec("UPDATE ships SET t = 1000; CREATE VIRTUAL TABLE entries" + watch);
-  EXPECT_EQ(db.rows("SELECT now, early FROM predictive_watches WHERE name = 'entries'"), "1000.0|0");
-  db.exec("DROP TABLE entries; DELETE FROM ships; CREATE VIRTUAL TABLE entries" + watch +
-          "; INSERT INTO ships VALUES (1, 1000, 0, 0, 1, 0, 1)");
-  EXPECT_EQ(db.rows("SELECT now, pairs, fault FROM predictive_watches WHERE name = 'entries'"),
-            "1000.0|1|NULL");
-  db.exec("UPDATE zones SET x = x + 1; UPDATE ships SET t = 1030");
-  EXPECT_EQ(db.rows("SELECT now, pairs FROM predictive_watches WHERE name = 'entries'"), "1030.0|1");
-}
-
 TEST(WatchFile, SurvivesClosingAndASecondWriter) {
   const TemporaryFile file;
   {

@@ -37,6 +37,8 @@ class Reader:
         with committed(db):
             db.execute("CREATE TABLE IF NOT EXISTS foresee_readers(watch TEXT, reader TEXT, seq INTEGER NOT NULL, created INTEGER, "
                        "PRIMARY KEY(watch, reader))")
+            if "created" not in [row[1] for row in db.execute("PRAGMA table_info(foresee_readers)")]:      # of an older version
+                db.execute("ALTER TABLE foresee_readers ADD COLUMN created INTEGER")
             db.execute("INSERT OR IGNORE INTO foresee_readers VALUES (?, ?, 0, NULL)", (watch, name))
         # A position that is lost in a power failure repeats changes: it need not wait for the disk.
         db.execute("PRAGMA synchronous = NORMAL")
@@ -46,7 +48,7 @@ class Reader:
 
     def recognise(self, created):
         """A watch that was dropped and created again counts its changes from the start: nothing of it was read yet."""
-        if self.created is not None and created != self.created and self.position:
+        if created != self.created and self.position:
             say(f"{self.watch} was created again: the whole watch follows")
             self.position = 0
         self.created = created
@@ -71,9 +73,9 @@ class Reader:
                     raise
 
 
-def changes_after(db, reader):
+def changes_after(db, reader, there):
     """(changes, position behind them, whether they are the whole watch, because the next ones are no longer kept)."""
-    watch, there = reader.watch, watch_of(db, reader.watch)
+    watch = reader.watch
     if there.fault and "damaged" in there.fault:
         raise Refusal(there.fault)
     reader.recognise(there.created)
@@ -137,7 +139,7 @@ def deliver(changes, is_whole, options, hook, reader):
     """Whether all were delivered. Rows of the whole watch share one position, which moves once all of them are."""
     for change in changes:
         if not options.news or is_news(change):
-            if hook and not hook.deliver(change):
+            if hook and not hook.deliver(change, reader.created):
                 return False
             write_line(json.dumps(change) if options.json else as_text(change))
             if hook and not is_whole:
@@ -163,7 +165,10 @@ def follow(db, options, hook, stop):
                 continue
             seen = version
             with one_state(db):
-                rows, position, is_whole = changes_after(db, reader)
+                watch = watch_of(db, options.watch)
+                if watch.created != encounters.watch.created:
+                    encounters = Encounters(db, watch)
+                rows, position, is_whole = changes_after(db, reader, watch)
                 changes = [encounters.describe(row) for row in rows]
             if is_whole:
                 changes.sort(key=urgency)

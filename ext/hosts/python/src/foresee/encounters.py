@@ -66,8 +66,10 @@ class Encounters:
         if self.is_of_areas or t_cpa < now + self.watch.horizon * (1 - 1e-9):
             return row
         watch = self.watch
-        further = self.db.execute("SELECT t_cpa, d_cpa FROM predictive_join(?, ?, ?, ?) WHERE now = ? AND within_z IS ? AND a = ? AND b = ?",
-                                  (watch.horizon + BEYOND, watch.tbl, watch.within, watch.other, now, watch.within_z, a, b)).fetchone()
+        upright = () if watch.within_z is None else (watch.within_z,)
+        further = self.db.execute("SELECT t_cpa, d_cpa FROM predictive_join(?, ?, ?, ?) WHERE now = ? AND a = ? AND b = ?"
+                                  f"{' AND within_z = ?' if upright else ''}",
+                                  (watch.horizon + BEYOND, watch.tbl, watch.within, watch.other, now, a, b, *upright)).fetchone()
         return (start, *further) if further else row
 
     def measures(self, t, t_cpa, distance, now):

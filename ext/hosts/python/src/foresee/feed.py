@@ -52,8 +52,9 @@ def require_origin(db, name, origin):
     if not table.degrees:
         db.execute("INSERT INTO foresee_feed(tbl, origin) VALUES (?, ?) ON CONFLICT(tbl) DO UPDATE SET origin = excluded.origin",
                    (name, f"{origin[0]!r} {origin[1]!r}"))
-    elif table.globe or (table.origin and table.origin != origin):
-        there = "is on the globe" if table.globe else f"has the origin {table.origin[0]:g} {table.origin[1]:g}"
+    elif table.globe or table.origin != origin:
+        there = "is on the globe" if table.globe else "takes its origin from its first report" if table.origin is None else \
+            f"has the origin {table.origin[0]:g} {table.origin[1]:g}"
         raise Refusal(f"{name} {there}: --origin is for a new table; leave it out, or write another --table")
 
 

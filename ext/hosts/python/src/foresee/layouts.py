@@ -75,7 +75,11 @@ class JsonLines(Lines):
         self.arrival = arrival
 
     def report(self, line):
-        return report_of(by_quantity(json_object(line)), now=time.time() if self.arrival else None)
+        values = by_quantity(json_object(line))
+        report = report_of(values, now=time.time())
+        if report is not None and report.t is not None and "t" not in values and not self.arrival:
+            raise BadReport("the time (t) is missing; with --arrival a report without one has the time of its arrival")
+        return report
 
 
 def decoder_of(first, layout="auto", arrival=False):

@@ -90,10 +90,12 @@ class State:
         first = "t" if encounters.is_of_areas else "t_cpa"
         rows = self.db.execute(f"SELECT a, b, t, t_cpa, d_cpa FROM {quoted(watch)} ORDER BY t <= ?, {first}, a, b LIMIT ?",
                                (now, MAX_PAIRS)).fetchall()
+        pairs = [{"a": a, "b": b, "a_name": encounters.name(encounters.first, a), "b_name": encounters.name(encounters.second, b),
+                  "near": t <= now, **encounters.measures(*encounters.closest(a, b, (t, t_cpa, d_cpa), now), now)}
+                 for a, b, t, t_cpa, d_cpa in rows]
+        pairs.sort(key=lambda pair: (pair["near"], pair["tcpa_min"] if pair["entry_min"] is None else pair["entry_min"]))
         return {"name": watch, "within": there.within, "horizon": there.horizon, "other": there.other, "of_areas": encounters.is_of_areas,
-                "now": now, "pairs": [
-            {"a": a, "b": b, "a_name": encounters.name(encounters.first, a), "b_name": encounters.name(encounters.second, b),
-             "near": t <= now, **encounters.measures(*encounters.closest(a, b, (t, t_cpa, d_cpa), now), now)} for a, b, t, t_cpa, d_cpa in rows]}
+                "now": now, "pairs": pairs}
 
 
 def only_table(db):

@@ -4,7 +4,7 @@ r"""NMEA sentences of AIS receivers, decoded by gpsdecode of Debian's gpsd-clien
 
 The time of a report is that of its tag block (c:, Unix seconds), else the time of its arrival. gpsdecode holds its last sentences back
 until more arrive, so each group of lines has a process of its own, which takes some milliseconds. It drops what it cannot decode,
-and does not name the sentence of an output: outputs are matched with sentences by the number of the ship, in order.
+and does not name the sentence of an output: outputs are matched with sentences by ship and type of message, in order.
 """
 import re
 import shutil
@@ -31,13 +31,14 @@ def checksum(body):
     return total
 
 
-def ship_of(payload):
-    """The number of the ship, in bits 8 to 37 of a payload of six bits per character; None where they are not there."""
+def kind_of(payload):
+    """(number of the ship, type of the message): in bits 8 to 37 and 0 to 5 of a payload of six bits per character; None where they
+    are not there."""
     bits = 0
     for character in payload[:7]:
         value = ord(character) - 48
         bits = bits << 6 | (value - 8 if value > 40 else value) & 63
-    return bits >> 4 & 0x3FFFFFFF if len(payload) >= 7 else None
+    return (bits >> 4 & 0x3FFFFFFF, bits >> 36) if len(payload) >= 7 else None
 
 
 class Sentences:
@@ -74,7 +75,7 @@ class Sentences:
         t = t / 1000 if t > 1e11 else t
         message = (count, sequence, channel)
         if place == "1":
-            self.unfinished[message] = ([], ship_of(payload), t)
+            self.unfinished[message] = ([], kind_of(payload), t)
         elif message not in self.unfinished:
             return                          # its start was not received: nothing is wrong with this line
         whole, ship, t = self.unfinished[message]
@@ -102,12 +103,11 @@ class Sentences:
             number = None
             try:
                 fields = json_object(line)
-                match = next((i for i in range(place, len(times)) if times[i][0] == fields.get("mmsi")), None)
-                if match is None:
+                kind = (fields.get("mmsi"), fields.get("type"))
+                match = next((i for i in range(place, len(times)) if times[i][0] == kind), None)
+                if match is None or kind[1] not in POSITIONS_AND_NAMES:
                     continue
-                place = match + 1           # also behind a message of another type
-                if fields.get("type") not in POSITIONS_AND_NAMES:
-                    continue
+                place = match + 1           # two messages of type 24 have one output: the second is passed over
                 _, t, number = times[match]
                 report = report_of({**by_quantity({key: fields[key] for key in FIELDS if key in fields}), "t": t})
             except UNREADABLE as reason:

@@ -57,11 +57,12 @@ def by_quantity(fields):
     """The values of a report by quantity; of two names for one the earlier in FIELDS counts."""
     found = {}
     for field, value in fields.items():
-        quantity = QUANTITY.get(str(field).strip().lower())
-        if quantity == "t" and is_second(value):
+        name = str(field).strip().lower()
+        quantity = QUANTITY.get(name)
+        if name == "timestamp" and is_second(value):
             continue
         if quantity is not None and value not in (None, ""):
-            rank = FIELDS[quantity].index(str(field).strip().lower())
+            rank = FIELDS[quantity].index(name)
             if quantity not in found or rank < found[quantity][0]:
                 found[quantity] = (rank, value)
     return {quantity: value for quantity, (_, value) in found.items()}
@@ -162,7 +163,7 @@ def report_of(value, now=None, id=None):
         return None if name is None else Report(int(ship), None, name=name)
     t = seconds(value["t"]) if "t" in value else now
     if t is None:
-        raise BadReport("the time (t) is missing; with --arrival a report without one has the time of its arrival")
+        raise BadReport("the time (t) is missing")
     return Report(int(ship), t, lat, lon, 0.0 if still else speed, course, name)
 
 

@@ -38,10 +38,11 @@ class Webhook:
         self.line = Line(parts)
         self.retries = 0
 
-    def deliver(self, change):
-        """Whether it arrived; not where stop() became true before."""
+    def deliver(self, change, created=None):
+        """Whether it arrived; not where stop() became true before. `created`: the number of the watch (predictive_watches)."""
         body = json.dumps(change).encode()
-        key = f"{change['watch']}-{change['seq']}-{change['a']}-{change['b']}"
+        watch = change["watch"] if created is None else f"{change['watch']}-{created & 0xFFFFFFFFFFFFFFFF:x}"
+        key = f"{watch}-{change['seq']}-{change['a']}-{change['b']}"
         pause = SHORTEST_PAUSE
         while True:
             problem, wait = self.post(body, key)
