@@ -105,17 +105,18 @@ void PairUpdate::follow_reports() {
 }
 
 /// After a pause of the feed that is longer than `ahead`, every report is early. The clock follows objects whose early
-/// reports agree within `ahead`, if they are more than agree at any other time. It follows fewer once each has reported
-/// twice and hardly any other report has come. Some fast clocks among many right ones are neither.
+/// reports agree within `ahead`, if they are more than agree at any other time. It follows fewer once their reports are
+/// more than those others, and hardly any other report comes. Some fast clocks among many right ones are neither.
 void PairUpdate::follow_early_reports() {
   constexpr std::int64_t min_score = 16;
   const std::vector<double> instants = report_times(true);
-  const auto end_of_others =
-      std::upper_bound(instants.begin(), instants.end(), *state_.clock + *state_.ahead);
-  const Cluster others = largest_cluster({instants.begin(), end_of_others}, *state_.ahead),
-                early = largest_cluster({end_of_others, instants.end()}, *state_.ahead);
+  const std::span<const double> all(instants.data(), instants.size());
+  const auto first_early = static_cast<std::size_t>(
+      std::upper_bound(all.begin(), all.end(), *state_.clock + *state_.ahead) - all.begin());
+  const Cluster others = largest_cluster(all.first(first_early), *state_.ahead),
+                early = largest_cluster(all.subspan(first_early), *state_.ahead);
   if (early.count == 0) return;
-  if (early.count <= others.count && state_.early_score < 2 * early.count + min_score) return;
+  if (early.count <= others.count && state_.early_score < 2 * early.count + others.count + min_score) return;
   state_.clock = early.last;
   state_.early_score = 0;
 }
