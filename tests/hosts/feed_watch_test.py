@@ -1,6 +1,7 @@
 """python3 -m foresee feed: what it says of a watch, an origin, a time or a ship that is not as the options or the columns suggest."""
 import json
 import shutil
+import time
 
 from hosts import main, skip
 from live import START, Live, totals
@@ -45,6 +46,14 @@ class FeedWatch(Live):
         self.feed(SHIPS.format(START), "--watch", "alerts", "--horizon", "700", "--forget", "900")
         self.feed(f"mmsi,t,lat,lon,sog,cog\n3,{START + 1700},53.5,7.5,5,5\n")
         self.assertEqual(self.watch(), [(START, 1, 1)])
+
+    def test_reports_of_the_future_are_bad(self):
+        now = round(time.time())
+        lines = f"mmsi,t,lat,lon,sog,cog\n1,{now + 200},53.99,7.85,14,91\n2,{now + 1700},53.985,8.0,12,272\n"
+        errors = self.feed(lines)
+        self.assertRegex(errors[0], r"^foresee feed: ship 2: its report is 1\d\d\d s later than the clock of this machine, more than --future 300$")
+        self.assertEqual(totals(errors), (3, 1, 0, 0, 1))
+        self.assertEqual(totals(self.feed(lines, "--future", "1e9"))[1:], (2, 0, 0, 0))
 
     def test_a_watch_that_is_there_keeps_its_table_and_its_options(self):
         self.feed(SHIPS.format(START), "--watch", "alerts")

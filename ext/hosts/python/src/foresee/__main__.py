@@ -64,6 +64,8 @@ def arguments(given=None):
     feed.add_argument("--every", type=positive, default=1.0, help="seconds between transactions; 1,000 rows end one before (%(default)g)")
     feed.add_argument("--forget", type=positive, default=900.0,
                       help="seconds after its last report at which a ship ends, in a table with until (%(default)g)")
+    feed.add_argument("--future", type=not_negative, default=300.0,
+                      help="seconds by which a report may be later than the clock of this machine; later ones are bad (%(default)g)")
     feed.add_argument("--no-kinds", dest="kinds", action="store_false", help="do not write moored and under way into category and mask")
     feed.add_argument("--mqtt", metavar="URL", help="mqtt://[user:password@]host[:port]/topic, or mqtts: read from a broker")
     feed.add_argument("--client-id", help="of the persistent MQTT session (from host, file, table and topic)")

@@ -1,6 +1,6 @@
 """Batches: lines of standard input in groups, reports in transactions, each with the number of its last line.
 
-    batches = Batches(db, Table(db, "ships"), Progress(sys.stderr))
+    batches = Batches(db, Table(db, "ships"), Progress(sys.stderr), future=300.0)
     for group in line_groups(0, seconds=1.0, limit=1000):           # 0 is the descriptor of standard input
         batches.commit(*decoder.read(group), lines=len(group), last_line=group[-1][0])
 
@@ -60,15 +60,20 @@ class Progress:
 
 
 class Batches:
-    def __init__(self, db, table, progress):
-        self.db, self.table, self.progress = db, table, progress
+    def __init__(self, db, table, progress, future):
+        """`future`: seconds by which a report may be later than the clock of this machine."""
+        self.db, self.table, self.progress, self.future = db, table, progress, future
 
     def commit(self, reports, bad, lines, last_line=None, also=lambda: None):
         """Stores reports in one transaction, in which also() writes too. What the table refuses is a bad line; everything else ends the
         feed, and stores nothing."""
-        stored, without_position, refused = 0, 0, []
+        stored, without_position, refused, latest = 0, 0, [], time.time() + self.future
         with committed(self.db):
             for report in reports:
+                if report.t is not None and report.t > latest:
+                    refused.append((report.id, f"its report is {report.t - latest + self.future:.0f} s later than the clock of this "
+                                               f"machine, more than --future {self.future:g}"))
+                    continue
                 try:
                     was_stored = self.table.write(report)
                     stored += was_stored

@@ -159,7 +159,7 @@ def run(options):
     db = opened(options.file, create=True)
     try:
         progress = Progress(sys.stderr)
-        batches = Batches(db, prepared(db, options, progress.say), progress)
+        batches = Batches(db, prepared(db, options, progress.say), progress, options.future)
         (from_broker if options.mqtt else from_standard_input)(batches, options, stop)
         progress.show(final=True)
     except (MissingColumns, NoDecoder) as reason:
