@@ -8,5 +8,6 @@ namespace foresee::bench {
 void measure_values(const Options& options);
 void measure_movers(const Options& options);
 void measure_satellites(const Options& options);
+void measure_waits(const Options& options);
 
 }  // namespace foresee::bench

@@ -137,10 +137,6 @@ class StandardInput(Live):
         errors = self.feed("mmsi,t,lat,lon,sog,cog,name\n1,1641168000,53,7,5,5,ANNA\n2,1641168000,91,7,5,5,BRUNO\n3,1641168000,53,7,102.3,360,\n")
         self.assertEqual(totals(errors), (4, 1, 0, 2, 0))
 
-    def test_the_name_of_a_table_is_no_watch(self):
-        errors = self.feed("mmsi,t,lat,lon,sog,cog\n", "--watch", "ships", fails=True)
-        self.assertEqual(errors[-1], "foresee feed: ships is a table, not a watch; write another name after --watch")
-
     def test_a_name_that_came_once_is_kept(self):
         self.feed("mmsi,t,lat,lon,sog,cog,name\n1,10,53,7,5,5,ANNA\n1,20,53,7,5,5,\n")
         self.assertEqual(self.database().execute("SELECT t, name FROM ships").fetchall(), [(20, "ANNA")])

@@ -64,6 +64,10 @@ class FeedWatch(Live):
         self.assertEqual(errors, "foresee feed: alerts is a watch of ships, not of boats; write another name after --watch\n")
         self.assertEqual(self.database().execute("SELECT count(*) FROM sqlite_schema WHERE name = 'boats'").fetchone(), (0,))
 
+    def test_the_name_of_a_table_is_no_watch(self):
+        errors = self.feed("mmsi,t,lat,lon,sog,cog\n", "--watch", "ships", fails=True)
+        self.assertEqual(errors[-1], "foresee feed: ships is a table, not a watch; write another name after --watch")
+
     def test_an_origin_is_for_a_new_table(self):
         self.feed(SHIPS.format(START), "--origin", "54 8")
         self.feed(SHIPS.format(START + 1), "--origin", "54 8")

@@ -130,6 +130,53 @@ class Live(Host):
                 self.assertAlmostEqual(got, want, delta=1e-6, msg=f"ship {ship}: {stored[ship]}, not {values}")
 
 
+class WatchedShips(Live):
+    """Three ships and a watch of them, which can change while a reader runs."""
+
+    def setUp(self):
+        super().setUp()
+        # Two ships under way towards each other, and one at anchor near their course.
+        self.report("1,10,53.99,7.85,14,91,ANNA\n2,10,53.985,8.0,12,272,BRUNO\n3,10,53.9875,7.92,0,0,DORA\n")
+
+    def report(self, rows, *options):
+        self.command("feed", self.file, "--table", "ships", "--watch", "alerts", "--horizon", "600", "--origin", "54 8", *options,
+                     text="mmsi,t,lat,lon,sog,cog,name\n" + rows)
+
+    def alerts(self, *options):
+        return self.command("alerts", self.file, "alerts", "--once", *options)[0].splitlines()
+
+    def write_changes(self, count, pause):
+        """Ship 1 turns away and back, commit after commit, in a thread; the thread."""
+        def write():
+            db = self.database_of_thread()
+            for i in range(count):
+                db.execute("UPDATE ships SET t = ?, course = ? WHERE id = 1", (10 + i / 1000, 91 if i % 2 else 271))
+                time.sleep(pause)
+            db.close()
+        thread = threading.Thread(target=write)
+        thread.start()
+        return thread
+
+    def database_of_thread(self):
+        db = sqlite3.connect(self.file, isolation_level=None, timeout=30)
+        db.enable_load_extension(True)
+        db.load_extension(str(self.site / "foresee/foresee"))
+        return db
+
+    def published(self, after):
+        return [row[0] for row in self.database().execute("SELECT seq FROM predictive_changes('alerts', ?)", (after,))]
+
+    def assert_nothing_missed(self, runs, wanted):
+        """Each reader goes on where the one before ended: only what was being delivered when that one was killed comes twice."""
+        delivered = 0
+        for run in filter(None, runs):
+            start = wanted.index(run[0])
+            self.assertLessEqual(start, delivered, "a change was missed between two readers")
+            self.assertEqual(run, wanted[start:start + len(run)])
+            delivered = max(delivered, start + len(run))
+        self.assertEqual(delivered, len(wanted))
+
+
 def made_up_report(number, ships):
     """The number-th report of a fleet off Heligoland: (ship, t, lat, lon, speed, course)."""
     ship, turn = number % ships, number // ships

@@ -16,9 +16,9 @@
 #include "storage/format/declaration.h"
 #include "storage/rows/shadow_rows.h"
 #include "storage/rows/store_error.h"
-#include "storage/table/store_state.h"
 #include "storage/table/stored_forms.h"
 #include "storage/table/stored_plans.h"
+#include "storage/table/table_totals.h"
 #include "storage/table/table_transaction.h"
 #include "storage/tree/tree_store.h"
 

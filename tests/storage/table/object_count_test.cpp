@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "storage/database.h"
-#include "storage/table/store_state.h"
+#include "storage/table/table_totals.h"
 
 namespace foresee {
 namespace {

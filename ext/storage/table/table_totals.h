@@ -1,4 +1,4 @@
-// What a store knows of its objects as a whole: their number, the largest id, the origin that the first one has
+// What is known of the objects of a table as a whole: their number, the largest id, the origin that the first one has
 // chosen.
 #pragma once
 
