@@ -101,7 +101,7 @@ const char* records_fault(const NodeFormat& format, const std::byte* records, st
   if (!ends && !all_finite(records, count * size)) return not_finite;
   const bool extended = format.layout.shape != Shape::point, forced = format.layout.law == Law::forced;
   const bool kinds = has_kinds(format.layout), plans = format.layout.has_plan;
-  if (!ends && !extended && !forced && !kinds) return nullptr;
+  if (!ends && !extended && !forced && !kinds && !plans) return nullptr;
   for (const std::byte* record = records; record != records + count * format.record_size;
        record += format.record_size) {
     if (ends && !all_finite(record, static_cast<std::size_t>(format.at.until))) return not_finite;

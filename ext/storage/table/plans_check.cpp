@@ -8,6 +8,31 @@
 #include "storage/table/stored_plans.h"
 
 namespace foresee {
+namespace {
+
+/// Compares the starts of chunks with those that the first chunk of the plan has. A query finds the legs of few moments
+/// by these, so a wrong one hides legs.
+class StartsCheck {
+ public:
+  /// What is wrong with a chunk of `head`; null: nothing. Call it for the chunks in order.
+  const char* fault(const StoredPlans::Head& head, std::int64_t number, const StoredChunk& chunk) {
+    if (chunk.is_first) {
+      first_ = number;
+      starts_.clear();
+      for (std::size_t i = 0; i < chunk.plan_chunks; ++i) starts_.push_back(chunk.start(i));
+    }
+    if (first_ != head.first) return nullptr;  // that chunk is damaged
+    return starts_[static_cast<std::size_t>(number - first_)] == chunk.t()
+               ? nullptr
+               : "the first chunk of its plan has another start for it";
+  }
+
+ private:
+  std::int64_t first_ = 0;
+  std::vector<double> starts_;
+};
+
+}  // namespace
 
 // A chunk that is damaged or missing is an error before anything changes; one of no object is deleted.
 void StoredPlans::rebuild(std::vector<Head>& heads, std::span<const double> records, Interrupt& interrupt) {
@@ -18,13 +43,16 @@ void StoredPlans::rebuild(std::vector<Head>& heads, std::span<const double> reco
   std::vector<std::int64_t> strays;
   std::vector<double> item(item_size);
   std::vector<Leg> legs;
+  StartsCheck starts;
   const auto for_each_item = [&](const TreeStore::UseObject& use) {
     bool goes_on = true;
     strays.clear();
     const auto read_chunk = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
       if (!goes_on) return;
       legs.clear();
-      require(append_legs(opened(number, blob, &head), legs), number);
+      const StoredChunk chunk = opened(number, blob, &head);
+      require(starts.fault(head, number, chunk), number);
+      require(append_legs(chunk, legs), number);
       write_chunk_item(layout_, records.data() + head.record * record_size, legs, item.data());
       goes_on = use(number, item.data());
     };
@@ -118,6 +146,7 @@ void StoredPlans::check(std::vector<Head>& heads, std::span<const double> record
                         Interrupt& interrupt) {
   const FloatEnvironment environment;
   PlansCheck check(*this, records, say);
+  StartsCheck starts;
   std::vector<Leg> legs;
   std::int64_t found = 0, total = 0, sound = 0;
   const auto read_chunk = [&](const Head& head, std::int64_t number, std::span<const std::byte> blob) {
@@ -125,6 +154,7 @@ void StoredPlans::check(std::vector<Head>& heads, std::span<const double> record
     try {
       legs.clear();
       const StoredChunk chunk = opened(number, blob, &head);
+      require(starts.fault(head, number, chunk), number);
       require(append_legs(chunk, legs), number);
       check.chunk(head, number, chunk, legs);
       ++sound;

@@ -153,16 +153,23 @@ TreeStore::Rebuild::Rebuild(TreeStore& tree, Interrupt& interrupt)
     : tree_(tree),
       interrupt_(interrupt),
       replacement_(
-          tree, [this](const UseObject& use) { read_leaves(use); }, interrupt) {}
+          tree, [this](const UseObject& use) { read_leaves(use); }, interrupt) {
+  if (!damaged_nodes_.empty()) require_leaves_of_map();
+}
 
 void TreeStore::Rebuild::read_leaves(const UseObject& use) {
   const NodeFormat& format = tree_.format_;
   unsigned nodes = 0;
   bool goes_on = true;
   forms_.clear();
+  damaged_nodes_.clear();
   tree_.rows_->read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
     if (++nodes % 16 == 0) interrupt_.check();
     if (!goes_on || is_inner(format, blob, number)) return;
+    if (const char* fault = tree_.cache_.fault(number, blob)) {
+      damaged_nodes_.emplace(number, fault);
+      return;
+    }
     tree_.read_stored_leaf(number, blob, [&](const LeafView& leaf) {
       for_each_object(leaf, static_cast<std::size_t>(format.at.size),
                       [&](std::int64_t id, const double* record) {
@@ -172,6 +179,21 @@ void TreeStore::Rebuild::read_leaves(const UseObject& use) {
                       });
     });
   });
+}
+
+// A damaged node is no leaf if the map sends no object to it, and the other leaves have all objects of the map.
+void TreeStore::Rebuild::require_leaves_of_map() {
+  std::size_t objects = 0;
+  const auto damaged = [&](const auto& node) {
+    tree_.damaged("node " + std::to_string(node.first) + " is damaged: " + node.second);
+  };
+  Steps step(interrupt_);
+  tree_.rows_->map().read([&](std::int64_t, std::int64_t leaf) {
+    step();
+    ++objects;
+    if (const auto found = damaged_nodes_.find(leaf); found != damaged_nodes_.end()) damaged(*found);
+  });
+  if (objects != this->objects()) damaged(*damaged_nodes_.begin());
 }
 
 // --- with pending objects

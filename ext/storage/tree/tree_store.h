@@ -16,6 +16,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <string>
 #include <unordered_set>
 
 #include "base/float_environment.h"
@@ -172,7 +174,7 @@ class TreeStore::Replacement {
 };
 
 /// Reads and checks every leaf when it is made, whether or not the tree refers to it; the contents of inner nodes
-/// are ignored. Nothing is written before write().
+/// are ignored, damaged ones too. Nothing is written before write().
 class TreeStore::Rebuild {
  public:
   Rebuild(TreeStore& tree, Interrupt& interrupt);
@@ -185,11 +187,13 @@ class TreeStore::Rebuild {
 
  private:
   void read_leaves(const UseObject& use);
+  void require_leaves_of_map();
 
   TreeStore& tree_;
   Interrupt& interrupt_;
   std::unordered_set<std::int64_t> forms_;
-  Replacement replacement_;  ///< which reads the leaves when it is made
+  std::map<NodeNumber, std::string> damaged_nodes_;  ///< with what is wrong
+  Replacement replacement_;                          ///< which reads the leaves when it is made
 };
 
 }  // namespace foresee

@@ -147,6 +147,32 @@ TEST_F(Damage, AnObjectInTwoLeavesIsFound) {
   commit(db, *store);
 }
 
+TEST_F(Damage, RebuildDoesNotNeedInnerNodes) {
+  db.run("UPDATE ships_node SET data = zeroblob(4032) WHERE nodeno = 3");
+  expect_faults({"ships: node 3 is damaged: its checksum does not match"});
+  begin(db, *store);
+  store->rebuild(never);
+  commit(db, *store);
+  expect_faults({});
+  EXPECT_EQ(contents(*store).size(), 100u);
+}
+
+TEST_F(Damage, RebuildRefusesANodeThatMayBeALeaf) {
+  const std::string words = "ships: node 2 is damaged: its checksum does not match";
+  const auto expect_refused = [&] {
+    begin(db, *store);
+    expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->rebuild(never); });
+    roll_back(db, *store);
+  };
+  // A leaf that says it is an inner node, and then one that the map has lost too.
+  db.run(
+      "UPDATE ships_node SET data = CAST(CAST(x'01' AS BLOB) || substr(data, 2) AS BLOB) WHERE nodeno = 2");
+  expect_refused();
+  write_map_as_version_0_1(db);
+  db.run("UPDATE ships_map SET leaf = 1 WHERE leaf = 2");
+  expect_refused();
+}
+
 TEST_F(Damage, AMissingStampIsAnError) {
   db.run("UPDATE ships_meta SET value = 'abc' WHERE key = 'stamp'");
   expect_store_error(SQLITE_CORRUPT_VTAB, "ships: the stamp is missing", [&] { store->read_version(); });

@@ -1,4 +1,5 @@
 // Plans that are damaged: reported in every way of reading, and by 'integrity-check'; repaired by 'rebuild'.
+#include "storage/format/node_format.h"
 #include "storage/plan_cases.h"
 
 namespace foresee {
@@ -95,6 +96,33 @@ TEST_F(PlanDamage, AChunkOfAnotherObjectIsRefused) {
   begin(db, *store);
   expect_store_error(SQLITE_CORRUPT_VTAB, "is of object 2", [&] { store->rebuild(never); });
   roll_back(db, *store);
+}
+
+/// A query of few legs finds their chunk by the starts in the first one.
+TEST_F(PlanDamage, WrongStartsOfChunksAreReported) {
+  constexpr std::int64_t starts = 24;  // after the header of 16 bytes and two counts
+  const std::int64_t first = std::stoll(number(0));
+  LegRows rows(shadow_tables(db, {"main", "ships"}, fleet()));
+  std::vector<std::byte> sound;
+  rows.read(first, first, [&](std::int64_t, std::span<const std::byte> bytes) {
+    sound.assign(bytes.begin(), bytes.end());
+  });
+  const auto chunks = load_number<std::uint32_t>(sound.data() + 16);
+  ASSERT_GT(chunks, 3u);
+  for (std::int64_t chunk = 1; chunk < chunks; ++chunk) {
+    std::vector<std::byte> changed = sound;
+    std::byte* const at = changed.data() + starts + chunk * 8;
+    store_number(at, load_number<double>(at) + 1e-6);
+    seal_node(changed, first);
+    rows.write(first, changed);
+    expect_fault("chunk " + std::to_string(first + chunk) +
+                 " is damaged: the first chunk of its plan has another start for it");
+    begin(db, *store);
+    expect_store_error(SQLITE_CORRUPT_VTAB, "another start", [&] { store->rebuild(never); });
+    roll_back(db, *store);
+  }
+  rows.write(first, sound);
+  EXPECT_EQ(faults(*store), std::vector<std::string>{});
 }
 
 TEST_F(PlanDamage, StraysAreReportedAndRebuildDeletesThem) {
