@@ -89,11 +89,13 @@ void PairUpdate::follow_reports() {
     else
       state_.clock = std::max(*state_.clock, t);
   }
-  if (!counts) return;
   const std::int64_t others = static_cast<std::int64_t>(instants.size()) - early;
-  state_.early_score = std::max<std::int64_t>(0, state_.early_score + early - 2 * others);
-  const std::int64_t before = std::exchange(state_.early_reports, state_.early_reports + early);
-  if (early <= others) return;
+  const std::int64_t before = state_.early_reports;
+  if (counts) {
+    state_.early_score = std::max<std::int64_t>(0, state_.early_score + early - 2 * others);
+    state_.early_reports += early;
+    if (early <= others) return;
+  }
   // All objects are read after each so many early reports: some rows for each.
   double objects = 0;
   for (const Reporting& one : reporting_tables()) {
@@ -101,7 +103,7 @@ void PairUpdate::follow_reports() {
     objects += one.table->likely_objects();
   }
   const auto some = std::max<std::int64_t>(1, static_cast<std::int64_t>(objects / 64));
-  if (before / some != state_.early_reports / some) follow_early_reports();
+  if (!counts || before / some != state_.early_reports / some) follow_early_reports();
 }
 
 /// After a pause of the feed that is longer than `ahead`, every report is early. The clock follows objects whose early

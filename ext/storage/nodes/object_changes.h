@@ -1,13 +1,12 @@
-// Log of the objects that a transaction changes, each with its record from before the transaction.
+// Log of the objects that a transaction changes, for the watches of their table.
 //
 //   changes.start_keeping();                             // for the rest of the transaction
-//   if (!changes.knows(42)) changes.add(42, record);     // before the first change; {}: a new object
-//   changes.for_each([&](std::int64_t id, std::span<const double> before) { … });
+//   if (changes.lacks(42)) changes.add(42);              // before the first change of the object
+//   for (const std::int64_t id : changes.ids()) …        // if changes.are_complete()
 //
-// The first change of an object keeps its record, later changes keep nothing: the store has the current
-// record. The old record only decides whether the object differs; a watch has the old pairs as its rows. A rollback
-// to a savepoint forgets the objects that had not been changed before it. Cost: a look-up per change, and about
-// 40 bytes and the record per changed object.
+// A watch has the old pairs as its rows, and the store has the records, so ids suffice. A rollback to a savepoint
+// forgets the objects that had not been changed before it. A transaction that changes more than max_logged objects is
+// not logged any more: its watches join the table again. Cost: a look-up per change, some 50 bytes per changed object.
 #pragma once
 
 #include <span>
@@ -19,77 +18,66 @@ namespace foresee {
 
 class ObjectChanges final : public Journal::Participant {
  public:
+  static constexpr std::size_t max_logged = 1 << 18;
+
   explicit ObjectChanges(Journal& journal) : Participant(journal, Scope::marks) {}
 
   /// For the rest of the transaction.
   void start_keeping() noexcept { kept_ = true; }
-  bool are_kept() const noexcept { return kept_; }
-  /// True if the object's state from before the transaction is known.
-  bool knows(std::int64_t id) const noexcept { return known_.find(id) != IdHashMap::unknown; }
-  /// Requires: not known. `before`: the object's record, empty for a new object. Atomic.
-  void add(std::int64_t id, std::span<const double> before);
+  /// True if a change of this object is to be logged.
+  bool lacks(std::int64_t id) const noexcept {
+    return kept_ && complete_ && known_.find(id) == IdHashMap::unknown;
+  }
+  /// Requires: lacks(id). Atomic.
+  void add(std::int64_t id);
   /// Objects that are not in this log may have changed too.
-  void note_others() noexcept { complete_ = false; }
+  void note_others() noexcept;
   bool are_complete() const noexcept { return complete_; }
 
-  std::size_t count() const { return firsts_.size(); }
-  std::size_t memory() const;
-  /// Calls each(id, before) for every object, in the order of their first changes.
-  template <class Each>
-  void for_each(Each each) const {
-    std::size_t start = 0;
-    for (const First& first : firsts_) {
-      each(first.id, std::span<const double>(records_.data() + start, first.end - start));
-      start = first.end;
-    }
-  }
+  /// In the order of their first changes.
+  std::span<const std::int64_t> ids() const { return ids_; }
+  /// True if nothing has changed since the transaction started to keep changes.
+  bool are_none() const noexcept { return ids_.empty() && (complete_ || !kept_); }
+  std::size_t memory() const { return ids_.capacity() * sizeof(std::int64_t) + known_.memory(); }
 
  private:
-  struct First {
-    std::int64_t id;
-    std::size_t end;  ///< end of its record in records_; it starts where the previous one ends
-  };
-
-  std::size_t keep() override { return firsts_.size(); }
+  std::size_t keep() override { return ids_.size(); }
   void rewind(std::size_t position) noexcept override;
   void end(Journal::Ended how) noexcept override;
+  void release_memory() noexcept;
 
-  std::vector<First> firsts_;
-  std::vector<double> records_;
+  std::vector<std::int64_t> ids_;
   IdHashMap known_;
   bool kept_ = false;
   bool complete_ = true;
 };
 
-inline void ObjectChanges::add(std::int64_t id, std::span<const double> before) {
+inline void ObjectChanges::add(std::int64_t id) {
+  if (ids_.size() == max_logged) return note_others();
   join();
   known_.prepare(id);
-  firsts_.push_back({id, records_.size() + before.size()});
-  try {
-    records_.insert(records_.end(), before.begin(), before.end());
-  } catch (...) {
-    firsts_.pop_back();
-    throw;
-  }
+  ids_.push_back(id);
   known_.set(id, 1);
 }
 
-inline std::size_t ObjectChanges::memory() const {
-  return firsts_.capacity() * sizeof(First) + records_.capacity() * sizeof(double) + known_.memory();
+inline void ObjectChanges::note_others() noexcept {
+  complete_ = false;
+  release_memory();
 }
 
 inline void ObjectChanges::rewind(std::size_t position) noexcept {
-  for (; firsts_.size() > position; firsts_.pop_back()) known_.set(firsts_.back().id, IdHashMap::unknown);
-  records_.resize(firsts_.empty() ? 0 : firsts_.back().end);
+  for (; ids_.size() > position; ids_.pop_back()) known_.set(ids_.back(), IdHashMap::unknown);
 }
 
-// Also releases the memory that a large transaction took.
 inline void ObjectChanges::end(Journal::Ended) noexcept {
-  firsts_ = std::vector<First>();
-  records_ = std::vector<double>();
-  known_.clear();
+  release_memory();
   kept_ = false;
   complete_ = true;
+}
+
+inline void ObjectChanges::release_memory() noexcept {
+  ids_ = std::vector<std::int64_t>();
+  known_.clear();
 }
 
 }  // namespace foresee

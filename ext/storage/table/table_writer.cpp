@@ -70,21 +70,20 @@ void TableWriter::load_watch_names() {
   if (!watch_names_.get()) watch_names_.change() = shadow_rows().read_watches();
 }
 
-void TableWriter::log_before_change(std::int64_t id) {
-  if (!changes_.are_kept() || changes_.knows(id)) return;
+void TableWriter::log_change(std::int64_t id) {
+  if (changes_.lacks(id)) changes_.add(id);
+}
+
+// Bit for bit: 0 and -0 differ.
+void TableWriter::log_update(std::int64_t id, std::span<const double> record) {
+  if (!changes_.lacks(id)) return;
   const std::optional<std::vector<double>> before = read(id);
-  changes_.add(id, before ? std::span<const double>(*before) : std::span<const double>());
+  if (!before || std::memcmp(before->data(), record.data(), record.size_bytes()) != 0) changes_.add(id);
 }
 
 void TableWriter::for_each_change(const std::function<void(std::int64_t, std::span<const double>)>& each) {
   transaction_.resolve_doubt();
-  changes_.for_each([&](std::int64_t id, std::span<const double> before) {
-    const std::vector<double> after = read(id).value_or(std::vector<double>());
-    // Bit for bit: 0 and -0 differ. (An empty record has no bytes to compare.)
-    const bool equal = before.size() == after.size() &&
-                       (before.empty() || std::memcmp(before.data(), after.data(), before.size_bytes()) == 0);
-    if (!equal) each(id, after);
-  });
+  for (const std::int64_t id : changes_.ids()) each(id, read(id).value_or(std::vector<double>()));
 }
 
 std::optional<std::int64_t> TableWriter::stamp_before_changes() {
@@ -135,7 +134,7 @@ void TableWriter::insert(std::int64_t id, std::span<const double> record,
                          const Plan* plan) {
   start_change(record);
   // For most tables add() is the whole change, and atomic itself.
-  if (!plans_ && !origin && !changes_.are_kept() && !has_auxiliaries() && totals_->largest.known) {
+  if (!plans_ && !origin && !changes_.lacks(id) && !has_auxiliaries() && totals_->largest.known) {
     add(id, record);
     return version().note_change();
   }
@@ -147,7 +146,7 @@ void TableWriter::insert(std::int64_t id, std::span<const double> record,
     if (plan) require_sound(record);
   }
   if (origin) origin_.change() = {.known = true, .unwritten = true, .value = origin};
-  if (changes_.are_kept() && !changes_.knows(id)) changes_.add(id, {});
+  log_change(id);
   add(id, record);
   if (plans) plans->write();
   if (has_auxiliaries()) shadow_rows().insert_auxiliaries(id, auxiliaries);
@@ -164,14 +163,15 @@ void TableWriter::update(std::int64_t id, std::int64_t new_id, std::span<const d
     record =
         change_plans(plans.emplace(*plans_, transaction_.rolled_back_within()), id, new_id, record, plan);
   tree_.reporting_damage([&] {
-    log_before_change(id);
     if (new_id != id) {
-      log_before_change(new_id);
+      log_change(id);
+      log_change(new_id);
       if (contains(new_id)) remove(new_id);
       remove(id);
       add(new_id, record);
-    } else if (!tree_.update(id, record)) {
-      throw_missing(id);
+    } else {
+      log_update(id, record);
+      if (!tree_.update(id, record)) throw_missing(id);
     }
   });
   if (plans) plans->write();
@@ -188,7 +188,7 @@ void TableWriter::erase(std::int64_t id) {
     plans.emplace(*plans_, transaction_.rolled_back_within())
         .remove(id, read(id).value_or(std::vector<double>()));
   tree_.reporting_damage([&] {
-    log_before_change(id);
+    log_change(id);
     remove(id);
   });
   if (has_auxiliaries()) shadow_rows().erase_auxiliaries(id);

@@ -34,11 +34,12 @@ class TableWriter : public TableReader {
               std::span<sqlite3_value*> auxiliaries, const Plan* plan = nullptr);
   void erase(std::int64_t id);  ///< requires: `id` exists
 
-  /// Calls each(id, record) for every object whose record differs, bit for bit, from the start of the transaction;
-  /// in the order of first changes. An empty record: no such object. Rolled-back changes are left out. Only a
+  /// Calls each(id, record) for every object that this transaction has changed, bit for bit, in the order of first
+  /// changes; also if it has changed it back. An empty record: no such object. Rolled-back changes are left out. Only a
   /// transaction whose first change finds the name of a watch knows its changes. Cost: a read() per object.
   void for_each_change(const std::function<void(std::int64_t id, std::span<const double> record)>& each);
-  /// The stamp before all changes of for_each_change(); nothing if these are unknown (after 'rebuild').
+  /// The stamp before all changes of for_each_change(); nothing if these are unknown (after 'rebuild', or if they are
+  /// too many for ObjectChanges).
   std::optional<std::int64_t> stamp_before_changes();
 
  protected:
@@ -53,12 +54,13 @@ class TableWriter : public TableReader {
   void note_unknown_changes() { changes_.note_others(); }
 
  private:
-  bool has_unwritten_changes() const override { return has_unwritten() || changes_.count() > 0; }
+  bool has_unwritten_changes() const override { return has_unwritten() || !changes_.are_none(); }
   /// Throws Error for a record that would be damage in a leaf.
   void require_sound(std::span<const double> record) const;
-  /// For watches: logs the record of `id`, or that it does not exist, before its first change in a transaction. Does
-  /// nothing for later changes, nor in a table without watches.
-  void log_before_change(std::int64_t id);
+  /// For watches: logs a change of `id`. Does nothing in a table without watches.
+  void log_change(std::int64_t id);
+  /// The same, unless the stored record is this one. Call it before the change.
+  void log_update(std::int64_t id, std::span<const double> record);
   [[noreturn]] void throw_missing(std::int64_t id) const;
   /// The plans of an update(); returns the record to store.
   std::span<const double> change_plans(StoredPlans::Change& plans, std::int64_t id, std::int64_t new_id,

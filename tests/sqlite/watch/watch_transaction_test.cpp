@@ -96,5 +96,34 @@ TEST(WatchTransaction, ReadsTheRowsOfAPendingAdvance) {
   EXPECT_EQ(db.rows("SELECT a, b, t FROM alerts"), "");
 }
 
+/// More changes than ObjectChanges logs, after a pause of the feed: the pairs are joined again, and the clock follows.
+TEST(WatchTransaction, OfVeryManyObjectsJoinsThemAgain) {
+  Database db;
+  const auto report = [&](const std::string& t) {
+    db.exec("UPDATE ships SET t = " + t + ", vx = -vx; UPDATE ships SET vx = 0 WHERE id % 1000 = 0");
+  };
+  db.exec(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, vx, r);"
+      "INSERT INTO ships WITH RECURSIVE n(id) AS (SELECT 1 UNION ALL SELECT id + 1 FROM n WHERE id < 262200)"
+      "  SELECT id, 0, id * 100, iif(id % 1000 < 2, 9 - id % 2 * 18, 0), 1 FROM n;"
+      "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 20, ahead = 60)");
+  const auto expect_joined = [&](const std::string& now) {
+    ASSERT_EQ(db.rows("SELECT now, early, fault FROM predictive_watches"), now);
+    const std::string joined = all_columns(
+        db, "predictive_join WHERE h = 20 AND tbl = 'ships' AND now = " + now.substr(0, now.find('|')));
+    ASSERT_EQ(all_columns(db, "alerts"), joined);
+    db.exec("INSERT INTO alerts(alerts) VALUES('integrity-check')");
+  };
+  expect_joined("0.0|0|NULL");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM alerts"), "262");
+  db.exec("BEGIN; SAVEPOINT s");
+  report("500");
+  db.exec("ROLLBACK TO s");
+  db.exec("COMMIT");
+  expect_joined("0.0|0|NULL");
+  report("500");
+  expect_joined("500.0|0|NULL");
+}
+
 }  // namespace
 }  // namespace foresee

@@ -1,8 +1,10 @@
-// Log of changed objects: always the difference between the start of the transaction and now.
+// Log of changed objects: always those that the transaction has changed and not rolled back.
 #include "storage/nodes/object_changes.h"
 
+#include <cstdio>
 #include <map>
 #include <random>
+#include <set>
 
 #include "sqlite/foresee.h"
 #include "storage/database.h"
@@ -15,28 +17,51 @@ using Record = std::vector<double>;
 using Objects = std::map<std::int64_t, Record>;
 using Difference = std::map<std::int64_t, Record>;  // the changed objects as they are now; empty: erased
 
-TEST(ObjectChanges, KeepTheRecordFromBeforeTheFirstChange) {
+std::vector<std::int64_t> logged(const ObjectChanges& changes) {
+  return {changes.ids().begin(), changes.ids().end()};
+}
+
+TEST(ObjectChanges, AreThoseSinceTheStartAndNotRolledBack) {
   Journal journal;
   ObjectChanges changes(journal);
   journal.begin();
-  const Record before{1, 2};
-  changes.add(7, before);
-  changes.add(8, {});
-  EXPECT_TRUE(changes.knows(7) && changes.knows(8));
-  EXPECT_FALSE(changes.knows(9));
+  EXPECT_FALSE(changes.lacks(7)) << "no change is kept yet";
+  changes.start_keeping();
+  EXPECT_TRUE(changes.are_none());
+  for (const std::int64_t id : {7, 8})
+    if (changes.lacks(id)) changes.add(id);
+  EXPECT_FALSE(changes.lacks(7) || changes.lacks(8));
   const Journal::Mark mark = journal.set_mark();
-  changes.add(9, before);
+  changes.add(9);
   journal.rewind(mark);
-  EXPECT_FALSE(changes.knows(9));
-  changes.add(-9, before);
-  std::vector<std::pair<std::int64_t, Record>> seen;
-  changes.for_each([&](std::int64_t id, std::span<const double> record) {
-    seen.emplace_back(id, Record(record.begin(), record.end()));
-  });
-  EXPECT_EQ(seen, (decltype(seen){{7, before}, {8, {}}, {-9, before}}));
+  EXPECT_TRUE(changes.lacks(9));
+  changes.add(-9);
+  EXPECT_EQ(logged(changes), (std::vector<std::int64_t>{7, 8, -9}));
+  EXPECT_FALSE(changes.are_none());
   journal.end(Journal::Ended::committed);
-  EXPECT_EQ(changes.count(), 0u);
+  EXPECT_TRUE(changes.are_none());
   EXPECT_EQ(changes.memory(), 0u);
+}
+
+TEST(ObjectChanges, OfVeryManyObjectsAreNotLogged) {
+  Journal journal;
+  ObjectChanges changes(journal);
+  journal.begin();
+  changes.start_keeping();
+  const auto limit = static_cast<std::int64_t>(ObjectChanges::max_logged);
+  for (std::int64_t id = 1; id <= limit / 2; ++id) changes.add(id);
+  const Journal::Mark mark = journal.set_mark();
+  for (std::int64_t id = limit / 2 + 1; id <= limit; ++id) changes.add(id);
+  EXPECT_TRUE(changes.are_complete());
+  EXPECT_LT(changes.memory(), 64 * ObjectChanges::max_logged);
+  changes.add(0);
+  EXPECT_FALSE(changes.are_complete() || changes.lacks(-1) || changes.are_none());
+  EXPECT_EQ(changes.memory(), 0u);
+  journal.rewind(mark);
+  EXPECT_FALSE(changes.are_complete()) << "the first half is not logged either";
+  journal.end(Journal::Ended::rolled_back);
+  changes.start_keeping();
+  EXPECT_TRUE(changes.are_complete() && changes.lacks(1));
 }
 
 class StoreChanges : public ::testing::Test {
@@ -71,6 +96,32 @@ class StoreChanges : public ::testing::Test {
     });
     return all;
   }
+  /// The objects that a transaction has changed, and savepoints that go back to fewer.
+  struct Changed {
+    std::set<std::int64_t> ids;
+    std::vector<std::set<std::int64_t>> at_savepoints;
+
+    /// After a statement that has succeeded.
+    void note(const std::string& sql, const Objects& before, const Objects& after) {
+      for (const auto& [id, record] : difference(before, after)) ids.insert(id);
+      // An object that takes the place of an equal one has changed both.
+      const std::size_t at = sql.find("SET id = ");
+      std::int64_t to = 0, from = 0;
+      if (at != std::string::npos &&
+          std::sscanf(sql.c_str() + at, "SET id = %ld WHERE id = %ld", &to, &from) == 2 && to != from &&
+          before.contains(from))
+        ids.insert({to, from});
+    }
+    /// These objects as they are now.
+    Difference now(const Objects& objects) const {
+      Difference all;
+      for (const std::int64_t id : ids) {
+        const auto found = objects.find(id);
+        all[id] = found == objects.end() ? Record() : found->second;
+      }
+      return all;
+    }
+  };
   static Difference difference(const Objects& before, const Objects& after) {
     Difference all = after;
     for (const auto& [id, record] : before) all.try_emplace(id);
@@ -84,7 +135,7 @@ class StoreChanges : public ::testing::Test {
   Database db;
 };
 
-TEST_F(StoreChanges, AreTheDifferenceOfATransaction) {
+TEST_F(StoreChanges, AreThoseOfATransaction) {
   run("INSERT INTO ships VALUES(1, 10, 1, 'one'), (2, 20, 2, 'two'), (3, 30, 3, 'three'), (4, 40, 4, "
       "'four')");
   watch();
@@ -96,9 +147,9 @@ TEST_F(StoreChanges, AreTheDifferenceOfATransaction) {
   EXPECT_EQ(reported(), (Difference{{1, {12, 1}}, {2, {}}, {3, {}}, {5, {20, 2}}, {6, {60, 6}}}));
   run("UPDATE ships SET x = 10 WHERE id = 1; DELETE FROM ships WHERE id = 6; INSERT INTO ships VALUES(3, 30, "
       "3, '')");
-  EXPECT_EQ(reported(), (Difference{{2, {}}, {5, {20, 2}}}));
+  EXPECT_EQ(reported(), (Difference{{1, {10, 1}}, {2, {}}, {3, {30, 3}}, {5, {20, 2}}, {6, {}}}));
   run("INSERT OR REPLACE INTO ships VALUES(4, -40, 4, ''); UPDATE OR REPLACE ships SET id = 1 WHERE id = 5");
-  EXPECT_EQ(reported(), (Difference{{1, {20, 2}}, {2, {}}, {4, {-40, 4}}}));
+  EXPECT_EQ(reported(), (Difference{{1, {20, 2}}, {2, {}}, {3, {30, 3}}, {4, {-40, 4}}, {5, {}}, {6, {}}}));
   run("COMMIT");
   EXPECT_EQ(reported(), Difference{});
 }
@@ -118,7 +169,8 @@ TEST_F(StoreChanges, AreTheSameAfterRollbacksWritesAndErrors) {
   const auto id = [&] { return std::to_string(1 + below(30)); };
   unsigned refused = 0, differences = 0;
   for (int transaction = 0; transaction < 60; ++transaction) {
-    const Objects before = objects();
+    Objects before = objects();
+    Changed changed;
     ASSERT_TRUE(run("BEGIN"));
     unsigned depth = 0;
     for (unsigned step = 0; step < 40 && !sqlite3_get_autocommit(db); ++step) {
@@ -148,11 +200,23 @@ TEST_F(StoreChanges, AreTheSameAfterRollbacksWritesAndErrors) {
       const std::string& sql = statements[below(std::size(statements))];
       const bool done = run(sql);
       refused += !done;
-      if (done && sql.starts_with("SAVEPOINT")) ++depth;
-      if (done && sql.starts_with("ROLLBACK TO")) depth = static_cast<unsigned>(std::stoi(level)) + 1;
-      if (done && sql.starts_with("RELEASE")) depth = static_cast<unsigned>(std::stoi(level));
-      const Difference expected = difference(before, objects());
       if (sqlite3_get_autocommit(db)) break;
+      const Objects now = objects();
+      if (done && sql.starts_with("SAVEPOINT")) {
+        ++depth;
+        changed.at_savepoints.push_back(changed.ids);
+      } else if (done && sql.starts_with("ROLLBACK TO")) {
+        depth = static_cast<unsigned>(std::stoi(level)) + 1;
+        changed.at_savepoints.resize(depth);
+        changed.ids = changed.at_savepoints.back();
+      } else if (done && sql.starts_with("RELEASE")) {
+        depth = static_cast<unsigned>(std::stoi(level));
+        changed.at_savepoints.resize(depth);
+      } else if (done || sql.starts_with("INSERT OR FAIL")) {
+        changed.note(sql, before, now);
+      }
+      before = now;
+      const Difference expected = changed.now(now);
       ASSERT_EQ(reported(), expected) << "transaction " << transaction << ", step " << step << ": " << sql;
       differences += !expected.empty();
     }
