@@ -31,6 +31,7 @@ host_packages=(
   "groff-base: command groff"
   "chromium: command chromium"
   "python3-distributed: python distributed"
+  "python3-sqlalchemy: python sqlalchemy"
   "cargo: file /usr/bin/cargo"
   "librust-rusqlite-dev: file /usr/share/cargo/registry/rusqlite-*/Cargo.toml"
   "golang-go: file /usr/bin/go"

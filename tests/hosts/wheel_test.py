@@ -39,8 +39,8 @@ class Wheel(Host):
     def say(self, program, python=None, **environment):
         return run(python or self.python, "-c", program, folder=self.folder, **environment)
 
-    def examples(self, kind):
-        page = fenced_and_hidden((ROOT / "docs/hosts/python.md").read_text())
+    def examples(self, kind, page="python"):
+        page = fenced_and_hidden((ROOT / f"docs/hosts/{page}.md").read_text())
         return [(block.text, after.text) for block, after in zip(page, page[1:]) if block.kind == kind]
 
     def test_the_examples_of_the_page(self):
@@ -50,10 +50,18 @@ class Wheel(Host):
             self.assertEqual(self.say(program), printed)
 
     def test_the_examples_with_numpy(self):
-        if subprocess.run([PYTHON, "-c", "import numpy"], capture_output=True).returncode != 0:
-            skip("the page's example with numpy", f"{PYTHON} has no numpy (python3-numpy)")
+        self.try_examples_with("numpy", "python")
+
+    def test_the_examples_with_sqlalchemy(self):
+        self.try_examples_with("sqlalchemy", "orm")
+
+    def try_examples_with(self, package, page):
+        if subprocess.run([PYTHON, "-c", f"import {package}"], capture_output=True).returncode != 0:
+            skip(f"the example with {package}", f"{PYTHON} has no {package} (python3-{package})")
         site = self.say("import foresee, os; print(os.path.dirname(os.path.dirname(foresee.__file__)))").strip()
-        for program, printed in self.examples("python numpy"):
+        found = self.examples(f"python {package}", page)
+        self.assertEqual(len(found), 1)
+        for program, printed in found:
             self.assertEqual(self.say(program, PYTHON, PYTHONPATH=site), printed)
 
     def test_one_version_everywhere(self):

@@ -35,6 +35,13 @@ std::string quoted(std::string_view found) {
 
 }  // namespace
 
+bool starts_with_date(std::string_view text) {
+  constexpr std::string_view date = "dddd-dd-dd";
+  return text.size() >= date.size() &&
+         std::equal(date.begin(), date.end(), text.begin(),
+                    [](char pattern, char c) { return pattern == 'd' ? is_digit(c) : pattern == c; });
+}
+
 std::string_view WktLexer::rest() {
   at_ = std::min(text_.find_first_not_of(white_space, at_), text_.size());
   return text_.substr(at_);

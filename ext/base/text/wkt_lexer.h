@@ -18,6 +18,9 @@ namespace foresee {
 /// The unit of the numbers in a text.
 enum class WktUnit : std::uint8_t { metres, degrees };
 
+/// True for "2026-11-21T12:00:00Z": where a number is needed, its seconds are.
+bool starts_with_date(std::string_view text);
+
 class WktLexer {
  public:
   explicit WktLexer(std::string_view text) : text_(text) {}

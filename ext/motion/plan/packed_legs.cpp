@@ -95,9 +95,12 @@ class Reader {
 /// The kind, of a blob whose header and size are right. Throws Error.
 PlanKind checked_kind(std::span<const std::byte> blob) {
   if (blob.empty()) throw Error("an empty blob is no plan");
-  if (blob.size() < header_size || blob[0] != std::byte{'p'} || blob[1] != std::byte{'l'})
+  if (blob.size() < header_size || blob[0] != std::byte{'p'} || blob[1] != std::byte{'l'}) {
+    const bool is_text = blob[0] == std::byte{'L'} || blob[0] == std::byte{'M'};  // LINESTRING, as bytes
     throw Error("a blob of " + std::to_string(blob.size()) +
-                " bytes that does not start with 'pl' is no plan: write one of plan_points");
+                " bytes that does not start with 'pl' is no plan: write " +
+                (is_text ? "the text as text, not as a blob" : "one of plan_points"));
+  }
   const auto refuse = [&](std::size_t at, const char* rule) {
     throw Error("byte " + std::to_string(at) + " is " + std::to_string(std::to_integer<int>(blob[at])) +
                 rule);

@@ -24,7 +24,8 @@ class PlanReader : WktLexer {
       take_kind("MULTILINESTRING");
       parts();
     } else {
-      expected("LINESTRING M");
+      refuse_other_formats();
+      expected("LINESTRING M or LINESTRING ZM");
     }
     must_end();
     check_plan(plan_);
@@ -39,10 +40,20 @@ class PlanReader : WktLexer {
       take_word(word);
       refuse_empty();
       if (next_is("Z")) fail("write " + word + " ZM: the fourth number is the time");
-      if (!next_is("M") && !next_is("ZM")) fail("write " + word + " M: the third number is the time");
+      if (!next_is("M") && !next_is("ZM"))
+        fail("write " + word + " M: the third number is the time, or " + word + " ZM: the fourth");
     }
     plan_.axes = in_space || (!in_plane && next_is("ZM")) ? 3 : 2;
     if (!in_plane && !in_space) take_word(plan_.axes == 3 ? "ZM" : "M");
+  }
+
+  /// What other tools write, with what to write instead.
+  void refuse_other_formats() {
+    const std::string_view found = token();
+    if (rest().starts_with('{'))
+      fail("expected LINESTRING M, found JSON: read it with json_each and plan_points(t, x, y)");
+    const bool is_hex = found.size() > 18 && found.find_first_not_of("0123456789ABCDEFabcdef") == found.npos;
+    if (is_hex) fail("expected LINESTRING M, found a geometry in hexadecimal digits: write ST_AsText(g, 17)");
   }
 
   void refuse_empty() {
@@ -62,8 +73,15 @@ class PlanReader : WktLexer {
   void part() {
     refuse_empty();
     must_take('(');
-    do knot();
-    while (take(','));
+    const std::size_t first = plan_.knots.size();
+    do {
+      try {
+        knot();
+      } catch (const Error& error) {
+        throw Error(std::string(error.what()) + " (knot " + std::to_string(plan_.knots.size() - first + 1) +
+                    ')');
+      }
+    } while (take(','));
     if (!take(')')) expected(", or )");
   }
 
@@ -98,6 +116,9 @@ class PlanReader : WktLexer {
 
   double time() {
     if (take_word("INF") || take_word("INFINITY")) return no_end;
+    if (starts_with_date(token()))
+      fail("expected a number, found '" + std::string(token()) + "': write seconds, as unixepoch('" +
+           std::string(token()) + "') gives them");
     return number();
   }
 

@@ -72,6 +72,14 @@ bool leaves_list_to_sqlite(const TableFunction& function, sqlite3_index_info& in
   return false;
 }
 
+/// `within <= 50` would compare the input with itself, after a call that has not received it.
+[[noreturn]] void refuse_comparison(const TableFunction& function, int input, char letter) {
+  const std::string name = function.inputs[static_cast<std::size_t>(input)];
+  const char sign = letter == 'G' || letter == '>' ? '>' : '<';
+  throw Error(name + " is an input, not an output: write " + name + " = ..., not " + name + ' ' + sign +
+              (letter == 'G' || letter == 'L' ? "= ..." : " ..."));
+}
+
 /// Adds constraint i to the plan. An input is consumed; a condition on a hinted output is passed to the call
 /// and SQLite checks it again. SQLite alone checks any other.
 void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info& info, int i) {
@@ -82,7 +90,7 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   const bool is_input = input >= 0;
   if (is_input) {
     const std::uint32_t bit = 1u << input;
-    if (letter != '=') return;
+    if (letter != '=') refuse_comparison(function, input, letter);
     // One side of an OR receives the arguments of a call twice, and SQLite omits the check of the first
     // sixteen constraints only.
     if ((plan.inputs_given & bit) || i >= 16) plan.inputs_compared |= bit;

@@ -21,17 +21,23 @@ bool is_hidden(const VisibleTable& table, const std::vector<VisibleTable>& table
   return false;
 }
 
-/// " (moving_objects tables here: 'crates', 'ships' with schema = 'main')": each as a query must write it.
+constexpr int max_listed = 12;
+
+/// " (moving_objects tables here: 'crates', 'ships' with schema = 'main')": each as a query must write it. The first
+/// ones, if there are many.
 std::string list_tables(const std::vector<VisibleTable>& tables, bool with_schemas) {
   std::string list;
+  int listed = 0;
   for (const VisibleTable& table : tables) {
-    if (!table.holds_moving_objects) continue;
+    if (!table.holds_moving_objects || ++listed > max_listed) continue;
     list += (list.empty() ? "" : ", ") + quoted(table.name);
     if (with_schemas || is_hidden(table, tables)) list += " with schema = " + quoted(table.schema);
   }
-  return list.empty() ? " (no moving_objects table here; make one with CREATE VIRTUAL TABLE ships USING "
-                        "moving_objects(id, x, y, vx, vy))"
-                      : " (moving_objects tables here: " + list + ")";
+  return list.empty()
+             ? " (no moving_objects table here; make one with CREATE VIRTUAL TABLE ships USING "
+               "moving_objects(id, x, y, vx, vy))"
+             : " (moving_objects tables here: " + list +
+                   (listed > max_listed ? " and " + std::to_string(listed - max_listed) + " more)" : ")");
 }
 
 /// The only moving_objects table, for a query without a table name. Throws Error unless there is exactly one.

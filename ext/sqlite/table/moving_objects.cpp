@@ -180,7 +180,9 @@ int is_shadow_name(const char* suffix) noexcept {
 /// PRAGMA integrity_check, from SQLite 3.44 on: findings are returned as text, not as a result code.
 int table_integrity(sqlite3_vtab* base, const char*, const char*, int, char** finding) noexcept {
   const int rc = guarded(finding, [&] { require_integrity(table_of(base)); });
-  return (rc & 0xff) == SQLITE_CORRUPT && *finding != nullptr ? SQLITE_OK : rc;
+  const bool is_finding =
+      (rc & 0xff) == SQLITE_CORRUPT || rc == SQLITE_ERROR;  // as of a missing shadow table
+  return is_finding && *finding != nullptr ? SQLITE_OK : rc;
 }
 
 /// sqlite3_module as SQLite 3.44 declares it; older versions read only the members of iVersion 3.

@@ -53,6 +53,7 @@ void RowReader::start_planned_row(std::int64_t id, sqlite3_value** motion, Table
     keep_plan();
   if (leg_.empty() && !before_.empty() && foresee::has_plan(at_, before_.data()))
     require_place_without_plan(*updated, motion, store);
+  if (updated && new_plan_ && !before_.empty()) require_until_of_new_plan(updated->id, motion, store);
 }
 
 /// Whether the value is what the column showed before. `report`: of the row, in a table in degrees.
@@ -85,6 +86,24 @@ void RowReader::require_place_without_plan(const UpdatedRow& updated, sqlite3_va
   if (is_all_set && !updated.has_all_columns) return;
   refuse("plan", updated.id, "NULL",
          "without its plan the object needs a position; set " + names + " too, or DELETE the row");
+}
+
+/// The `until` of the old plan would cut a new one that ends later: the object would vanish on its way. An UPDATE FROM
+/// passes every column in SQLite 3.40, so what is the same as before counts as not set.
+void RowReader::require_until_of_new_plan(std::int64_t id, sqlite3_value** motion, TableWriter& store) const {
+  const bool has_knots = new_plan_->kind == PlanKind::knots;
+  const double until = before_[static_cast<std::size_t>(at_.until)],
+               end = has_knots ? new_plan_->knots.back().t : new_plan_->legs.back().until;
+  if (!(until < end)) return;
+  if (foresee::has_plan(at_, before_.data()) && store.read_plan(id, before_) == *new_plan_) return;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].quantity != Quantity::until) continue;
+    const bool is_same = !is_null_or_empty(motion[i]) && sqlite3_value_double(motion[i]) == until;
+    if (is_same || sqlite3_value_nochange(motion[i]))
+      refuse("until", id, foresee::shown(until),
+             "before the end of the new plan, " + foresee::shown(end) +
+                 "; set until to NULL too, or cut the plan with plan_cut");
+  }
 }
 
 void RowReader::keep_plan() {

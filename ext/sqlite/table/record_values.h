@@ -128,6 +128,7 @@ class RowReader {
                  std::optional<std::int64_t> updated);
   void require_place_without_plan(const UpdatedRow& updated, sqlite3_value** motion,
                                   TableWriter& store) const;
+  void require_until_of_new_plan(std::int64_t id, sqlite3_value** motion, TableWriter& store) const;
   bool shows_before(const Column& column, sqlite3_value* value, const std::optional<Flight>& report) const;
   bool is_of_before(int place, double number) const;
   double number_of_leg(const Column& column, std::int64_t id, sqlite3_value* value) const;

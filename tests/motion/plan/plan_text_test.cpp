@@ -64,52 +64,78 @@ TEST(PlanText, ReadsAMoverThatRests) {
   EXPECT_EQ(refusal_of_text("MULTILINESTRING M((0 0 0, 0 0 inf), (0 0 8, 0 0 9))"),
             "part 2 starts at 8, before part 1 ends at inf");
   EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 -inf, 5 0 1)"),
-            "at character 18: expected a number, found '-inf'");
+            "at character 18: expected a number, found '-inf' (knot 1)");
   EXPECT_EQ(refusal_of_text("LINESTRING M(inf 0 0, 5 0 1)"),
-            "at character 14: expected a number, found 'inf'");
+            "at character 14: expected a number, found 'inf' (knot 1)");
 }
 
 TEST(PlanText, NamesAWrongNumberOfNumbers) {
   EXPECT_EQ(refusal_of_text("LINESTRING M(0 0, 10 0 5)"),
-            "at character 14: expected 3 numbers (x y t), found 2");
+            "at character 14: expected 3 numbers (x y t), found 2 (knot 1)");
   EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 0 0, 10 0 5)"),
-            "at character 14: expected 3 numbers (x y t), found 4");
+            "at character 14: expected 3 numbers (x y t), found 4 (knot 1)");
   EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 0, 10)"),
-            "at character 21: expected 3 numbers (x y t), found 1");
+            "at character 21: expected 3 numbers (x y t), found 1 (knot 2)");
   EXPECT_EQ(refusal_of_text("LINESTRING ZM(0 0 0, 10 0 5)"),
-            "at character 15: expected 4 numbers (x y z t), found 3");
-  EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 0 1e400)"), "at character 20: no double is near 1e400");
+            "at character 15: expected 4 numbers (x y z t), found 3 (knot 1)");
+  EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 0 1e400)"),
+            "at character 20: no double is near 1e400 (knot 1)");
 }
 
 TEST(PlanText, NamesWhatIsNoPlan) {
-  EXPECT_EQ(refusal_of_text("LINESTRING(0 0 0, 10 0 5)"),
-            "at character 11: write LINESTRING M: the third number is the time");
+  EXPECT_EQ(
+      refusal_of_text("LINESTRING(0 0 0, 10 0 5)"),
+      "at character 11: write LINESTRING M: the third number is the time, or LINESTRING ZM: the fourth");
   EXPECT_EQ(refusal_of_text("MULTILINESTRING ((0 0 0, 10 0 5))"),
-            "at character 17: write MULTILINESTRING M: the third number is the time");
+            "at character 17: write MULTILINESTRING M: the third number is the time, or MULTILINESTRING ZM: "
+            "the fourth");
   EXPECT_EQ(refusal_of_text("LINESTRING Z(0 0 0, 10 0 5)"),
             "at character 12: write LINESTRING ZM: the fourth number is the time");
   EXPECT_EQ(refusal_of_text("LINESTRING EMPTY"), "at character 12: EMPTY is no plan: write NULL and x, y");
   EXPECT_EQ(refusal_of_text("LINESTRING M EMPTY"), "at character 14: EMPTY is no plan: write NULL and x, y");
   EXPECT_EQ(refusal_of_text("MULTILINESTRING M(EMPTY)"),
             "at character 19: EMPTY is no plan: write NULL and x, y");
-  EXPECT_EQ(refusal_of_text("POINT M(0 0 0)"), "at character 1: expected LINESTRING M, found 'POINT'");
-  EXPECT_EQ(refusal_of_text("from A to B"), "at character 1: expected LINESTRING M, found 'from'");
+  EXPECT_EQ(refusal_of_text("POINT M(0 0 0)"),
+            "at character 1: expected LINESTRING M or LINESTRING ZM, found 'POINT'");
+  EXPECT_EQ(refusal_of_text("from A to B"),
+            "at character 1: expected LINESTRING M or LINESTRING ZM, found 'from'");
   EXPECT_EQ(refusal_of_text("LINESTRINGS M(0 0 0)"),
-            "at character 1: expected LINESTRING M, found 'LINESTRINGS'");
-  EXPECT_EQ(refusal_of_text(""), "at character 1: expected LINESTRING M, found the end");
+            "at character 1: expected LINESTRING M or LINESTRING ZM, found 'LINESTRINGS'");
+  EXPECT_EQ(refusal_of_text(""), "at character 1: expected LINESTRING M or LINESTRING ZM, found the end");
   EXPECT_EQ(refusal_of_text("SRID=4326;LINESTRING M(0 0 0, 1 0 1)"),
             "at character 6: SRID 4326 is in degrees: project to metres first");
   EXPECT_EQ(refusal_of_text("LINESTRING M 0 0 0"), "at character 14: expected (, found '0'");
   EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 0; 1 0 1)"), "at character 19: expected , or ), found ';'");
   EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 0, 1 0 1"), "at character 26: expected , or ), found the end");
   EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 0, 1 0 1))"), "at character 27: expected the end, found ')'");
-  EXPECT_EQ(refusal_of_text("LINESTRING M(0 x 0, 1 0 1)"), "at character 16: expected a number, found 'x'");
+  EXPECT_EQ(refusal_of_text("LINESTRING M(0 x 0, 1 0 1)"),
+            "at character 16: expected a number, found 'x' (knot 1)");
   EXPECT_EQ(refusal_of_text("MULTILINESTRING M(0 0 0, 1 0 1)"), "at character 19: expected (, found '0'");
   EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 0)"), "part 1 has one knot: write two, or a plain row");
   EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 0, 1 0 5, 2 0 5)"),
             "knot 3: t is 5 after 5: times must rise; write MULTILINESTRING M for a jump");
   EXPECT_EQ(refusal_of_text("MULTILINESTRING M((0 0 0, 1 0 5), (2 0 4, 3 3 7))"),
             "part 2 starts at 4, before part 1 ends at 5");
+}
+
+TEST(PlanText, SaysWhatToWriteInPlaceOfOtherFormats) {
+  EXPECT_EQ(
+      refusal_of_text(R"({"type": "LineString"})"),
+      "at character 1: expected LINESTRING M, found JSON: read it with json_each and plan_points(t, x, y)");
+  EXPECT_EQ(refusal_of_text("01020000C002000000000000000000F03F"),
+            "at character 1: expected LINESTRING M, found a geometry in hexadecimal digits: write "
+            "ST_AsText(g, 17)");
+  EXPECT_EQ(refusal_of_text("LINESTRING M(0 0 2026-11-21T12:00:00Z, 1 0 9)"),
+            "at character 18: expected a number, found '2026-11-21T12:00:00Z': write seconds, as "
+            "unixepoch('2026-11-21T12:00:00Z') gives them (knot 1)");
+  std::string text = "LINESTRING M(0 0 0";
+  for (int t = 1; t < 499; ++t) text += ", 1 0 " + std::to_string(t);
+  EXPECT_EQ(refusal_of_text(text + ", 1 0 last)").substr(17), ": expected a number, found 'last' (knot 500)");
+}
+
+TEST(PlanText, TimesInSecondsHaveNoExponent) {
+  EXPECT_EQ(write_plan(read_plan("LINESTRING M(0 0 1796e6, 1 1e9 1796000020.5)")),
+            "LINESTRING M(0 0 1796000000, 1 1000000000 1796000020.5)");
 }
 
 TEST(PlanText, WritesWhatTheReferenceShows) {

@@ -71,6 +71,32 @@ TEST_F(JoinPlanner, ProbesOneObjectWhenItsIdIsGiven) {
             std::string::npos);
 }
 
+/// A program prepares its statements before it loads the table.
+TEST_F(JoinPlanner, ProbesOneObjectAlsoInATableThatIsEmptyAsYet) {
+  db.exec("CREATE VIRTUAL TABLE later USING moving_objects(id, x, vx)");
+  for (const char* call : {"predictive_join(3, 'later')", "predictive_join(3, 'later', 1, 'later')"})
+    EXPECT_NE(plan(std::string("SELECT * FROM ") + call + " WHERE a = ?1 OR b = ?1").find("MULTI-INDEX OR"),
+              std::string::npos)
+        << call;
+}
+
+/// SQLite would compare the input with itself, after a call without it.
+TEST_F(JoinPlanner, AnInputTakesNoInequality) {
+  const auto refusal = [](const std::string& name, const std::string& sign) {
+    return name + " is an input, not an output: write " + name + " = ..., not " + name + ' ' + sign + " ...";
+  };
+  const std::string join = "SELECT a, b FROM predictive_join(3, 'ships') WHERE ";
+  EXPECT_EQ(db.error_of(join + "within <= 50"), "predictive_join: " + refusal("within", "<="));
+  EXPECT_EQ(db.error_of(join + "within < 50 AND dt > 0"), "predictive_join: " + refusal("within", "<"));
+  EXPECT_EQ(db.error_of(join + "now BETWEEN 0 AND 5"), "predictive_join: " + refusal("now", ">="));
+  EXPECT_EQ(db.error_of(join + "(a = 7 OR b = 7) AND now > 5"), "predictive_join: " + refusal("now", ">"));
+  EXPECT_EQ(
+      db.error_of("SELECT id FROM predictive_window WHERE h = 3 AND tbl = 'ships' AND x0 >= 0 AND x1 <= 9"),
+      "predictive_window: " + refusal("x0", ">="));
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_join(3, 'ships') WHERE now IS NOT NULL AND dt < 9"),
+            db.rows("SELECT count(*) FROM predictive_join(3, 'ships') WHERE dt < 9"));
+}
+
 TEST_F(JoinPlanner, ProbesOneObjectAlsoWhereInputsAreBound) {
   const std::string sides = "(a = ?3 OR b = ?3) ORDER BY a, b";
   const std::string by_place = "SELECT a, b, t FROM predictive_join(?1, ?2) WHERE " + sides,

@@ -235,7 +235,7 @@ TEST_F(DegreesOrigin, RefusesPlacesThatNoTableStores) {
       "WHERE key IN ('root', 'stamp')");
   Database again(file.path());
   EXPECT_EQ(again.error_of("SELECT lat FROM zones WHERE id = 1"),
-            "zones: object 1: x, y are 1e+09 m from the origin: the farthest place is at 20003931 m");
+            "zones: object 1: x, y are 1000000000 m from the origin: the farthest place is at 20003931 m");
   EXPECT_EQ(again.code_of("SELECT lat FROM zones"), SQLITE_CORRUPT_VTAB);
   EXPECT_EQ(again.code_of("UPDATE zones SET lat = 54"), SQLITE_CORRUPT_VTAB);
   EXPECT_EQ(again.code_of("SELECT speed FROM zones WHERE id = 2"), SQLITE_CORRUPT_VTAB);

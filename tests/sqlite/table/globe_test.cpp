@@ -154,7 +154,7 @@ TEST_F(Globe, RefusesWhatNoReportSays) {
   EXPECT_EQ(error_of_flight("91, 8, 0, 1, 1, 0"),
             "flights.lat of row 7 is 91: \"not available\" in AIS; leave the row out");
   EXPECT_EQ(error_of_flight("50, 8, -7e6, 1, 1, 0"),
-            "flights.z of row 7 is -7e+06: the centre of the Earth is 6.4e6 m down; write metres above the "
+            "flights.z of row 7 is -7000000: the centre of the Earth is 6.4e6 m down; write metres above the "
             "ellipsoid");
   EXPECT_EQ(error_of_flight("50, 8, NULL, 1, 1, 0"),
             "flights.z of row 7 is NULL: a position is needed; write a finite number");

@@ -123,9 +123,10 @@ TEST_F(Plans, OnOneAndThreeAxes) {
 TEST_F(Plans, ErrorsOfValues) {
   const std::string of = "robots.plan of row 7: ";
   EXPECT_EQ(error_of("'LINESTRING M(0 0, 10 0 5)'"),
-            of + "at character 14: expected 3 numbers (x y t), found 2");
-  EXPECT_EQ(error_of("'LINESTRING(0 0 0, 10 0 5)'"),
-            of + "at character 11: write LINESTRING M: the third number is the time");
+            of + "at character 14: expected 3 numbers (x y t), found 2 (knot 1)");
+  EXPECT_EQ(
+      error_of("'LINESTRING(0 0 0, 10 0 5)'"),
+      of + "at character 11: write LINESTRING M: the third number is the time, or LINESTRING ZM: the fourth");
   EXPECT_EQ(error_of("'MULTILINESTRING M((0 0 0, 1 0 2), (1 0 3, 2 0 4, 3 0 5, 4 0 5))'"),
             of + "knot 4 of part 2: t is 5 after 5: times must rise; write MULTILINESTRING M for a jump");
   EXPECT_EQ(error_of("'MULTILINESTRING M((0 0 0, 1 0 5), (2 0 4, 3 0 6))'"),
@@ -142,7 +143,7 @@ TEST_F(Plans, ErrorsOfValues) {
   EXPECT_EQ(error_of("x'706c010200000000000000000000f87f00000000000000000000000000000000'"),
             of + "byte 8: not a finite number");
   EXPECT_EQ(error_of("'POLYGON((0 0, 1 0, 1 1))'"),
-            of + "at character 1: expected LINESTRING M, found 'POLYGON'");
+            of + "at character 1: expected LINESTRING M or LINESTRING ZM, found 'POLYGON'");
   EXPECT_EQ(error_of("'SRID=4326;LINESTRING M(8 54 0, 8 55 9)'"),
             of + "at character 6: SRID 4326 is in degrees: project to metres first");
   EXPECT_EQ(db.rows("SELECT count(*) FROM robots"), "0");
@@ -212,6 +213,29 @@ TEST_F(Plans, NoPlanAndNoPositionIsRefused) {
   db.exec("UPDATE robots SET plan = q, x = 3, y = 4 FROM (SELECT NULL AS q) WHERE id = 8");
   db.exec("UPDATE robots SET plan = NULL, r = 2");  // they have no plan any more
   EXPECT_EQ(db.rows("SELECT id, x, y, plan FROM robots ORDER BY id"), "7|0.0|3.0|NULL\n8|3.0|4.0|NULL");
+}
+
+/// Else the object would vanish on the way of its new plan.
+TEST_F(Plans, AnOldUntilDoesNotCutANewPlan) {
+  db.exec("INSERT INTO robots(id, plan, r, until) VALUES (7, 'LINESTRING M(0 0 0, 10 0 50)', 1, 40)");
+  const std::string
+      later = "plan = 'LINESTRING M(0 0 0, 20 0 90)'",
+      refusal =
+          "robots.until of row 7 is 40: before the end of the new plan, 90; set until to NULL too, or "
+          "cut the plan with plan_cut";
+  EXPECT_EQ(db.error_of("UPDATE robots SET " + later), refusal);
+  EXPECT_EQ(db.error_of("UPDATE robots SET plan = q FROM (SELECT 'LINESTRING M(0 0 0, 20 0 90)' AS q)"),
+            refusal);
+  db.exec("UPDATE robots SET r = q FROM (SELECT 2 AS q)");  // the same plan
+  EXPECT_EQ(db.rows("SELECT until FROM robots"), "40.0");
+  db.exec("UPDATE robots SET plan = 'LINESTRING M(0 0 0, 10 0 30)'");  // which ends before it
+  EXPECT_EQ(db.rows("SELECT until FROM robots"), "40.0");
+  db.exec("UPDATE robots SET until = NULL, " + later);
+  db.exec("UPDATE robots SET plan = 'LINESTRING M(0 0 0, 20 0 99)'");
+  EXPECT_EQ(db.rows("SELECT until FROM robots"), "NULL");
+  db.exec(
+      "UPDATE robots SET until = 40; INSERT OR REPLACE INTO robots(id, plan, r, until) "
+      "VALUES (7, 'LINESTRING M(0 0 0, 20 0 80)', 1, 40)");  // another row
 }
 
 TEST_F(Plans, UpdateOfOtherColumnsKeepsThePlan) {

@@ -71,6 +71,12 @@ TEST_F(TableCommands, PragmaIntegrityCheckChecksTheTable) {
       << answer;
 }
 
+TEST_F(TableCommands, PragmaIntegrityCheckNamesAMissingShadowTable) {
+  if (sqlite3_libversion_number() < 3044000) GTEST_SKIP() << "SQLite calls no check of virtual tables";
+  db.exec("DROP TABLE ships_map");
+  EXPECT_EQ(db.rows("PRAGMA integrity_check"), "ships: no such table: main.ships_map");
+}
+
 // --- tables that cannot be read ----------------------------------------------------------------------------
 
 struct UnreadableTable : ::testing::Test {

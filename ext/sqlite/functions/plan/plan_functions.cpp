@@ -18,7 +18,8 @@ std::optional<double> plan_number(sqlite3_value* value, const char* name) {
   if (is_null_or_empty(value)) return std::nullopt;
   const int type = sqlite3_value_numeric_type(value);
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT)
-    throw Error(std::string(name) + " must be a number, not " + shown(value));
+    throw Error(std::string(name) + " must be a number, not " + shown(value) +
+                (as_unixepoch(value) ? ": write " + *as_unixepoch(value) : ""));
   if (is_inexact(value))
     throw Error(std::string(name) + " must be a number that a double holds exactly, not " + shown(value));
   return sqlite3_value_double(value);

@@ -85,7 +85,7 @@ TEST_F(GeoFunctions, SayWhatIsWrong) {
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(1, 2, 9e999, 4, 5, 6)"),
             "geo_to_plane: in_speed is infinite");
   EXPECT_EQ(db.error_of("SELECT * FROM plane_to_geo(3e7, 0, 0, 0, 5, 6)"),
-            "plane_to_geo: x, y are 3e+07 m from the origin: the farthest place is at 20003931 m");
+            "plane_to_geo: x, y are 30000000 m from the origin: the farthest place is at 20003931 m");
   EXPECT_EQ(db.error_of("SELECT * FROM globe_to_geo(1, 2, 3, 4, 5, 6)"),
             "globe_to_geo: x, y, z are 3.7416573867739413 m from the centre of the Earth, closer than 100 "
             "km: write "

@@ -153,13 +153,13 @@ TEST_F(PlanFunctions, SayWhatIsNoPlan) {
        {std::pair("7", "7 is no plan: write text as in 'LINESTRING M(0 0 0, 4 0 9)', or a blob"),
         {"x''", "an empty blob is no plan"},
         {"x'706c'", "a blob of 2 bytes that does not start with 'pl' is no plan: write one of plan_points"},
-        {"'LINESTRING M(0 0, 1 0 1)'", "at character 14: expected 3 numbers (x y t), found 2"},
+        {"'LINESTRING M(0 0, 1 0 1)'", "at character 14: expected 3 numbers (x y t), found 2 (knot 1)"},
         {"'LINESTRING M(-1e308 0 0, 1e308 0 1)'",
          "leg 1 from -1e+308 to 1e+308: no double holds its velocity"}})
     EXPECT_EQ(db.error_of(std::string("SELECT * FROM plan_rows(") + value + ")"),
               std::string("plan_rows: ") + message);
   EXPECT_EQ(db.error_of("SELECT plan_shift('here', 1)"),
-            "plan_shift: at character 1: expected LINESTRING M, found 'here'");
+            "plan_shift: at character 1: expected LINESTRING M or LINESTRING ZM, found 'here'");
   EXPECT_EQ(db.error_of("SELECT plan_cut(1.5, 1, 2)"),
             "plan_cut: 1.5 is no plan: write text as in 'LINESTRING M(0 0 0, 4 0 9)', or a blob");
 }
