@@ -42,7 +42,7 @@ NodeCache::Slot* NodeCache::fetch_if_stored(NodeNumber number) {
   if (deleted && deleted->state.dirty) return nullptr;
   evict_if_full();
   std::shared_ptr<Node> node;
-  rows_->read_node(number, [&](std::span<const std::byte> blob) {
+  rows_->nodes().read_one(number, [&](std::span<const std::byte> blob) {
     if (const char* what = fault(number, blob))
       damaged("node " + std::to_string(number) + " is damaged: " + what);
     const bool is_leaf = blob[NodeFormat::level_at] == std::byte{0};
@@ -111,7 +111,7 @@ Node& NodeCache::modify(NodeNumber number) {
 
 NodeNumber NodeCache::reserve(std::size_t count) {
   Head& head = head_.change();
-  if (head.last == Head::unknown) head.last = std::max<std::int64_t>(rows_->read_largest_node(), 0);
+  if (head.last == Head::unknown) head.last = std::max<std::int64_t>(rows_->nodes().read_largest(), 0);
   const auto more = static_cast<NodeNumber>(count);
   if (head.last > std::numeric_limits<std::int64_t>::max() - more) damaged("there is no node number left");
   const NodeNumber first = head.last + 1;
@@ -153,7 +153,7 @@ void NodeCache::set_root(NodeNumber number) {
 
 void NodeCache::erase_everything() {
   std::vector<NodeNumber> numbers;
-  rows_->read_node_numbers([&](NodeNumber number) { numbers.push_back(number); });
+  rows_->nodes().read_numbers([&](NodeNumber number) { numbers.push_back(number); });
   slots_.for_each([&](NodeNumber number, const Slot&) { numbers.push_back(number); });
   for (const NodeNumber number : numbers) {
     if (history_.has_snapshots() && !slots_.find(number)) {

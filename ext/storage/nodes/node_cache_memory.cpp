@@ -77,10 +77,10 @@ void NodeCache::write_nodes(Deletions deletions) {
     if (!node && deletions == Deletions::defer) continue;
     keep_before_change(number, slot);
     if (node)
-      rows_->write_node(number, node->is_leaf() ? encode_leaf(format_, number, *node)
-                                                : encode_inner(format_, number, *node));
+      rows_->nodes().write(number, node->is_leaf() ? encode_leaf(format_, number, *node)
+                                                   : encode_inner(format_, number, *node));
     else
-      rows_->erase_node(number);
+      rows_->nodes().erase(number, number);
     slots_.set_dirty(slot, false);
     slot.learned = false;
     if (!node) slots_.erase(number);

@@ -5,7 +5,7 @@
 
 #include "shape/shapes.h"
 #include "storage/format/features.h"
-#include "storage/rows/leg_rows.h"
+#include "storage/rows/blob_rows.h"
 #include "storage/rows/shape_rows.h"
 #include "storage/rows/store_error.h"
 #include "storage/rows/tree_rows.h"
@@ -76,7 +76,7 @@ ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declara
   }
   if (is_stored_apart(declaration.layout.shape)) tables.push_back(ShapeRows::table());
   if (declaration.layout.has_plan) {
-    tables.push_back(LegRows::table());
+    tables.push_back(BlobRows::table("leg", "number"));
     for (ShadowTable& table : TreeRows::tables("chunk")) tables.push_back(std::move(table));
   }
   return {db, name, std::move(tables)};

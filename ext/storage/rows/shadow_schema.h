@@ -4,7 +4,7 @@
 //   <name>_map(id INTEGER PRIMARY KEY, leaf INTEGER)                   the leaves of 64 ids per row (id_map_rows.h)
 //   <name>_aux(id INTEGER PRIMARY KEY, a0, a1, …)                      only with auxiliary columns
 //   <name>_shape(number INTEGER PRIMARY KEY, hash, data BLOB)          only with outlines or meshes (shape_rows.h)
-//   <name>_leg(number INTEGER PRIMARY KEY, data BLOB)                  only with plans (leg_rows.h)
+//   <name>_leg(number INTEGER PRIMARY KEY, data BLOB)                  only with plans (blob_rows.h)
 //   <name>_chunknode, <name>_chunkmap                                  the tree of their chunks, as node and map
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
 //

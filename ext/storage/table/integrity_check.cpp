@@ -105,7 +105,7 @@ class IntegrityCheck {
         step_(interrupt) {}
 
   void nodes() {
-    rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    rows_.nodes().read_all([&](std::int64_t number, std::span<const std::byte> blob) {
       interrupt_.check();
       ++nodes_;
       if (const char* fault = cache_.fault(number, blob))
@@ -226,7 +226,7 @@ class IntegrityCheck {
   template <class Each>
   void for_each_object(Each each) {
     std::vector<double> record(static_cast<std::size_t>(format_.at.size));
-    rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    rows_.nodes().read_all([&](std::int64_t number, std::span<const std::byte> blob) {
       interrupt_.check();
       if (cache_.fault(number, blob) || is_inner(format_, blob, number)) return;
       const LeafView leaf(format_, blob);

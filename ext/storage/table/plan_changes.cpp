@@ -29,7 +29,7 @@ bool equal_bits(std::span<const double> a, std::span<const double> b) {
 }  // namespace
 
 std::int64_t StoredPlans::last_number() {
-  return std::max(last_number_, rows_->read_largest_number());
+  return std::max(last_number_, rows_->read_largest());
 }
 
 StoredPlans::Change::~Change() {

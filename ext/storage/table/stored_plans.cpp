@@ -41,7 +41,7 @@ StoredPlans::StoredPlans(sqlite3* db, const NodeFormat& format, const QualifiedN
 
 void StoredPlans::connect(const ShadowTables& tables, MetaRows& meta) {
   tree_name_ = {tables.name().schema, tables.name().table + "_chunk"};
-  rows_.emplace(tables);
+  rows_.emplace(tables, "leg", "number");
   tree_rows_.emplace(tables, meta, "chunk");
   tree_.connect(*tree_rows_);
 }

@@ -23,7 +23,7 @@
 #include "index/chunk_source.h"
 #include "storage/format/chunk_blob.h"
 #include "storage/nodes/chunk_cache.h"
-#include "storage/rows/leg_rows.h"
+#include "storage/rows/blob_rows.h"
 #include "storage/tree/tree_store.h"
 
 namespace foresee {
@@ -51,7 +51,7 @@ class StoredPlans final : public Journal::Participant {
 
   TreeStore& tree() { return tree_; }
   TreeRows& tree_rows() { return *tree_rows_; }
-  LegRows& rows() { return *rows_; }
+  BlobRows& rows() { return *rows_; }
   const QualifiedName& tree_name() const { return tree_name_; }
   const Layout& layout() const { return layout_; }  ///< of the table's objects
   [[noreturn]] void damaged(const std::string& what) const;
@@ -123,7 +123,7 @@ class StoredPlans final : public Journal::Participant {
   TreeStore tree_;
   ChunkCache cache_;
   ChangedChunks changed_;  ///< by this transaction; those of rolled-back changes stay in it
-  std::optional<LegRows> rows_;
+  std::optional<BlobRows> rows_;
   std::optional<TreeRows> tree_rows_;
   std::int64_t last_number_ = 0;  ///< of those that this object has written or deleted
 };

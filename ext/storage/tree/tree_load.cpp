@@ -163,7 +163,7 @@ void TreeStore::Rebuild::read_leaves(const UseObject& use) {
   bool goes_on = true;
   forms_.clear();
   damaged_nodes_.clear();
-  tree_.rows_->read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+  tree_.rows_->nodes().read_all([&](std::int64_t number, std::span<const std::byte> blob) {
     if (++nodes % 16 == 0) interrupt_.check();
     if (!goes_on || is_inner(format, blob, number)) return;
     if (const char* fault = tree_.cache_.fault(number, blob)) {

@@ -187,7 +187,7 @@ bool TreeStore::read_stored(std::int64_t id, std::vector<double>& record) {
   const std::string where = "node " + std::to_string(*number);
   record.resize(static_cast<std::size_t>(format_.at.size));
   int slot = -1;
-  const bool found = rows_->read_node(*number, [&](std::span<const std::byte> blob) {
+  const bool found = rows_->nodes().read_one(*number, [&](std::span<const std::byte> blob) {
     read_stored_leaf(*number, blob, [&](const LeafView& leaf) {
       slot = leaf.find(id);
       if (slot >= 0) leaf.copy_record(slot, record.data());
@@ -216,7 +216,7 @@ void TreeStore::read_leaves(Interrupt& interrupt, const std::function<void(const
     done = std::max(done, end - 1);
   };
   unsigned leaves = 0;
-  rows_->read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+  rows_->nodes().read_all([&](std::int64_t number, std::span<const std::byte> blob) {
     if (++leaves % 16 == 0) interrupt.check();
     dirty_up_to(number);
     if (!cache_.dirty_node(number)) read_stored_leaf(number, blob, stored);
@@ -236,7 +236,7 @@ void TreeStore::read_leaves(std::span<const NodeNumber> numbers, Interrupt& inte
       is_leaf = *unwritten && (*unwritten)->is_leaf();
       if (is_leaf) dirty(**unwritten);
     } else {
-      rows_->read_node(
+      rows_->nodes().read_one(
           number, [&](std::span<const std::byte> blob) { is_leaf = read_stored_leaf(number, blob, stored); });
     }
     if (!is_leaf) damaged("leaf " + std::to_string(number) + " is missing");
@@ -250,7 +250,7 @@ std::int64_t TreeStore::next_leaf(std::int64_t after, std::vector<std::int64_t>&
   for (;;) {
     std::int64_t number = no_number;
     bool is_leaf = false;
-    rows_->read_node_after(after, [&](std::int64_t stored, std::span<const std::byte> blob) {
+    rows_->nodes().read_after(after, [&](std::int64_t stored, std::span<const std::byte> blob) {
       number = stored;
       if (cache_.next_dirty(after, stored) == 0 && !cache_.dirty_node(stored))
         is_leaf = read_stored_leaf(stored, blob, [&](const LeafView& leaf) { append(leaf, ids, records); });

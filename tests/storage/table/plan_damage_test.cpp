@@ -87,7 +87,7 @@ TEST_F(PlanDamage, AMissingFirstChunkIsNotAPlanWithoutLegs) {
 TEST_F(PlanDamage, AChunkOfAnotherObjectIsRefused) {
   std::vector<std::byte> blob;
   const std::int64_t second = std::stoll(number(1));
-  LegRows rows(shadow_tables(db, {"main", "ships"}, fleet()));
+  BlobRows rows(shadow_tables(db, {"main", "ships"}, fleet()), "leg", "number");
   rows.read(second, second, [&](std::int64_t, std::span<const std::byte> bytes) {
     blob = chunk_of_object(bytes, second, 2);
   });
@@ -102,7 +102,7 @@ TEST_F(PlanDamage, AChunkOfAnotherObjectIsRefused) {
 TEST_F(PlanDamage, WrongStartsOfChunksAreReported) {
   constexpr std::int64_t starts = 24;  // after the header of 16 bytes and two counts
   const std::int64_t first = std::stoll(number(0));
-  LegRows rows(shadow_tables(db, {"main", "ships"}, fleet()));
+  BlobRows rows(shadow_tables(db, {"main", "ships"}, fleet()), "leg", "number");
   std::vector<std::byte> sound;
   rows.read(first, first, [&](std::int64_t, std::span<const std::byte> bytes) {
     sound.assign(bytes.begin(), bytes.end());
