@@ -18,18 +18,27 @@ std::string_view pop_first(std::string_view& names) {
 }  // namespace
 
 std::span<const Feature> known_features() {
+  using Table = const Declaration&;
   static constexpr std::array<Feature, 10> known{
-      {{map_blocks, [](const Declaration&) { return true; }},
-       {stored_shapes, [](const Declaration& declared) { return is_stored_apart(declared.layout.shape); }},
-       {stored_meshes, [](const Declaration& declared) { return declared.layout.shape == Shape::mesh; }},
-       {stored_growth, [](const Declaration& declared) { return grows(declared.layout); }},
-       {stored_degrees,
-        [](const Declaration& declared) { return declared.frame.kind == FrameKind::degrees; }},
-       {stored_globe, [](const Declaration& declared) { return declared.frame.on_globe(); }},
-       {named_frame, [](const Declaration& declared) { return !declared.frame.text.empty(); }},
-       {stored_zones, [](const Declaration& declared) { return declared.has_zones(); }},
-       {stored_kinds, [](const Declaration& declared) { return has_kinds(declared.layout); }},
-       {stored_plans, [](const Declaration& declared) { return declared.layout.has_plan; }}}};
+      {{map_blocks, [](Table) { return true; }},
+       // Records refer to rows of <name>_shape by number: with a column `shape`.
+       {"shapes", [](Table table) { return is_stored_apart(table.layout.shape); }},
+       // Rows of <name>_shape are meshes, and bounds have three axes: with `shape` and z, but without hz.
+       {"meshes", [](Table table) { return table.layout.shape == Shape::mesh; }},
+       // Shapes grow, so bounds move even in tables at rest: with `growth` or `growth_z`.
+       {"growth", [](Table table) { return grows(table.layout); }},
+       // Columns lat, lon are stored on the plane about an origin in `_meta`: in degrees, except on the globe.
+       {"degrees", [](Table table) { return table.frame.kind == FrameKind::degrees; }},
+       // Columns lat, lon are stored as geocentric metres: with `origin = globe`.
+       {"globe", [](Table table) { return table.frame.on_globe(); }},
+       // The declaration names the frame of the coordinates: with the option `frame`.
+       {"frame", [](Table table) { return !table.frame.text.empty(); }},
+       // Rows of <name>_shape are zones, with corners in degrees (outline_blob.h): with a column `zone`.
+       {"zones", [](Table table) { return table.has_zones(); }},
+       // Records have a category or a mask, and entries of inner nodes the kinds beneath them: with either column.
+       {"kinds", [](Table table) { return has_kinds(table.layout); }},
+       // Objects may have plans, whose legs are in <name>_leg: with a column `plan`.
+       {"plans", [](Table table) { return table.layout.has_plan; }}}};
   return known;
 }
 
