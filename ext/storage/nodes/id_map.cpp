@@ -88,51 +88,28 @@ std::optional<IdRange> IdMap::extent() {
   return all;
 }
 
-IdWalk::IdWalk(IdMap& map, const IdRange& range, IdOrder order)
-    : map_(&map),
-      rest_(range),
-      order_(order),
-      end_(order == IdOrder::ascending ? range.last : range.first),
-      placed_(map.unwritten_ids()) {
-  const auto first = order == IdOrder::ascending
-                         ? std::lower_bound(placed_->begin(), placed_->end(), range.first)
-                         : std::upper_bound(placed_->begin(), placed_->end(), range.last);
-  next_placed_ = static_cast<std::size_t>(first - placed_->begin());
-}
-
-/// Appends the placed ids that come before the rest of the range.
-void IdWalk::add_placed(std::vector<std::int64_t>& ids) {
-  const std::vector<std::int64_t>& placed = *placed_;
-  if (order_ == IdOrder::ascending) {
-    for (; next_placed_ < placed.size() && placed[next_placed_] <= end_; ++next_placed_) {
-      if (!rest_.is_empty() && rest_.first <= placed[next_placed_]) break;
-      ids.push_back(placed[next_placed_]);
-    }
-  } else {
-    for (; next_placed_ > 0 && end_ <= placed[next_placed_ - 1]; --next_placed_) {
-      if (!rest_.is_empty() && placed[next_placed_ - 1] <= rest_.last) break;
-      ids.push_back(placed[next_placed_ - 1]);
-    }
-  }
-}
-
+// A batch is some rows. Ids that were placed since the last write are merged in; ids that are erased by now are left
+// out.
 bool IdWalk::next(std::vector<std::int64_t>& ids) {
   constexpr std::int64_t max_rows = 256;
-  const auto comes_before = [this](std::int64_t a, std::int64_t b) {
-    return order_ == IdOrder::ascending ? a < b : b < a;
-  };
+  const bool ascend = order_ == IdOrder::ascending;
   ids.clear();
   while (ids.empty() && !rest_.is_empty()) {
+    IdRange batch = rest_;
     rest_ = map_->stored_is_void_ ? IdRange{1, 0} : map_->rows_->map().read_ids(rest_, order_, rows_, ids);
     rows_ = std::min(max_rows, 4 * rows_ + 4);
+    if (!rest_.is_empty()) (ascend ? batch.last : batch.first) = ascend ? rest_.first - 1 : rest_.last + 1;
     if (map_->has_unwritten())
       std::erase_if(ids, [&](std::int64_t id) { return map_->find_unwritten(id) == IdMap::erased; });
-    const std::size_t stored = ids.size();
-    add_placed(ids);
-    if (ids.size() == stored) continue;
-    std::inplace_merge(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(stored), ids.end(),
-                       comes_before);
+    const auto first = std::lower_bound(placed_->begin(), placed_->end(), batch.first);
+    const auto last = std::upper_bound(first, placed_->end(), batch.last);
+    if (first == last) continue;
+    if (!ascend) std::reverse(ids.begin(), ids.end());
+    const auto stored = static_cast<std::ptrdiff_t>(ids.size());
+    ids.insert(ids.end(), first, last);
+    std::inplace_merge(ids.begin(), ids.begin() + stored, ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    if (!ascend) std::reverse(ids.begin(), ids.end());
   }
   return !ids.empty();
 }

@@ -121,21 +121,18 @@ class IdMap final : public Journal::Participant {
 class IdWalk {
  public:
   /// The map must outlive it. Requires: none of its ids is listed.
-  IdWalk(IdMap& map, const IdRange& range, IdOrder order);
+  IdWalk(IdMap& map, const IdRange& range, IdOrder order)
+      : map_(&map), rest_(range), order_(order), placed_(map.unwritten_ids()) {}
 
   /// Replaces `ids` by the next ones; false at the end. Cost: a row per 64 ids.
   bool next(std::vector<std::int64_t>& ids);
 
  private:
-  void add_placed(std::vector<std::int64_t>& ids);
-
   IdMap* map_;
   IdRange rest_;
   IdOrder order_;
-  std::int64_t end_;                                         ///< the last id of the walk
-  std::int64_t rows_ = 0;                                    ///< of the next batch, beside its first block
+  std::int64_t rows_ = 1;                                    ///< of the next batch
   std::shared_ptr<const std::vector<std::int64_t>> placed_;  ///< unwritten at the start, ascending
-  std::size_t next_placed_;  ///< the place of the next one, or one beyond it in descending order
 };
 
 }  // namespace foresee

@@ -85,40 +85,34 @@ std::optional<IdRange> MapRows::read_extent() {
   return first && last ? std::optional(IdRange{*first, *last}) : std::nullopt;
 }
 
+// A table of version 0.1 has several rows in a block, and a write between two batches may join them. So a batch reads
+// the block in which the range starts again, and skips the rows before the range.
 IdRange MapRows::read_ids(const IdRange& range, IdOrder order, std::int64_t rows,
                           std::vector<std::int64_t>& ids) {
   constexpr IdRange nothing{1, 0};
   const bool ascend = order == IdOrder::ascending;
-  const auto comes_after = [&](std::int64_t id, std::int64_t other) {
-    return ascend ? other < id : id < other;
-  };
-  const auto add = [&](const IdBlock& block) {
-    const std::size_t before = ids.size();
-    block.for_each([&](std::int64_t id, std::int64_t) {
-      if (range.has(id)) ids.push_back(id);
-    });
-    if (!ascend) std::reverse(ids.begin() + static_cast<std::ptrdiff_t>(before), ids.end());
-    return before == 0 || before == ids.size() || comes_after(ids[before], ids[before - 1]);
-  };
-  // A table of version 0.1 has several rows in a block, so a batch starts with a whole one.
-  const IdBlock start = find(ascend ? range.first : range.last);
-  add(start);
   IdRange rest = range;
-  if (ascend ? range.last <= start.last() : start.base() <= range.first) return nothing;
-  (ascend ? rest.first : rest.last) = ascend ? start.last() + 1 : start.base() - 1;
-  if (rows == 0) return rest;
+  std::optional<IdRange> before;
   Statement::Run run(ascend ? between_ : last_rows_);
-  run.bind(1, IdBlock::base_of(rest.first));
-  run.bind(2, rest.last);
-  std::int64_t end = 0, found = 0;
-  for (; found < rows && run.step(); ++found) {
-    const IdBlock block = row_of(run);
-    if (!add(block)) damaged(run.integer(0), "an id is in two rows");
-    end = run.integer(0);
-    if (ascend) block.for_each([&](std::int64_t id, std::int64_t) { end = id; });
+  run.bind(1, IdBlock::base_of(range.first));
+  run.bind(2, range.last);
+  while (rows > 0) {
+    if (!run.step()) return nothing;
+    const std::size_t known = ids.size();
+    IdRange row{run.integer(0), run.integer(0)};
+    row_of(run).for_each([&](std::int64_t id, std::int64_t) {
+      row.last = id;
+      if (rest.has(id)) ids.push_back(id);
+    });
+    if (before && (ascend ? row.first <= before->last : before->first <= row.last))
+      damaged(row.first, "an id is in two rows");
+    before = row;
+    if (!ascend) std::reverse(ids.begin() + static_cast<std::ptrdiff_t>(known), ids.end());
+    if (ascend ? range.last <= row.last : row.first <= range.first) return nothing;
+    if (row.last < range.first) continue;
+    (ascend ? rest.first : rest.last) = ascend ? row.last + 1 : row.first - 1;
+    --rows;
   }
-  if (found < rows || (ascend ? range.last <= end : end <= range.first)) return nothing;
-  (ascend ? rest.first : rest.last) = ascend ? end + 1 : end - 1;
   return rest;
 }
 

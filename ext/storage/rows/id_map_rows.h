@@ -50,8 +50,8 @@ class MapRows {
   std::optional<std::int64_t> read_largest_id() { return read_end(IdOrder::descending); }
   /// From the smallest id to the largest; nothing without ids.
   std::optional<IdRange> read_extent();
-  /// Appends the ids of a range in order: those of its first block, and of at most `rows` rows after that. Returns the
-  /// rest of the range. Requires: the range is not empty.
+  /// Appends the ids of a range in order, those of at most `rows` rows. Returns the rest of the range. Requires: the
+  /// range is not empty, and rows > 0.
   IdRange read_ids(const IdRange& range, IdOrder order, std::int64_t rows, std::vector<std::int64_t>& ids);
   /// Reads every row.
   std::int64_t count_ids();

@@ -82,7 +82,7 @@ TEST_F(StoredMap, IdsAreReadInOrder) {
   for (const auto& [id, leaf] : all()) ids.push_back(id);
   for (const std::int64_t first : {-1000, -70, -69, 4, 64, 65, 501, 9001})
     for (const std::int64_t last : {-1000, -71, 3, 4, 70, 199, 9000, 10000})
-      for (const std::int64_t count : {0, 1, 2, 100})
+      for (const std::int64_t count : {1, 2, 3, 100})
         for (const IdOrder order : {IdOrder::ascending, IdOrder::descending}) {
           std::vector<std::int64_t> found, expected;
           for (IdRange rest{first, last}; !rest.is_empty();) rest = rows.read_ids(rest, order, count, found);
