@@ -3,9 +3,10 @@
 //   read_ascending(statement, {"ships", "map"}, [&](std::int64_t id, Statement::Run& run) { … });
 //
 // Other rows are SQLITE_CORRUPT_VTAB: in a damaged file pages may refer back to one another, and a scan
-// without this check would never end.
+// without this check would never end. compare_ascending() merges such rows with a sorted list.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "storage/rows/statement.h"
@@ -39,6 +40,23 @@ inline std::int64_t number_after(std::optional<std::int64_t> last, Statement::Ru
   if (last && number <= *last)
     damaged("row " + std::to_string(number) + " comes after row " + std::to_string(*last));
   return number;
+}
+
+/// Calls only_left(item) for the items without a row, only_right(id, …) for the rows without an item, and
+/// both(item, …) for the rest, ids ascending. `read` calls its argument with (id, …) for each row. Requires: the ids of
+/// `items` ascend.
+template <class Items, class Id, class Read, class OnlyLeft, class OnlyRight, class Both>
+void compare_ascending(const Items& items, Id id_of, Read read, OnlyLeft only_left, OnlyRight only_right,
+                       Both both) {
+  auto next = items.begin();
+  read([&](std::int64_t id, auto... columns) {
+    for (; next != items.end() && std::invoke(id_of, *next) < id; ++next) only_left(*next);
+    if (next != items.end() && std::invoke(id_of, *next) == id)
+      both(*next++, columns...);
+    else
+      only_right(id, columns...);
+  });
+  for (; next != items.end(); ++next) only_left(*next);
 }
 
 }  // namespace foresee

@@ -106,15 +106,10 @@ void ShadowRows::erase_watch(const std::string& name) {
 void ShadowRows::match_auxiliaries_to_map() {
   std::vector<std::int64_t> stored, strays, missing;
   read_auxiliary_ids([&](std::int64_t id) { stored.push_back(id); });
-  auto next = stored.begin();
-  tree_.map().read([&](std::int64_t id, std::int64_t) {
-    for (; next != stored.end() && *next < id; ++next) strays.push_back(*next);
-    if (next != stored.end() && *next == id)
-      ++next;
-    else
-      missing.push_back(id);
-  });
-  strays.insert(strays.end(), next, stored.end());
+  compare_ascending(
+      stored, std::identity(), [&](auto each) { tree_.map().read(each); },
+      [&](std::int64_t id) { strays.push_back(id); },
+      [&](std::int64_t id, std::int64_t) { missing.push_back(id); }, [](std::int64_t, std::int64_t) {});
   for (const std::int64_t id : strays) erase_auxiliaries(id);
   for (const std::int64_t id : missing) {
     Statement::Run run(insert_missing_);

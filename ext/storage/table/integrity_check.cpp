@@ -16,73 +16,6 @@
 #include "storage/rows/value_text.h"
 
 namespace foresee {
-
-// Check of outlines or meshes as part of the integrity check: those that objects refer to exist, and the
-// boxes of the objects fit them.
-//
-//   FormCheck check(rows, format);
-//   check.read(say);                          // all stored forms; reports each damaged one
-//   check.object(42, record, say);            // reports what is wrong with one object
-//
-// Cost: all forms in memory; usually a form is rotated once for all objects of one heading.
-
-class FormCheck {
- public:
-  FormCheck(ShapeRows& rows, const NodeFormat& format) : rows_(rows), format_(format) {}
-
-  template <class Say>
-  void read(Say say) {
-    rows_.read_all([&](std::int64_t number, const char* fault, std::shared_ptr<const Form> form) {
-      if (fault) say(name(number) + " is damaged: " + fault);
-      forms_[number] = fault ? nullptr : std::move(form);
-    });
-  }
-
-  /// Requires: `record` is from a leaf without fault.
-  template <class Say>
-  void object(std::int64_t id, const double* record, Say say) {
-    const std::string fault = object_fault(record);
-    if (!fault.empty()) say("object " + std::to_string(id) + " " + fault);
-  }
-
- private:
-  /// "outline 3"
-  std::string name(std::int64_t number) const {
-    return name_of_form(format_.layout.shape) + (' ' + std::to_string(number));
-  }
-  std::string object_fault(const double* record);
-
-  ShapeRows& rows_;
-  const NodeFormat& format_;
-  std::map<std::int64_t, std::shared_ptr<const Form>> forms_;  // null: damaged
-  std::map<std::pair<std::int64_t, double>, Extents<3>>
-      known_;  // by form and heading; some megabytes at most
-};
-
-std::string FormCheck::object_fault(const double* record) {
-  const auto number = static_cast<std::int64_t>(record[format_.at.outline]);
-  if (number == 0) return "";
-  const std::string named = name(number);
-  const auto found = forms_.find(number);
-  if (found == forms_.end()) return "has " + named + ", which is missing";
-  if (!found->second) return "";  // damaged: reported already
-  Extents<3> around = Extents<3>::none();
-  try {
-    const std::pair pose{number, value_or(record, format_.at.heading, 0)};
-    if (known_.size() >= 1 << 16) known_.clear();
-    auto known = known_.find(pose);
-    if (known == known_.end()) known = known_.emplace(pose, found->second->extents(pose.second)).first;
-    around = known->second;
-  } catch (const Error& error) {
-    return "has a heading that " + named + " cannot have: " + error.what();
-  }
-  const double* const bounds = record + format_.at.bounds;
-  const int axes = bounded_axes(format_.layout.shape);
-  const bool agree = std::equal(bounds, bounds + axes, around.lower.data()) &&
-                     std::equal(bounds + axes, bounds + 2 * axes, around.upper.data());
-  return agree ? "" : "has other bounds than " + named;
-}
-
 namespace {
 
 constexpr std::size_t max_faults = 100;
@@ -90,6 +23,45 @@ constexpr std::size_t max_faults = 100;
 struct ObjectPlace {
   std::int64_t id, leaf;
 };
+
+/// All outlines or meshes of a table. Usually each is rotated once for all objects of one heading.
+struct FormsInMemory {
+  std::map<std::int64_t, std::shared_ptr<const Form>> forms = {};  ///< null: damaged
+  /// By form and heading; some megabytes at most.
+  std::map<std::pair<std::int64_t, double>, Extents<3>> extents = {};
+};
+
+/// "outline 3"
+std::string name_of(const NodeFormat& format, std::int64_t form) {
+  return name_of_form(format.layout.shape) + (' ' + std::to_string(form));
+}
+
+/// What is wrong between an object and its form: "has other bounds than outline 3"; "": nothing. Requires: `record` is
+/// from a leaf without fault.
+std::string form_fault(const NodeFormat& format, const double* record, FormsInMemory& known) {
+  const auto number = static_cast<std::int64_t>(record[format.at.outline]);
+  if (number == 0) return "";
+  const std::string named = name_of(format, number);
+  const auto found = known.forms.find(number);
+  if (found == known.forms.end()) return "has " + named + ", which is missing";
+  if (!found->second) return "";  // damaged: reported already
+  Extents<3> around = Extents<3>::none();
+  try {
+    const std::pair pose{number, value_or(record, format.at.heading, 0)};
+    if (known.extents.size() >= 1 << 16) known.extents.clear();
+    auto turned = known.extents.find(pose);
+    if (turned == known.extents.end())
+      turned = known.extents.emplace(pose, found->second->extents(pose.second)).first;
+    around = turned->second;
+  } catch (const Error& error) {
+    return "has a heading that " + named + " cannot have: " + error.what();
+  }
+  const double* const bounds = record + format.at.bounds;
+  const int axes = bounded_axes(format.layout.shape);
+  const bool agree = std::equal(bounds, bounds + axes, around.lower.data()) &&
+                     std::equal(bounds + axes, bounds + 2 * axes, around.upper.data());
+  return agree ? "" : "has other bounds than " + named;
+}
 
 class IntegrityCheck {
  public:
@@ -131,28 +103,28 @@ class IntegrityCheck {
   }
 
   void map() try {
-    std::size_t next = 0;
-    rows_.map().read([&](std::int64_t id, std::int64_t leaf) {
-      step_();
-      for (; next < objects_.size() && objects_[next].id < id; ++next) not_in("map", objects_[next]);
-      if (next == objects_.size() || objects_[next].id != id)
-        return say("the map sends " + object(id) + " to node " + std::to_string(leaf) +
-                   ", but no leaf has it");
-      if (objects_[next].leaf != leaf)
-        say("the map sends " + object(id) + " to node " + std::to_string(leaf) + ", but it is in node " +
-            std::to_string(objects_[next].leaf));
-      ++next;
-    });
-    for (; next < objects_.size(); ++next) not_in("map", objects_[next]);
+    const auto sends = [this](std::int64_t id, std::int64_t leaf) {
+      return "the map sends " + object(id) + " to node " + std::to_string(leaf);
+    };
+    compare([&](auto each) { rows_.map().read(each); }, "map",
+            [&](std::int64_t id, std::int64_t leaf) { say(sends(id, leaf) + ", but no leaf has it"); },
+            [&](const ObjectPlace& in, std::int64_t leaf) {
+              if (in.leaf != leaf) say(sends(in.id, leaf) + ", but it is in node " + std::to_string(in.leaf));
+            });
   } catch (const StoreError& error) {
     note(error);
   }
 
   void forms(ShapeRows& rows) try {
-    FormCheck check(rows, format_);
-    const auto say = [this](const std::string& fault) { this->say(fault); };
-    check.read(say);
-    for_each_object([&](std::int64_t id, const double* record) { check.object(id, record, say); });
+    FormsInMemory known;
+    rows.read_all([&](std::int64_t number, const char* fault, std::shared_ptr<const Form> form) {
+      if (fault) say(name_of(format_, number) + " is damaged: " + fault);
+      known.forms[number] = fault ? nullptr : std::move(form);
+    });
+    for_each_object([&](std::int64_t id, const double* record) {
+      if (const std::string fault = form_fault(format_, record, known); !fault.empty())
+        say("object " + std::to_string(id) + " " + fault);
+    });
   } catch (const StoreError& error) {
     note(error);
   }
@@ -180,16 +152,11 @@ class IntegrityCheck {
   }
 
   void auxiliaries(ShadowRows& rows) {
-    std::size_t next = 0;
-    rows.read_auxiliary_ids([&](std::int64_t id) {
-      step_();
-      for (; next < objects_.size() && objects_[next].id < id; ++next)
-        not_in("auxiliary columns", objects_[next]);
-      if (next == objects_.size() || objects_[next].id != id)
-        return say("there are auxiliary columns of " + object(id) + ", but no leaf has it");
-      ++next;
-    });
-    for (; next < objects_.size(); ++next) not_in("auxiliary columns", objects_[next]);
+    compare([&](auto each) { rows.read_auxiliary_ids(each); }, "auxiliary columns",
+            [&](std::int64_t id) {
+              say("there are auxiliary columns of " + object(id) + ", but no leaf has it");
+            },
+            [](const ObjectPlace&) {});
   }
 
   // Relations between sound nodes. After an earlier fault they would only repeat it, once per object.
@@ -238,8 +205,21 @@ class IntegrityCheck {
   }
 
   std::string object(std::int64_t id) const { return noun_ + (' ' + std::to_string(id)); }
-  void not_in(const char* table, const ObjectPlace& entry) {
-    say(object(entry.id) + " of node " + std::to_string(entry.leaf) + " is missing in the " + table);
+  /// compare_ascending() of the objects and these rows; `table`: which the objects without a row are missing in.
+  template <class Read, class OnlyRow, class Both>
+  void compare(Read read, const char* table, OnlyRow only_row, Both both) {
+    compare_ascending(
+        objects_, &ObjectPlace::id,
+        [&](auto each) {
+          read([&](auto... columns) {
+            step_();
+            each(columns...);
+          });
+        },
+        [&](const ObjectPlace& entry) {
+          say(object(entry.id) + " of node " + std::to_string(entry.leaf) + " is missing in the " + table);
+        },
+        only_row, both);
   }
   /// Damage is reported as a fault; any other error ends the check.
   void note(const StoreError& error) {
