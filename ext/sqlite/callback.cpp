@@ -4,7 +4,7 @@
 #include <new>
 
 #include "index/pages.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 namespace {

@@ -9,7 +9,7 @@
 #include "shape/mesh/mesh.h"
 #include "shape/mesh/mesh_text.h"
 #include "shape/mesh/triangle_tree.h"
-#include "storage/format/mesh_blob.h"
+#include "storage/format/form_blob.h"
 #include "wkt.h"
 
 namespace foresee::testing {

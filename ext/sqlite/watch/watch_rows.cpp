@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 namespace {

@@ -3,7 +3,7 @@
 #include "sqlite/callback.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/sql_tokens.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 namespace {

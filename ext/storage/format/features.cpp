@@ -33,7 +33,7 @@ std::span<const Feature> known_features() {
        {"globe", [](Table table) { return table.frame.on_globe(); }},
        // The declaration names the frame of the coordinates: with the option `frame`.
        {"frame", [](Table table) { return !table.frame.text.empty(); }},
-       // Rows of <name>_shape are zones, with corners in degrees (outline_blob.h): with a column `zone`.
+       // Rows of <name>_shape are zones, with corners in degrees (form_blob.h): with a column `zone`.
        {"zones", [](Table table) { return table.has_zones(); }},
        // Records have a category or a mask, and entries of inner nodes the kinds beneath them: with either column.
        {"kinds", [](Table table) { return has_kinds(table.layout); }},

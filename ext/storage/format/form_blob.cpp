@@ -3,9 +3,7 @@
 #include "shape/mesh/shared_mesh.h"
 #include "shape/outline/shared_outline.h"
 #include "storage/format/crc32c.h"
-#include "storage/format/mesh_blob.h"
 #include "storage/format/node_format.h"
-#include "storage/format/outline_blob.h"
 
 namespace foresee {
 

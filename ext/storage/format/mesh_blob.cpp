@@ -1,5 +1,3 @@
-#include "storage/format/mesh_blob.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,5 +1,3 @@
-#include "storage/format/outline_blob.h"
-
 #include <algorithm>
 #include <cmath>
 

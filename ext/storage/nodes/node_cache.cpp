@@ -5,7 +5,7 @@
 
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

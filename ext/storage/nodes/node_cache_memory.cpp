@@ -4,7 +4,7 @@
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/nodes/node_cache.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

@@ -9,8 +9,8 @@
 #include <functional>
 #include <optional>
 
+#include "storage/rows/sqlite_api.h"
 #include "storage/rows/statement.h"
-#include "storage/rows/store_error.h"
 
 namespace foresee {
 

@@ -1,6 +1,6 @@
 #include "storage/rows/shadow_rows.h"
 
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 namespace {

@@ -7,7 +7,7 @@
 #include "storage/format/features.h"
 #include "storage/rows/blob_rows.h"
 #include "storage/rows/shape_rows.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 #include "storage/rows/tree_rows.h"
 #include "storage/rows/value_text.h"
 

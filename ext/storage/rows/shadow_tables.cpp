@@ -4,7 +4,7 @@
 #include <cstring>
 #include <new>
 
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "storage/format/form_blob.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 #include "storage/rows/value_text.h"
 
 namespace foresee {

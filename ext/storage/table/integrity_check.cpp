@@ -12,7 +12,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/format/node_format.h"
 #include "storage/rows/shape_rows.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 #include "storage/rows/value_text.h"
 
 namespace foresee {

@@ -6,8 +6,8 @@
 #include "base/float_environment.h"
 #include "motion/plan/plan_legs.h"
 #include "shape/chunk_item.h"
+#include "storage/rows/sqlite_api.h"
 #include "storage/rows/statement.h"
-#include "storage/rows/store_error.h"
 #include "storage/table/stored_plans.h"
 
 namespace foresee {

@@ -4,7 +4,7 @@
 
 #include "base/float_environment.h"
 #include "shape/chunk_item.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 #include "storage/table/stored_plans.h"
 
 namespace foresee {

@@ -8,7 +8,7 @@
 #include "base/interrupt_steps.h"
 #include "index/tpr_tree/node.h"
 #include "motion/plan/plan_legs.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 namespace {

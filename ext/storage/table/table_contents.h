@@ -15,7 +15,7 @@
 
 #include "storage/format/declaration.h"
 #include "storage/rows/shadow_rows.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 #include "storage/table/stored_forms.h"
 #include "storage/table/stored_plans.h"
 #include "storage/table/table_totals.h"

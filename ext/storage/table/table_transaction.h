@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "storage/journal/version.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

@@ -10,7 +10,7 @@
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/nodes/object_spill.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 #include "storage/tree/record_sample.h"
 #include "storage/tree/tree_store.h"
 

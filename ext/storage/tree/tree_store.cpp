@@ -6,7 +6,7 @@
 #include "base/interrupt_steps.h"
 #include "base/repeatable_choice.h"
 #include "storage/format/leaf_node.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 namespace {

@@ -1,6 +1,4 @@
 // Stored mesh: round trip through its bytes, and faults of other bytes.
-#include "storage/format/mesh_blob.h"
-
 #include <gtest/gtest.h>
 
 #include <cstring>

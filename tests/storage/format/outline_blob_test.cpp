@@ -1,6 +1,4 @@
 // Stored outline: round trip through its bytes, and faults of other bytes.
-#include "storage/format/outline_blob.h"
-
 #include <gtest/gtest.h>
 
 #include <cstring>

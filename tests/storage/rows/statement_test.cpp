@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "storage/database.h"
-#include "storage/rows/store_error.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 namespace {
