@@ -1,9 +1,28 @@
-// The exceptions of all modules, and the interface by which a caller interrupts a long computation.
+// The exceptions of all modules, the interface by which a caller interrupts a long computation, and the compiler
+// options that foresee refuses.
 //
-// No exception crosses the C boundary: the callbacks of ext/sqlite catch all of them.
+//   struct Rows {
+//     int next() {
+//       return unbroken.run("the query", [&] { return ++row; });    // after one call that threw, each throws
+//     }
+//     UnbrokenCalls unbroken;
+//     int row = 0;
+//   };
+//
+// Every header of the core includes this one. No exception crosses the C boundary: the callbacks of ext/sqlite catch
+// all of them.
 #pragma once
 
 #include <stdexcept>
+#include <string>
+
+#ifdef __FAST_MATH__
+#error "foresee needs IEEE arithmetic: build without -ffast-math (and -Ofast)"
+#endif
+#if defined(_GLIBCXX_DEBUG) && !defined(FORESEE_GLIBCXX_DEBUG)
+#error \
+    "_GLIBCXX_DEBUG changes std::vector: leave it out, or build foresee too with it and FORESEE_GLIBCXX_DEBUG"
+#endif
 
 namespace foresee {
 
@@ -29,6 +48,25 @@ class Interrupt {
 class NeverInterrupt final : public Interrupt {
  public:
   void check() override {}
+};
+
+/// The calls of an object that gives its rows piece by piece. A call that throws may lose rows, so each later one
+/// throws Error. Cost: a nanosecond.
+class UnbrokenCalls {
+ public:
+  /// Returns call(). `name`: of the object, for the message.
+  template <class Call>
+  auto run(const char* name, Call&& call) {
+    if (failed_)
+      throw Error(std::string(name) + " failed before: its rows would be incomplete; start it again");
+    failed_ = true;
+    auto result = call();
+    failed_ = false;
+    return result;
+  }
+
+ private:
+  bool failed_ = false;  ///< or a call runs
 };
 
 }  // namespace foresee

@@ -7,16 +7,14 @@
 // set: some nanoseconds. Other processors need the whole environment: some tens. Once per batch is enough.
 #pragma once
 
+#include "base/error.h"  // refuses -ffast-math
+
 #ifdef __SSE2_MATH__
 #include <xmmintrin.h>
 
 #include <atomic>
 #else
 #include <cfenv>
-#endif
-
-#ifdef __FAST_MATH__
-#error "foresee needs IEEE arithmetic: build without -ffast-math (and -Ofast)"
 #endif
 
 namespace foresee {

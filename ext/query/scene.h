@@ -1,8 +1,15 @@
 // Snapshot of all objects of one table, as a query reads them.
 //
-// A scene is immutable once it is filled. All cursors that read it share it, so rows do not change under a
-// loop that updates the table. Ids are unique; rows are in no particular order. With plans ids repeat: the legs of an
-// object are rows with its id, adjacent and in order of time.
+//   Scene fleet{.name = "ships", .layout = layout, .ids = {7}, .rows = {0, 0, 6, 0, 30}};        // x, y, vx, vy, r
+//   check_numbers(fleet);                                       // once per fill, unless the numbers are known
+//
+// A scene is immutable once it is filled and a query has read it. All cursors that read it share it, so rows do not
+// change under a loop that updates the table. Fill another scene for other numbers. A change in place needs a reset of
+// `kinds`. Ids are unique; rows are in no particular order. With plans ids repeat: the legs of an object are rows with
+// its id, adjacent and in order of time.
+//
+// Requires: numbers as check_numbers() has them. A query does not look at them: with NaN, with an infinity or with a
+// negative radius its pairs are wrong. It does compare the sizes of `ids` and `rows`.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "index/chunk_source.h"
 #include "index/pages.h"
 #include "index/tpr_tree/search/tree_join.h"
@@ -41,13 +49,14 @@ struct SceneNeeds {
 };
 
 struct Scene {
-  std::string name;  ///< of the table, for messages
-  Layout layout;
-  std::vector<std::int64_t> ids;
-  std::vector<double> rows;               ///< ids.size() rows of row_offsets(layout).size doubles
+  std::string name = {};  ///< of the table, for messages
+  Layout layout = {};
+  std::vector<std::int64_t> ids = {};
+  std::vector<double> rows = {};  ///< ids.size() rows of row_offsets(layout).size doubles, each finite
   std::optional<TreeLevels> levels = {};  ///< for joins by the tree: rows are in leaf order
   std::unique_ptr<RowForms> forms = {};   ///< if the layout has outlines or meshes
-  /// Kept by the first join that needs it (join/pair_kinds.h). Requires: joins of a scene start one at a time.
+  /// Cache of category and mask of all rows, kept by the first join that needs it (join/pair_kinds.h). It does not see
+  /// a later change of them in `rows` unless this is reset. Requires: joins of a scene start one at a time.
   mutable std::shared_ptr<SceneKinds> kinds = {};
   /// Of a layout with plans: the first row of each object, ascending, then size(). Legs that do not exist during
   /// `legs_during` may be missing.
@@ -98,6 +107,11 @@ struct Scene {
   }
 };
 
+/// Throws Error for the first number that a table would refuse, as "ships: row 7: r is -3; write a finite number >= 0".
+/// Numbers must be finite (`until` may be +infinity), sizes not negative, kinds whole numbers below 2^32, and `until`
+/// not before `t`. Cost: some nanoseconds per number.
+void check_numbers(const Scene& scene);
+
 // The objects that a query searches: all objects of a scene, or a snapshot of a tree.
 //
 //   SearchTarget ships{"ships", scene, nullptr};             // every object is tested
@@ -106,11 +120,12 @@ struct Scene {
 // Both give the same rows. Exactly one of the two is set; a tree of a layout with plans has chunks beside it.
 
 struct SearchTarget {
-  std::string name;  ///< of the table, for messages
-  std::shared_ptr<const Scene> scene;
-  std::shared_ptr<NodeSource> tree;               ///< its walks find no object with a plan
+  std::string name = {};  ///< of the table, for messages
+  std::shared_ptr<const Scene> scene = nullptr;
+  std::shared_ptr<NodeSource> tree = nullptr;     ///< its walks find no object with a plan
   std::shared_ptr<ChunkSource> chunks = nullptr;  ///< the plans
 
+  /// Requires: either is set.
   const Layout& layout() const { return scene ? scene->layout : tree->layout(); }
 };
 

@@ -76,7 +76,7 @@ inline SearchTarget trees_of(TableSource& table) {
 
 /// The tables of a join. If `b` is the same table as `a`, each pair occurs in both orders.
 struct JoinedTables {
-  std::shared_ptr<TableSource> a;
+  std::shared_ptr<TableSource> a = nullptr;  ///< must be set
   std::shared_ptr<TableSource> b = nullptr;  ///< null: pairs within a, each once
 
   bool are_one() const { return a == b; }

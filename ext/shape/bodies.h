@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/error.h"
 #include "base/pair.h"
 #include "motion/motion.h"
 #include "shape/form_rows.h"
@@ -20,8 +21,8 @@ namespace foresee {
 
 struct Bodies {
   Bodies() = default;
-  Bodies(const Layout& layout, const double* rows, std::size_t count)
-      : layout(layout), at(row_offsets(layout)), rows(rows), count(count) {}
+  Bodies(const Layout& of_layout, const double* first_row, std::size_t row_count)
+      : layout(of_layout), at(row_offsets(of_layout)), rows(first_row), count(row_count) {}
 
   const double* row(std::size_t i) const { return rows + i * static_cast<std::size_t>(at.size); }
 

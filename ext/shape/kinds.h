@@ -61,11 +61,16 @@ constexpr bool has_kinds(const Layout& layout) {
   return layout.has_category || layout.has_mask;
 }
 
+/// The bits of a stored number; none of a number that has no bits, as NaN or -1.
+constexpr std::uint32_t kind_bits(double number) {
+  return number >= 0 && number <= every_kind ? static_cast<std::uint32_t>(number) : 0;
+}
+
 /// The kinds of an object, from its record or its row, whose offsets `at` has.
 inline Kinds kinds_of(const double* numbers, const Offsets& at) {
   Kinds kinds;
-  if (at.category != Offsets::absent) kinds.category = static_cast<std::uint32_t>(numbers[at.category]);
-  if (at.mask != Offsets::absent) kinds.mask = static_cast<std::uint32_t>(numbers[at.mask]);
+  if (at.category != Offsets::absent) kinds.category = kind_bits(numbers[at.category]);
+  if (at.mask != Offsets::absent) kinds.mask = kind_bits(numbers[at.mask]);
   return kinds;
 }
 

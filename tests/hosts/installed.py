@@ -1,10 +1,16 @@
 """`cmake --install` into a prefix that is then moved: what programs that use it begin with."""
+import re
 import shutil
 from pathlib import Path
 
 from hosts import BUILD, MEETING, ROOT, Host, blocks, need_commands, run, skip
 
 MODULES_OF_THE_SYSTEM = sorted(Path("/usr/lib").glob("*/foresee.so"))    # those of an installed Debian package
+
+
+def wanted_headers():
+    """The headers that programs include."""
+    return re.search(r"set\(wanted\n([^)]*)\)", (ROOT / "ext/hosts/cmake/install_headers.cmake").read_text()).group(1).split()
 
 
 class Installed(Host):

@@ -26,7 +26,6 @@ set(made ${CMAKE_CURRENT_BINARY_DIR}/hosts)
 # One export a component: who wants the module is not asked for Eigen.
 function(install_component name target)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-  add_library(foresee::${name} ALIAS ${target})
   install(TARGETS ${target} EXPORT foresee_${name}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${ARGN}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${ARGN})

@@ -4,7 +4,9 @@
 cmake_policy(VERSION 3.21)
 set(wanted
   query/join/join.h query/join/explain.h query/window/window.h query/nearest/nearest.h query/position/positions.h
-  query/watch/pair_contacts.h index/memory_pages.h index/tpr_tree/tpr_tree.h shape/outline/wkt.h shape/mesh/mesh_text.h)
+  query/position/tracks.h query/sweep/sweep.h query/avoid/avoid.h query/memory_table.h query/watch/pair_update.h
+  query/watch/pair_contacts.h query/watch/memory_watch.h base/float_environment.h index/memory_pages.h
+  index/tpr_tree/tpr_tree.h shape/outline/wkt.h shape/mesh/mesh_text.h)
 set(found)
 while(wanted)
   list(POP_FRONT wanted header)

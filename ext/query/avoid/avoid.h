@@ -17,7 +17,7 @@
 // (delay). Answers do not depend on index, order, threads, CPU or objects out of reach.
 //
 // Cost: one query of the tree, then some 50 ns per object that any change could touch, and some microseconds
-// per end of a row. Memory: one row of numbers per such object.
+// per end of a row. For accelerated paths some twenty times as much. Memory: one row of numbers per such object.
 #pragma once
 
 #include <vector>
@@ -27,7 +27,7 @@
 
 namespace foresee {
 
-/// Throws Error for what require_valid() and queried_changes() refuse.
+/// Throws Error for what require_valid() and queried_changes() refuse, as a record of another size than its layout has.
 std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt);
 
 }  // namespace foresee

@@ -117,12 +117,33 @@ void require_no_meshes(const AvoidQuestion& question) {
   if (question.also) require(question.also->name, question.also->layout());
 }
 
+/// The object, its table, and the record that has its numbers.
+void require_object(const AvoidQuestion& question) {
+  require_set(question.own_scene != nullptr, "predictive_avoid has no object", "AvoidQuestion::own_scene");
+  const Scene& own = *question.own_scene;
+  const std::string& name = own.name;
+  require_layout(name, own.layout);
+  const Offsets at = record_offsets(own.layout);
+  const auto size = static_cast<std::size_t>(at.size);
+  if (own.ids.empty() && question.record.empty()) return;
+  if (question.record.size() != size)
+    throw Error(name + ": a record has " + std::to_string(size) + " numbers, not " +
+                std::to_string(question.record.size()) + "; set AvoidQuestion::record");
+  if (own.ids.empty()) return;
+  require_numbers(name, own.ids[0], number_columns(own.layout, at), at, question.record.data());
+}
+
+std::shared_ptr<const Scene> no_objects(const std::string& name, const Layout& layout) {
+  auto none = std::make_shared<Scene>();
+  none->name = name;
+  none->layout = layout;
+  return none;
+}
+
 /// Throws what a join of the two tables throws.
 void require_join(const AvoidQuestion& question, const SearchTarget& others) {
-  auto none = std::make_shared<Scene>();
-  none->name = others.name;
-  none->layout = others.layout();
-  JoinQuestion join{.a = question.own_scene, .b = none};
+  JoinQuestion join{.a = no_objects(question.own_scene->name, question.own_scene->layout),
+                    .b = no_objects(others.name, others.layout())};
   join.now = question.now;
   join.h = question.h;
   join.within = question.within;
@@ -191,6 +212,9 @@ Touching touching_of(std::string_view name) {
 }
 
 void require_valid(const AvoidQuestion& question) {
+  require_object(question);
+  require_target(question.others, "predictive_avoid has no objects to avoid", "AvoidQuestion::others");
+  if (question.also) require_target(*question.also, "a second table has no objects", "AvoidQuestion::also");
   require_range(question);
   require_columns(question);
   require_resume(question);

@@ -6,12 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/changes.h"
+#include "motion/manoeuvre.h"
 #include "motion/plan/plan.h"
 #include "query/scene.h"
 
 namespace foresee {
 
+class Changes;
 struct OwnState;
 
 /// What is required of objects that touch already when the manoeuvre starts.
@@ -21,15 +22,15 @@ enum class Touching : std::uint8_t {
 };
 
 struct AvoidQuestion {
-  std::shared_ptr<const Scene> own_scene;  ///< the object that changes, or no object
+  std::shared_ptr<const Scene> own_scene = nullptr;  ///< the object that changes, or no object; must be set
   /// Its numbers as they are stored (OwnState::record may have t and until besides); empty: no object.
-  std::vector<double> record;
+  std::vector<double> record = {};
   std::shared_ptr<const Form> form = {};  ///< its outline, or null
   std::shared_ptr<const Plan> plan = {};  ///< or null; own_scene has its legs
   /// No column of its table stores the t of its records, or the velocity: a table with plans has both without columns.
   bool lacks_t = false;
   bool lacks_velocity = false;
-  SearchTarget others;  ///< its table: the object with its id is left out
+  SearchTarget others = {};  ///< its table: the object with its id is left out
   std::optional<SearchTarget> also = {};
   double now = 0;
   bool now_given = false;

@@ -9,10 +9,10 @@
 #include "index/paper_grid/paper_stages.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
+#include "query/join/join_scenes.h"
 #include "query/join/movers/found_movers.h"
 #include "query/join/pair_kinds.h"
-#include "query/join/tile_scenes.h"
-#include "query/tile/ownership.h"
+#include "query/tile/tile.h"
 
 namespace foresee {
 namespace {

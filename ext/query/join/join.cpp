@@ -1,16 +1,17 @@
 #include "query/join/join.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/float_environment.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
+#include "query/join/join_scenes.h"
 #include "query/join/movers/leg_join.h"
 #include "query/join/pair_kinds.h"
 #include "query/join/slab_helpers.h"
 #include "query/join/sorted_hits.h"
-#include "query/join/tile_scenes.h"
 
 namespace foresee {
 
@@ -20,6 +21,7 @@ namespace {
 /// ownership of a tile, and a grid space. Throws Error as require_valid() does.
 JoinQuestion prepared(JoinQuestion question, Interrupt& interrupt) {
   require_valid(question);
+  question.helpers = std::min(question.helpers, max_helpers());
   question = with_kinds(in_tile(without_inert(std::move(question)), interrupt));
   // Straight paths of two objects meet once at most.
   if (!has_plans(question) && !has_bent_paths(question)) question.all_contacts = false;
@@ -148,7 +150,7 @@ Join::~Join() = default;
 
 std::span<const JoinRow> Join::next() {
   const FloatEnvironment environment;
-  return legs_ ? legs_->next() : objects_->next();
+  return unbroken_.run("the join", [this] { return legs_ ? legs_->next() : objects_->next(); });
 }
 
 }  // namespace foresee

@@ -36,7 +36,8 @@ class Join {
   Join(const Join&) = delete;
   Join& operator=(const Join&) = delete;
 
-  /// The next rows, a few thousand at most; empty at the end. Valid until the next call.
+  /// The next rows, a few thousand at most; empty at the end. Valid until the next call. If it throws, as `interrupt`
+  /// may, each later call throws Error.
   std::span<const JoinRow> next();
 
  private:
@@ -44,6 +45,7 @@ class Join {
 
   std::unique_ptr<ObjectJoin> objects_;
   std::unique_ptr<LegJoin> legs_;  ///< in place of it, for tables with plans
+  UnbrokenCalls unbroken_;
 };
 
 }  // namespace foresee

@@ -11,7 +11,7 @@
 #include "query/join/movers/leg_tree.h"
 #include "query/join/pair_kinds.h"
 #include "query/legs/leg_candidates.h"
-#include "query/tile/ownership.h"
+#include "query/tile/tile.h"
 
 namespace foresee {
 namespace {

@@ -6,7 +6,6 @@
 #include "base/float_environment.h"
 #include "base/interrupt_steps.h"
 #include "motion/plan/chunks.h"
-#include "query/join/tile_scenes.h"
 #include "query/legs/leg_scene.h"
 #include "shape/swept_boxes.h"
 
@@ -109,6 +108,7 @@ void load_object_and_near(const JoinedTables& tables, JoinQuestion& question, In
   std::optional<std::int64_t>& queried = by_a ? question.only_a : question.only_b;
   const std::int64_t id = queried.value();
   queried.reset();
+  question.method = JoinMethod::scan;
   TableSource& one = by_a ? *tables.a : tables.side_b();
   TableSource& others = by_a ? tables.side_b() : *tables.a;
   std::shared_ptr<const Scene>& object = by_a ? question.a : question.b;
@@ -125,7 +125,6 @@ void load_object_and_near(const JoinedTables& tables, JoinQuestion& question, In
                       keep);
   // The closest approach is that of all legs.
   if (near->layout.has_plan && question.wants.approach) near = others.objects(objects_in(*near), times);
-  question.method = JoinMethod::scan;
   question.space = nullptr;  // a scan would only trim the memory of the last grid
 }
 

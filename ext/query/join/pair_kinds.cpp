@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "index/tpr_tree/tpr_tree.h"
-#include "query/tile/ownership.h"
+#include "query/tile/tile.h"
 
 namespace foresee {
 namespace {
 
 std::shared_ptr<SceneKinds> kinds_of(const Scene& scene) {
-  if (scene.kinds) return scene.kinds;
+  if (scene.kinds && scene.kinds->of.size() == scene.size()) return scene.kinds;  // else rows were added
   auto kinds = std::make_shared<SceneKinds>();
   const Bodies bodies = scene.bodies();
   kinds->of.reserve(bodies.count);

@@ -56,6 +56,17 @@ const char* name_of(JoinMethod method) {
 }
 
 void require_valid(const JoinQuestion& question) {
+  require_set(question.a != nullptr, "a join has no scene a", "JoinQuestion::a");
+  for (const Scene* scene : {question.a.get(), question.b.get()}) {
+    if (!scene) continue;
+    require_whole(*scene);
+    require_forms(*scene);
+    const bool of_one = question.only_a || question.only_b;
+    if (question.method == JoinMethod::tree && !of_one && !has_plans(question) && !scene->levels &&
+        scene->size() > 0)
+      throw Error(scene->name +
+                  ": method 'tree' needs levels, which MemoryTable::all() has; choose another method");
+  }
   require_not_negative("h", question.h);
   require_not_negative("within", question.within);
   if (question.within_z) require_not_negative("within_z", *question.within_z);

@@ -54,7 +54,7 @@ struct PairKinds;
 
 /// A join: its scenes, the query, the resources that it may use, and what Join derives from these.
 struct JoinQuestion {
-  std::shared_ptr<const Scene> a;
+  std::shared_ptr<const Scene> a = nullptr;  ///< must be set
   std::shared_ptr<const Scene> b = nullptr;  ///< null: pairs within a, each once
   double now = 0;
   double h = 0;
@@ -68,9 +68,10 @@ struct JoinQuestion {
   JoinOrder order = JoinOrder::any;
   std::size_t likely_rows = all_rows;  ///< to be read; in an ordered join, reading more repeats work
   JoinWants wants = {};
-  std::size_t helpers = 0;                     ///< threads that the grid may use besides the caller's
+  /// Threads that the grid may use besides the caller's: at most 16, or twice the machine's processors if that is more.
+  std::size_t helpers = 0;
   std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time
-  /// Of the tile; null: all pairs. Join sets it by in_tile() (tile_scenes.h).
+  /// Of the tile; null: all pairs. Join sets it by in_tile() (join_scenes.h).
   std::shared_ptr<const Ownership> own = nullptr;
   /// Null: all pairs may meet. Join sets it by with_kinds() (pair_kinds.h).
   std::shared_ptr<const PairKinds> kinds = nullptr;
@@ -101,7 +102,8 @@ inline bool has_bent_paths(const JoinQuestion& question) {
 }
 
 /// Throws Error if h, within or within_z is negative or not finite, now is not finite, or the axes of both
-/// scenes differ. Also if the tile is empty or has a bound on an axis that the scenes do not have.
+/// scenes differ. Also if the tile is empty or has a bound on an axis that the scenes do not have. Also if scene a is
+/// missing, if the sizes of a scene do not fit its layout, and for the method tree if a scene has no levels.
 void require_valid(const JoinQuestion& question);
 
 /// The inflation of the swept boxes of both sides together. Throws Error for shapes without a distance.

@@ -1,5 +1,6 @@
 #include "query/join/slab_helpers.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -20,6 +21,10 @@ constexpr std::size_t bytes_at_once = 1 << 12;         // of a batch that the re
 constexpr std::size_t bytes_ahead = 3 * bytes_enough;  // of a partition
 
 }  // namespace
+
+std::size_t max_helpers() {
+  return std::max<std::size_t>(16, 2 * std::size_t{std::thread::hardware_concurrency()});
+}
 
 struct SlabHelpers::Shared {
   struct Part {

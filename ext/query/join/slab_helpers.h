@@ -99,6 +99,9 @@ class SlabBatch {
   std::size_t chunk_ = 0, rows_read_ = 0, touching_read_ = 0;  // position of the reader
 };
 
+/// More helper threads only wait for processors: 16, or twice the machine's processors if that is more.
+std::size_t max_helpers();
+
 class SlabHelpers {
  public:
   /// Builds a grid of the slab's objects with `question.helpers` threads besides the caller's, then starts

@@ -1,5 +1,3 @@
-#include "query/join/tile_scenes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -7,8 +5,9 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/sweep_walk.h"
+#include "query/join/join_scenes.h"
 #include "query/sweep/sweep.h"
-#include "query/tile/ownership.h"
+#include "query/tile/tile.h"
 
 namespace foresee {
 namespace {

@@ -182,6 +182,7 @@ std::vector<NearestRow> search(const NearestQuestion& question, Interrupt& inter
 }
 
 void require_valid(const NearestQuestion& question) {
+  require_target(question.objects, "a nearest query has no objects", "NearestQuestion::objects");
   require_not_negative("h", question.h);
   require_finite("now", question.now);
   if (question.k < 1) throw Error("k must be a whole number >= 1, not " + std::to_string(question.k));

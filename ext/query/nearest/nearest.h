@@ -23,7 +23,7 @@
 namespace foresee {
 
 struct NearestQuestion {
-  SearchTarget objects;
+  SearchTarget objects = {};  ///< must be set
   double now = 0;
   double h = 0;
   std::int64_t k = 1;
@@ -39,7 +39,8 @@ struct NearestRow {
 };
 
 /// Rows by rank. Throws Error if h is negative or not finite, if now, a coordinate or a velocity is not
-/// finite, or if k < 1. Also if a coordinate is missing, or given for an axis that the objects do not have.
+/// finite, or if k < 1. Also if a coordinate is missing, or given for an axis that the objects do not have, without
+/// objects, or if a scene's sizes do not fit its layout.
 std::vector<NearestRow> nearest(const NearestQuestion& question, Interrupt& interrupt);
 
 }  // namespace foresee

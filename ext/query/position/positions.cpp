@@ -37,7 +37,9 @@ std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies,
 }
 
 Positions::Positions(std::shared_ptr<const Scene> scene, double time)
-    : scene_(std::move(scene)), bodies_(scene_->bodies()), time_(time) {
+    : scene_(whole(std::move(scene), "positions have no scene", "a scene")),
+      bodies_(scene_->bodies()),
+      time_(time) {
   require_finite("at", time);
 }
 

@@ -28,7 +28,7 @@ std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies,
 
 class Positions {
  public:
-  /// Throws Error unless `time` is finite.
+  /// Throws Error unless `time` is finite. Also without a scene, or if its sizes do not fit its layout.
   Positions(std::shared_ptr<const Scene> scene, double time);
 
   /// The next object; empty at the end.

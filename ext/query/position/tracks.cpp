@@ -38,7 +38,7 @@ std::vector<std::size_t> objects_by_id(const Scene& scene, Interrupt& interrupt)
 }  // namespace
 
 Tracks::Tracks(std::shared_ptr<const Scene> scene, const TrackTimes& instants, Interrupt& interrupt)
-    : scene_(std::move(scene)),
+    : scene_(whole(std::move(scene), "tracks have no scene", "a scene")),
       bodies_(scene_->bodies()),
       instants_(instants),
       interrupt_(interrupt),
@@ -59,17 +59,19 @@ bool Tracks::to_next_time() {
 
 std::optional<TrackRow> Tracks::next() {
   const FloatEnvironment environment;
-  if (by_id_.empty()) return std::nullopt;
-  do {
-    while (next_ < by_id_.size()) {
-      interrupt_.check();
-      if (const auto row = position_of(*scene_, bodies_, by_id_[next_++], time_))
-        return TrackRow{time_, *row};
-    }
-    next_ = 0;
-  } while (to_next_time());
-  by_id_.clear();
-  return std::nullopt;
+  return unbroken_.run("the track", [this]() -> std::optional<TrackRow> {
+    if (by_id_.empty()) return std::nullopt;
+    do {
+      while (next_ < by_id_.size()) {
+        interrupt_.check();
+        if (const auto row = position_of(*scene_, bodies_, by_id_[next_++], time_))
+          return TrackRow{time_, *row};
+      }
+      next_ = 0;
+    } while (to_next_time());
+    by_id_.clear();
+    return std::nullopt;
+  });
 }
 
 }  // namespace foresee

@@ -25,10 +25,12 @@ struct TrackRow {
 
 class Tracks {
  public:
-  /// Throws Error unless t0 <= t1 and step > 0 are finite and make fewer than 2^53 times.
+  /// Throws Error unless t0 <= t1 and step > 0 are finite and make fewer than 2^53 times. Also without a scene, or if
+  /// its sizes do not fit its layout.
   Tracks(std::shared_ptr<const Scene> scene, const TrackTimes& instants, Interrupt& interrupt);
 
-  /// The next object at the current time, or the first one at the next time; empty at the end.
+  /// The next object at the current time, or the first one at the next time; empty at the end. If it throws, as
+  /// `interrupt` may, each later call throws Error.
   std::optional<TrackRow> next();
 
  private:
@@ -41,6 +43,7 @@ class Tracks {
   std::vector<std::size_t> by_id_;  ///< numbers of objects
   double i_ = 0, time_;
   std::size_t next_ = 0;
+  UnbrokenCalls unbroken_;
 };
 
 }  // namespace foresee

@@ -49,6 +49,8 @@ std::vector<SweepRow> sweep_plans(const SweepQuestion& question, Interrupt& inte
 }
 
 void require_valid_sweep(const SweepQuestion& question) {
+  require_set(question.tree != nullptr, "a sweep has no tree", "SweepQuestion::tree");
+  require_layout("sweep", question.tree->layout());
   require_not_negative("h", question.h);
   require_not_negative("within", question.within);
   if (question.within_z) require_not_negative("within_z", *question.within_z);
@@ -113,11 +115,13 @@ Sweep::~Sweep() = default;
 
 std::span<const SweepRow> Sweep::next() {
   const FloatEnvironment environment;
-  rows_.clear();
-  while (rows_.empty() && leaves_->next(rows_)) {
-  }
-  if (rows_.empty()) rows_.swap(plans_);
-  return rows_;
+  return unbroken_.run("the sweep", [this]() -> std::span<const SweepRow> {
+    rows_.clear();
+    while (rows_.empty() && leaves_->next(rows_)) {
+    }
+    if (rows_.empty()) rows_.swap(plans_);
+    return rows_;
+  });
 }
 
 }  // namespace foresee

@@ -79,7 +79,7 @@ Box<D> swept_box_of(const Bodies& bodies, RowRange rows, const Horizon& horizon,
 }
 
 struct SweepQuestion {
-  std::shared_ptr<NodeSource> tree;
+  std::shared_ptr<NodeSource> tree = nullptr;  ///< must be set
   double now = 0;
   double h = 0;
   double within = 0;
@@ -96,11 +96,12 @@ struct SweepRow {
 class Sweep {
  public:
   /// Throws Error if h, within or within_z is negative or not finite, if now is not finite, and for within_z
-  /// without an axis z. `interrupt` must outlive the sweep.
+  /// without an axis z. Also without a tree. `interrupt` must outlive the sweep.
   Sweep(SweepQuestion question, Interrupt& interrupt);
   ~Sweep();
 
-  /// The rows of the next leaf that has any; empty at the end. Valid until the next call.
+  /// The rows of the next leaf that has any; empty at the end. Valid until the next call. If it throws, as `interrupt`
+  /// may, each later call throws Error.
   std::span<const SweepRow> next();
 
  private:
@@ -110,6 +111,7 @@ class Sweep {
 
   std::unique_ptr<Leaves> leaves_;
   std::vector<SweepRow> rows_, plans_;  ///< of the last leaf; of the objects with plans, until they are given
+  UnbrokenCalls unbroken_;
 };
 
 }  // namespace foresee

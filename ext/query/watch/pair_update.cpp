@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "query/input_checks.h"
 #include "query/join/join.h"
 #include "query/watch/pair_contacts.h"
 
@@ -28,6 +29,7 @@ void sort_and_unique(std::vector<WatchedPair>& pairs) {
 PairUpdate::PairUpdate(JoinedTables tables, const WatchState& before, WatchStorage& storage,
                        const JoinResources& resources)
     : tables_(std::move(tables)), storage_(storage), resources_(resources), before_(before), state_(before) {
+  require_set(tables_.a != nullptr, "a watch has no table a", "JoinedTables::a");
   state_.stamp = tables_.a->stamp();
   if (tables_.b) state_.other_stamp = tables_.b->stamp();
 }

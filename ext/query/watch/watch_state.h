@@ -8,12 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "query/watch/watched_pair.h"
 
 namespace foresee {
 
 struct WatchDeclaration {
-  std::string tbl;
+  std::string tbl = {};
   std::optional<std::string> other = {};  ///< nothing: pairs within tbl
   double horizon = 0;
   double within = 0;
@@ -51,7 +52,7 @@ struct WatchState : WatchDeclaration {
 //   storage.append({.seq = 7, .op = '+', .a = 1, .b = 2, .t = 95, .now = 0});
 //
 // An update (pair_update.h) reads and writes through this interface. Shadow tables of a database implement
-// it (sqlite/watch/watch_rows.h), and so does memory in tests.
+// it (sqlite/watch/watch_rows.h), and so does memory (memory_watch.h).
 
 struct LoggedChange {
   std::int64_t seq;

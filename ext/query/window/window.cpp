@@ -186,6 +186,8 @@ WindowFaces faces_around(const WindowQuestion& question) {
 }
 
 WindowQuestion checked(WindowQuestion question) {
+  require_target(question.objects, "a window query has no objects", "WindowQuestion::objects");
+  if (question.objects.scene) require_forms(*question.objects.scene);
   if (question.zone) require_only_zone(question);
   if (question.all_contacts) {
     refuse_all_contacts_of_forms(question.objects.layout());
@@ -242,12 +244,14 @@ void Window::find_plans(const WindowFaces& faces, const std::optional<KindTest>&
 
 std::span<const WindowRow> Window::next() {
   const FloatEnvironment environment;
-  rows_.clear();
-  while (rows_.empty() && candidates_ && decide_batch()) {
-  }
-  while (rows_.empty() && movers_ && movers_->next(rows_)) {
-  }
-  return rows_;
+  return unbroken_.run("the window query", [this]() -> std::span<const WindowRow> {
+    rows_.clear();
+    while (rows_.empty() && candidates_ && decide_batch()) {
+    }
+    while (rows_.empty() && movers_ && movers_->next(rows_)) {
+    }
+    return rows_;
+  });
 }
 
 bool Window::decide_batch() {

@@ -68,7 +68,7 @@ struct WindowWants {
 };
 
 struct WindowQuestion {
-  SearchTarget objects;
+  SearchTarget objects = {};  ///< must be set
   double now = 0;
   double h = 0;
   WindowFaces faces = {};                               ///< infinite: no bound
@@ -90,11 +90,13 @@ class Window {
  public:
   /// Throws Error if h is negative or not finite, if now or a velocity is not finite, or if a lower bound is
   /// above its upper one. Also for a bound or velocity on an axis that the objects do not have, and for a
-  /// zone on one axis or together with a bound in x or y. `interrupt` must outlive the window.
+  /// zone on one axis or together with a bound in x or y. Also without objects, or if a scene's sizes do not fit its
+  /// layout. `interrupt` must outlive the window.
   Window(WindowQuestion question, Interrupt& interrupt);
   ~Window();
 
-  /// The next rows, a few hundred at most; empty at the end. Valid until the next call.
+  /// The next rows, a few hundred at most; empty at the end. Valid until the next call. If it throws, as `interrupt`
+  /// may, each later call throws Error.
   std::span<const WindowRow> next();
 
  private:
@@ -114,6 +116,7 @@ class Window {
   std::vector<Pair> pairs_, hits_;
   std::vector<ContactTimes> times_;
   std::vector<WindowRow> rows_;
+  UnbrokenCalls unbroken_;
 };
 
 }  // namespace foresee

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/error.h"
 #include "shape/mesh/mesh.h"
 
 namespace foresee {

@@ -18,6 +18,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/error.h"
 #include "base/text/wkt_lexer.h"
 #include "shape/outline/outline.h"
 

@@ -14,9 +14,6 @@ namespace {
 constexpr double decoded_object = 6;  // read, decoded, returned
 constexpr double looked_up_object = 80;
 constexpr double joined_object = 12, joined_row = 2;
-/// A prepared statement keeps its plan while its tables grow. So a whole join counts at least so many objects of a
-/// table: what is fast for these is hardly slower in a smaller table.
-constexpr double min_joined = 1000;
 constexpr double search = 500, found_object = 50, nearest_object = 300;
 constexpr double search_of_one = 600;  // above `search`: even in a tiny table the whole search comes first
 constexpr double probe = 100, probed_level = 50;  // of one object, per binary logarithm of all objects
@@ -105,9 +102,7 @@ CallEstimate estimate_avoid(const CallSizes& sizes) {
 
 CallEstimate estimate_join(const CallSizes& sizes) {
   const double others = sizes.others.value_or(0), rows = std::max(sizes.objects, others);
-  const double joined =
-      std::max(min_joined, sizes.objects) + (sizes.others ? std::max(min_joined, others) : 0);
-  return {joined_object * joined + joined_row * rows, rows};
+  return {joined_object * (sizes.objects + others) + joined_row * rows, rows};
 }
 
 CallEstimate estimate_pairs_of_one(const CallSizes& sizes, bool by_a) {

@@ -33,8 +33,8 @@ struct EarlierPlans {
   bool side_was_planned = false;  ///< of an OR
 };
 
-/// The work of xBestIndex: fills in `info`. Throws Error if an input is compared with <, <=, > or >=. Returns SQLITE_OK, SQLITE_NOMEM, or SQLITE_CONSTRAINT if an input
-/// comes from a table that this plan reads later.
+/// The work of xBestIndex: fills in `info`. Returns SQLITE_OK, SQLITE_NOMEM, or SQLITE_CONSTRAINT if an input
+/// comes from a table that this plan reads later. Throws Error if an input is compared with <, <=, > or >=.
 int plan_call(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               sqlite3_index_info& info);
 

@@ -10,8 +10,8 @@
 namespace foresee {
 namespace {
 
-/// Compares the starts of chunks with those that the first chunk of the plan has. A query finds the legs of few moments
-/// by these, so a wrong one hides legs.
+/// Compares the starts of chunks with those that the first chunk of the plan has. A query finds the legs of few
+/// instants by these, so a wrong one hides legs.
 class StartsCheck {
  public:
   /// What is wrong with a chunk of `head`; null: nothing. Call it for the chunks in order.

@@ -1,7 +1,11 @@
 // Helper threads change no row and not their order; interrupts and failures reach the caller.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <thread>
+
 #include "query/join/join_plan.h"
+#include "query/join/slab_helpers.h"
 #include "query/join_cases.h"
 #include "sanitized.h"
 #include "stopping_interrupt.h"
@@ -132,6 +136,15 @@ TEST(JoinHelpers, EndWithAJoinThatIsNotReadToItsEnd) {
   question.a = giants_among(2, 60000, question);
   question.wants = {.ends = false, .approach = false};
   end_early(question);
+}
+
+TEST(JoinHelpers, AreNotMoreThanTheMachineCanUse) {
+  EXPECT_GE(max_helpers(), 16u);
+  EXPECT_LE(max_helpers(), std::max(16u, 2 * std::thread::hardware_concurrency()));
+  JoinQuestion question = question_of(SceneKind::uniform, discs, 60000);
+  const std::size_t rows = rows_in_order(question).size();
+  question.helpers = 1000000;
+  EXPECT_EQ(rows_in_order(question).size(), rows);
 }
 
 TEST(JoinHelpers, AreStoppedByAnInterrupt) {

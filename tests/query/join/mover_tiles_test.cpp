@@ -6,10 +6,10 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "never_interrupt.h"
-#include "query/join/tile_scenes.h"
+#include "query/join/join_scenes.h"
 #include "query/join/tilings.h"
 #include "query/plan_cases.h"
-#include "query/tile/ownership.h"
+#include "query/tile/tile.h"
 
 namespace foresee::testing {
 namespace {

@@ -1,6 +1,5 @@
 // Tiles: the tiles of any tiling give the whole join together, every row once, with the same doubles.
 // FORESEE_LONG=1: more than 10,000 tilings.
-#include "query/join/tile_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "query/plan_cases.h"
-#include "query/watch/memory_watch.h"
+#include "query/watch/watched.h"
 
 namespace foresee::testing {
 namespace {
@@ -65,7 +65,7 @@ TEST_P(PairUpdateOfPlans, EveryUpdateGivesThePlainContacts) {
       watched.expect_pairs(plain_pairs(ships, between ? &ferries : nullptr, {clock, 6}, within));
       if (HasFailure()) return;
     }
-    reported += watched.watch.log.size();
+    reported += watched.watch.log().size();
   }
   EXPECT_GT(reported, 300u);
 }
@@ -88,9 +88,9 @@ TEST(PairUpdateOfPlans, AContactManyLegsAheadIsReportedInTime) {
   std::vector<double> reports;
   for (double clock = 0; clock <= 200; clock += 1) {
     watched.state.requested_clock = clock;
-    const std::size_t known = watched.watch.log.size();
+    const std::size_t known = watched.watch.log().size();
     watched.update();
-    for (std::size_t i = known; i < watched.watch.log.size(); ++i) reports.push_back(clock);
+    for (std::size_t i = known; i < watched.watch.log().size(); ++i) reports.push_back(clock);
   }
   // Touches from 149 8/9 (or 149.9) to 150.1: known from 145 on, gone at 151.
   EXPECT_EQ(reports, (std::vector<double>{145, 151}));

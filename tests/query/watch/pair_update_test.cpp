@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "query/watch/memory_watch.h"
+#include "query/watch/watched.h"
 
 namespace foresee::testing {
 namespace {
@@ -35,7 +35,7 @@ TEST_P(PairUpdateLives, EveryUpdateGivesTheRowsOfTheJoin) {
       watched.update();
       watched.expect_join();
     }
-    reported += watched.watch.log.size();
+    reported += watched.watch.log().size();
   }
   EXPECT_GT(reported, 500u);
 }
@@ -47,12 +47,12 @@ TEST(PairUpdate, NothingIsWrittenIfNothingChanged) {
   Random random(1);
   for (std::int64_t id = 1; id <= 30; ++id) watched.ships->put(id, report(random, 0));
   watched.update();
-  const std::size_t changes = watched.watch.log.size();
+  const std::size_t changes = watched.watch.log().size();
   EXPECT_GT(changes, 0u);
   PairUpdate update(watched.tables, watched.state, watched.watch, {watched.never});
   EXPECT_FALSE(update.run());
   EXPECT_FALSE(update.has_written());
-  EXPECT_EQ(watched.watch.log.size(), changes);
+  EXPECT_EQ(watched.watch.log().size(), changes);
 }
 
 TEST(PairUpdate, AnAdvanceMovesTheClockWithoutChangesForwardAndBack) {
@@ -64,7 +64,7 @@ TEST(PairUpdate, AnAdvanceMovesTheClockWithoutChangesForwardAndBack) {
     watched.update();
     EXPECT_EQ(watched.state.clock, clock);
     std::size_t reported = 0;
-    for (const auto& [ids, row] : watched.watch.rows) reported += row.is_reported();
+    for (const auto& [ids, row] : watched.watch.rows()) reported += row.is_reported();
     JoinQuestion all = question_of_all(watched.tables, watched.state, {clock, 20}, {watched.never});
     EXPECT_EQ(reported, rows_of(all).size()) << clock;
   }

@@ -77,7 +77,8 @@ TEST(MeshCheck, ATurnMayNeitherJoinCornersNorFlattenTriangles) {
   const std::string near = "TIN Z(((1e-320 3e15 0, 0 3e15 0, 1 2 9, 1e-320 3e15 0)))";
   EXPECT_EQ(turned_flaw(near, 90), "");
   EXPECT_EQ(turned_flaw(near, 37.5),
-            "turned by 37.5 degrees its corners (1e-320 3e+15 0, 0 3e+15 0) become one: they are closer than "
+            "turned by 37.5 degrees its corners (1e-320 3000000000000000 0, "
+            "0 3000000000000000 0) become one: they are closer than "
             "doubles resolve");
   const std::string thin = "TIN Z(((0 0 0, 4 0 0, 1 1e-30 0, 0 0 0)))";
   EXPECT_EQ(turned_flaw(thin, -270), "");

@@ -71,15 +71,6 @@ TEST_F(JoinPlanner, ProbesOneObjectWhenItsIdIsGiven) {
             std::string::npos);
 }
 
-/// A program prepares its statements before it loads the table.
-TEST_F(JoinPlanner, ProbesOneObjectAlsoInATableThatIsEmptyAsYet) {
-  db.exec("CREATE VIRTUAL TABLE later USING moving_objects(id, x, vx)");
-  for (const char* call : {"predictive_join(3, 'later')", "predictive_join(3, 'later', 1, 'later')"})
-    EXPECT_NE(plan(std::string("SELECT * FROM ") + call + " WHERE a = ?1 OR b = ?1").find("MULTI-INDEX OR"),
-              std::string::npos)
-        << call;
-}
-
 /// SQLite would compare the input with itself, after a call without it.
 TEST_F(JoinPlanner, AnInputTakesNoInequality) {
   const auto refusal = [](const std::string& name, const std::string& sign) {

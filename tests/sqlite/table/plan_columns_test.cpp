@@ -215,29 +215,6 @@ TEST_F(Plans, NoPlanAndNoPositionIsRefused) {
   EXPECT_EQ(db.rows("SELECT id, x, y, plan FROM robots ORDER BY id"), "7|0.0|3.0|NULL\n8|3.0|4.0|NULL");
 }
 
-/// Else the object would vanish on the way of its new plan.
-TEST_F(Plans, AnOldUntilDoesNotCutANewPlan) {
-  db.exec("INSERT INTO robots(id, plan, r, until) VALUES (7, 'LINESTRING M(0 0 0, 10 0 50)', 1, 40)");
-  const std::string
-      later = "plan = 'LINESTRING M(0 0 0, 20 0 90)'",
-      refusal =
-          "robots.until of row 7 is 40: before the end of the new plan, 90; set until to NULL too, or "
-          "cut the plan with plan_cut";
-  EXPECT_EQ(db.error_of("UPDATE robots SET " + later), refusal);
-  EXPECT_EQ(db.error_of("UPDATE robots SET plan = q FROM (SELECT 'LINESTRING M(0 0 0, 20 0 90)' AS q)"),
-            refusal);
-  db.exec("UPDATE robots SET r = q FROM (SELECT 2 AS q)");  // the same plan
-  EXPECT_EQ(db.rows("SELECT until FROM robots"), "40.0");
-  db.exec("UPDATE robots SET plan = 'LINESTRING M(0 0 0, 10 0 30)'");  // which ends before it
-  EXPECT_EQ(db.rows("SELECT until FROM robots"), "40.0");
-  db.exec("UPDATE robots SET until = NULL, " + later);
-  db.exec("UPDATE robots SET plan = 'LINESTRING M(0 0 0, 20 0 99)'");
-  EXPECT_EQ(db.rows("SELECT until FROM robots"), "NULL");
-  db.exec(
-      "UPDATE robots SET until = 40; INSERT OR REPLACE INTO robots(id, plan, r, until) "
-      "VALUES (7, 'LINESTRING M(0 0 0, 20 0 80)', 1, 40)");  // another row
-}
-
 TEST_F(Plans, UpdateOfOtherColumnsKeepsThePlan) {
   db.exec(std::string("INSERT INTO robots(id, plan, r, name) VALUES (7, ") + stops + ", 0.5, 'A')");
   db.exec("UPDATE robots SET r = 2, name = 'B', id = 12 WHERE id = 7");

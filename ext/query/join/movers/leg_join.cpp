@@ -5,7 +5,7 @@
 #include "query/join/join_candidates.h"
 #include "query/join/pair_kinds.h"
 #include "query/legs/leg_scene.h"
-#include "query/tile/ownership.h"
+#include "query/tile/tile.h"
 
 namespace foresee {
 namespace {

@@ -1,4 +1,4 @@
-// A watch in memory over tables in memory, and a reader of its log.
+// A watch in memory whose calls are checked, over tables in memory, and a reader of its log.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include "never_interrupt.h"
 #include "query/join_cases.h"
 #include "query/memory_table.h"
+#include "query/watch/memory_watch.h"
 #include "query/watch/pair_contacts.h"
 #include "query/watch/pair_update.h"
 
@@ -15,65 +16,34 @@ namespace foresee::testing {
 
 inline constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
 
-class MemoryWatch final : public WatchStorage {
+/// A watch that checks the calls of an update: the keys of a row can only be erased if the caller knows them.
+class CheckedWatch final : public MemoryWatch {
  public:
-  using Ids = std::pair<std::int64_t, std::int64_t>;
-
-  std::vector<WatchedPair> pairs() override {
-    return those([](const WatchedPair&) { return true; });
-  }
-  std::vector<WatchedPair> stored_pairs_of(std::span<const std::int64_t> a,
-                                           std::span<const std::int64_t> b) override {
-    return those([&](const WatchedPair& pair) {
-      return std::binary_search(a.begin(), a.end(), pair.a) || std::binary_search(b.begin(), b.end(), pair.b);
-    });
-  }
-  std::vector<WatchedPair> due_pairs(PairState state, double until) override {
-    return those([&](const WatchedPair& pair) { return pair.state == state && pair.due <= until; });
-  }
-  std::optional<WatchedPair> pair(std::int64_t a, std::int64_t b) override {
-    const auto found = rows.find({a, b});
-    return found == rows.end() ? std::nullopt : std::optional(found->second);
-  }
   void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_reported_t) override {
-    EXPECT_EQ(rows.contains({pair.a, pair.b}), before != nullptr);
+    EXPECT_EQ(rows().contains({pair.a, pair.b}), before != nullptr);
     if (before) expect_stored(*before);
-    WatchedPair& row = rows[{pair.a, pair.b}] = pair;
-    if (!with_reported_t) row.reported_t = row.t;
+    MemoryWatch::write_pair(before, pair, with_reported_t);
     keys_wait = true;
   }
   void erase_pair(const WatchedPair& pair) override {
     expect_stored(pair);
-    rows.erase({pair.a, pair.b});
+    MemoryWatch::erase_pair(pair);
     keys_wait = true;
   }
   void erase_all_pairs() override {
-    rows.clear();
+    MemoryWatch::erase_all_pairs();
     keys_wait = true;
   }
   void write_keys() override { keys_wait = false; }
-  void append(const LoggedChange& change) override { log.push_back(change); }
-  void trim(std::int64_t up_to) override {
-    std::erase_if(log, [&](const LoggedChange& change) { return change.seq <= up_to; });
-  }
 
-  std::map<Ids, WatchedPair> rows;
-  std::vector<LoggedChange> log;
   bool keys_wait = false;
 
  private:
-  /// The keys of a row can only be erased if the caller knows them.
-  void expect_stored(const WatchedPair& pair) {
-    const WatchedPair& row = rows[{pair.a, pair.b}];
-    EXPECT_EQ(row.state, pair.state);
-    EXPECT_EQ(row.due, pair.due);
-  }
-  template <class Keep>
-  std::vector<WatchedPair> those(Keep keep) const {
-    std::vector<WatchedPair> found;
-    for (const auto& [ids, row] : rows)
-      if (keep(row)) found.push_back(row);
-    return found;
+  void expect_stored(const WatchedPair& given) {
+    const std::optional<WatchedPair> row = pair(given.a, given.b);
+    ASSERT_TRUE(row);
+    EXPECT_EQ(row->state, given.state);
+    EXPECT_EQ(row->due, given.due);
   }
 };
 
@@ -88,14 +58,14 @@ struct Watched {
   }
 
   void update() {
-    const std::size_t known = watch.log.size();
+    const std::size_t known = watch.log().size();
     PairUpdate update(tables, state, watch, {never});
     if (const auto after = update.run()) state = *after;
     EXPECT_FALSE(watch.keys_wait);
     ships->commit();
     ferries->commit();
-    for (std::size_t i = known; i < watch.log.size(); ++i) {
-      const LoggedChange& change = watch.log[i];
+    for (std::size_t i = known; i < watch.log().size(); ++i) {
+      const LoggedChange& change = watch.log()[i];
       if (change.op == '-')
         EXPECT_EQ(reader.erase({change.a, change.b}), 1u);
       else
@@ -114,7 +84,7 @@ struct Watched {
   /// The same for pairs with their times, by another way.
   void expect_pairs(const std::map<MemoryWatch::Ids, double>& joined) {
     std::map<MemoryWatch::Ids, double> reported;
-    for (const auto& [ids, row] : watch.rows)
+    for (const auto& [ids, row] : watch.rows())
       if (row.is_reported()) reported[ids] = std::max(row.t, state.now());
     EXPECT_TRUE(reported == joined) << reported.size() << " pairs, of the join " << joined.size();
     for (auto& [ids, t] : reader) t = std::max(t, state.now());
@@ -124,7 +94,7 @@ struct Watched {
   NeverInterrupt never;
   std::shared_ptr<MemoryTable> ships, ferries;
   JoinedTables tables;
-  MemoryWatch watch;
+  CheckedWatch watch;
   WatchState state;
   std::map<MemoryWatch::Ids, double> reader;
 };

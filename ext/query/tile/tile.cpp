@@ -1,4 +1,4 @@
-#include "query/tile/ownership.h"
+#include "query/tile/tile.h"
 
 namespace foresee {
 namespace {
