@@ -12,7 +12,7 @@
 // doubles as the records that were put; a put() that throws Error changes nothing. Requires: numbers as
 // check_numbers() has them, which put() checks.
 //
-// Cost: less than a microsecond per put. Changes wait until all(), newest_t(), tree() or chunks() reads the tree; then
+// Cost: about a microsecond per put. Changes wait until all(), newest_t(), tree() or chunks() reads the tree; then
 // they are merged into it together. all() copies every object once per change. Outlines and meshes are not kept: a
 // layout with `shape` needs a database.
 #pragma once

@@ -21,7 +21,7 @@
 // all pairs if it recomputes.
 //
 // In memory (memory_watch.h) an update is cheaper than a join of all objects only while few of them change: of 5,000
-// some 2 % per tick (bench/core_watch.cpp). Beyond that, fill a new scene and join it.
+// 1 to 2 % per tick (bench/core_watch.cpp). Beyond that, fill a new scene and join it.
 #pragma once
 
 #include <cmath>
