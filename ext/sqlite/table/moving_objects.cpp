@@ -180,8 +180,9 @@ int is_shadow_name(const char* suffix) noexcept {
 /// PRAGMA integrity_check, from SQLite 3.44 on: findings are returned as text, not as a result code.
 int table_integrity(sqlite3_vtab* base, const char*, const char*, int, char** finding) noexcept {
   const int rc = guarded(finding, [&] { require_integrity(table_of(base)); });
-  const bool is_finding =
-      (rc & 0xff) == SQLITE_CORRUPT || rc == SQLITE_ERROR;  // as of a missing shadow table
+  const bool is_missing = rc == SQLITE_ERROR;  // a shadow table, which SQLite's message alone names
+  if (is_missing && *finding) *finding = sqlite3_mprintf("%s: %z", table_of(base).name.c_str(), *finding);
+  const bool is_finding = is_missing || (rc & 0xff) == SQLITE_CORRUPT;
   return is_finding && *finding != nullptr ? SQLITE_OK : rc;
 }
 
