@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 namespace foresee {
@@ -14,9 +15,9 @@ std::string shown(double number);
 
 inline std::string shown(double number) {
   char digits[32];
-  const bool is_integer = std::abs(number) <= 0x1p53 && number == std::trunc(number);
+  const bool is_integer = number != 0 && std::abs(number) <= 0x1p53 && number == std::trunc(number);
   return {digits, is_integer
-                      ? std::to_chars(digits, digits + sizeof digits, number, std::chars_format::fixed).ptr
+                      ? std::to_chars(digits, digits + sizeof digits, static_cast<std::int64_t>(number)).ptr
                       : std::to_chars(digits, digits + sizeof digits, number).ptr};
 }
 
