@@ -31,7 +31,7 @@ struct Cost {
 template <int D>
 std::unique_ptr<Candidates> candidates_of(const Workload& w) {
   const auto boxes_of = [&](const Workload& side) {
-    return testing::RestingBodies<D>(swept_boxes<D>(side.bodies(), {0, w.h}, Vec<D>::Zero(), never));
+    return testing::RestingBodies<D>(swept_boxes<D>(side.bodies(), {0, w.h}, Vec<D>::zero(), never));
   };
   const testing::RestingBodies<D> boxes = boxes_of(w);
   if (!w.other) return make_gpcd_grid<D>(boxes.side(), nullptr, never);

@@ -51,7 +51,7 @@ Answer typed(const Workload& w, Work&& work) {
 template <int D>
 std::vector<Box<D>> boxes_swept_by(const Workload& w) {
   NeverInterrupt never;
-  return swept_boxes<D>(w.bodies(), {0, w.h}, Vec<D>::Zero(), never);
+  return swept_boxes<D>(w.bodies(), {0, w.h}, Vec<D>::zero(), never);
 }
 
 }  // namespace foresee::bench

@@ -43,8 +43,8 @@ Answer by_grid(const Workload& w, double h, Stages& stages) {
   const auto contact = make_contact(w.bodies(), other.bodies(), {.horizon = {0, h}}, w.name, other.name);
   stages = {};
   stages.enter = seconds_of([&] {
-    const MovingBoxes<D> others{other.bodies(), {0, h}, Vec<D>::Zero()};
-    grid = make_gpcd_grid<D>({w.bodies(), {0, h}, Vec<D>::Zero()}, w.other ? &others : nullptr, never, space);
+    const MovingBoxes<D> others{other.bodies(), {0, h}, Vec<D>::zero()};
+    grid = make_gpcd_grid<D>({w.bodies(), {0, h}, Vec<D>::zero()}, w.other ? &others : nullptr, never, space);
   });
   const double begin = cpu_seconds();
   const Answer answer = exact_answer(*grid, *contact, &stages.contact);

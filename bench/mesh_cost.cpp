@@ -132,8 +132,7 @@ void compare(const Scene& scene, int repetitions) {
     costs.add_rival("plain double", scene.plain_pairs, scene.around > 8 ? 0 : repetitions,
                     [&](const Pair& pair) {
                       const Flight flight = flight_of(a, b, pair);
-                      return first_touch(a.plain[pair.a], b.plain[pair.b], flight.from.matrix(),
-                                         flight.velocity.matrix(), h);
+                      return first_touch(a.plain[pair.a], b.plain[pair.b], flight.from, flight.velocity, h);
                     });
 #ifdef FORESEE_FCL
   const std::vector<FclMesh> fcl_a(a.meshes.begin(), a.meshes.end()), fcl_b(b.meshes.begin(), b.meshes.end());

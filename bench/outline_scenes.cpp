@@ -93,7 +93,7 @@ std::vector<Pair> candidates(const OutlineScene& scene, std::size_t max_pairs) {
   const auto swept = [&scene](const OutlineFleet& fleet, std::size_t i) {
     const Extents<2> extents = fleet.outlines.empty() ? Extents<2>::none() : fleet.outlines[i].extents();
     return swept_box<2>(motion_of<2>(fleet.bodies(), i), {0, scene.h},
-                        grown<2>(extents, Vec<2>::Constant(scene.within / 2)));
+                        grown<2>(extents, Vec<2>::constant(scene.within / 2)));
   };
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < scene.a.bodies().count; ++i) {

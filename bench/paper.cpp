@@ -90,7 +90,7 @@ Answer by_tree(const Objects& objects) {
   Answer answer;
   const TreeScene& tree = objects.tree;
   const Horizon horizon{0, objects.workload.h};
-  const auto candidates = make_tree_join<3>(tree.bodies(), tree.levels, horizon, Vec<3>::Zero(), never);
+  const auto candidates = make_tree_join<3>(tree.bodies(), tree.levels, horizon, Vec<3>::zero(), never);
   const auto contact = make_contact(tree.bodies(), tree.bodies(), {.horizon = horizon}, "tree", "tree");
   std::vector<Pair> pairs, hits;
   std::vector<ContactTimes> times;

@@ -3,18 +3,18 @@
 // and 5.1.9). At the start it tests whether edges cross triangles or one mesh contains the other.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "agreement.h"
+#include "motion/vec.h"
 #include "shape/mesh/mesh.h"
 
 namespace foresee::bench {
 
 struct PlainMesh {
-  using Place = Eigen::Vector3d;
+  using Place = Vec<3>;
 
   explicit PlainMesh(const Mesh& mesh)
       : triangles(mesh.triangles().begin(), mesh.triangles().end()), box(mesh.extents()) {
@@ -30,19 +30,27 @@ struct PlainMesh {
   Extents<3> box;
 };
 
+inline double dot(const Vec<3>& a, const Vec<3>& b) {
+  return (a * b).sum();
+}
+
+inline Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// Seconds until `from`, moving by `run` per second, reaches the triangle; below 0: never, or before.
 inline double time_to_triangle(const PlainMesh& mesh, const Triangle& t, const PlainMesh::Place& from,
                                const PlainMesh::Place& run) {
   const PlainMesh::Place &p = mesh.corners[t[0]], u = mesh.corners[t[1]] - p, v = mesh.corners[t[2]] - p;
-  const PlainMesh::Place across = run.cross(v), gap = from - p;
-  const double volume = u.dot(across);
+  const PlainMesh::Place across = cross(run, v), gap = from - p;
+  const double volume = dot(u, across);
   if (volume == 0) return never;
-  const double along_u = gap.dot(across) / volume;
+  const double along_u = dot(gap, across) / volume;
   if (along_u < 0 || along_u > 1) return never;
-  const PlainMesh::Place other = gap.cross(u);
-  const double along_v = run.dot(other) / volume;
+  const PlainMesh::Place other = cross(gap, u);
+  const double along_v = dot(run, other) / volume;
   if (along_v < 0 || along_u + along_v > 1) return never;
-  return v.dot(other) / volume;
+  return dot(v, other) / volume;
 }
 
 /// The first time before `first` at which a corner, moved by `at` + t `velocity`, meets a triangle.
@@ -61,15 +69,15 @@ inline double first_of_edges(const PlainMesh& a, const PlainMesh& b, const Plain
                              const PlainMesh::Place& velocity, double first) {
   for (const auto& edge : a.edges) {
     const PlainMesh::Place p = a.corners[edge[0]], u = a.corners[edge[1]] - p;
-    const PlainMesh::Place u_across = velocity.cross(u);
+    const PlainMesh::Place u_across = cross(velocity, u);
     for (const auto& other : b.edges) {
       const PlainMesh::Place q = b.corners[other[0]] + at, v = b.corners[other[1]] - b.corners[other[0]];
-      const double volume = v.dot(u_across);  // of velocity, u and v
+      const double volume = dot(v, u_across);  // of velocity, u and v
       if (volume == 0) continue;
       const PlainMesh::Place gap = p - q;
-      const double time = gap.dot(u.cross(v)) / volume;
+      const double time = dot(gap, cross(u, v)) / volume;
       if (!(time >= 0 && time < first)) continue;
-      const double along_v = gap.dot(u_across) / volume, along_u = gap.dot(velocity.cross(v)) / volume;
+      const double along_v = dot(gap, u_across) / volume, along_u = dot(gap, cross(velocity, v)) / volume;
       if (along_u >= 0 && along_u <= 1 && along_v >= 0 && along_v <= 1) first = time;
     }
   }

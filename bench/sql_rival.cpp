@@ -17,7 +17,7 @@ Rival::Rival(Database& db, const Workload& workload, Tables tables) : db_(db), w
                                         nullptr));
   if (tables == stands_ready) return;
   NeverInterrupt never;
-  boxes_ = swept_boxes<2>(workload.bodies(), {0, workload.h}, Vec<2>::Zero(), never);
+  boxes_ = swept_boxes<2>(workload.bodies(), {0, workload.h}, Vec<2>::zero(), never);
   db.run("CREATE TABLE base(id INTEGER PRIMARY KEY, " + columns_of(workload) + ")");
   db.run("CREATE VIRTUAL TABLE boxes USING rtree(id, x0, x1, y0, y1)");
 }

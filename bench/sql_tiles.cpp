@@ -34,7 +34,7 @@ std::vector<Tile> sixteen_tiles(const Workload& w) {
   const Bodies bodies = w.bodies();
   for (std::size_t i = 0; i < w.count; ++i)
     with_axes(w.layout.axes, [&]<int D>(Axes<D>) {
-      const Box<D> box = swept_box<D>(bodies, i, {0, w.h}, Vec<D>::Zero());
+      const Box<D> box = swept_box<D>(bodies, i, {0, w.h}, Vec<D>::zero());
       corners[i] = {box.lower[0], D > 1 ? box.lower[1] : 0};
     });
   struct Part {

@@ -88,7 +88,7 @@ double side_for(const Scene& scene, double wanted) {
 template <int D>
 Vec<D> somewhere(const Scene& scene, Random& random) {
   const Bodies bodies = scene.workload.bodies();
-  return Eigen::Map<const Vec<D>>(bodies.row(random.below(bodies.count)) + bodies.at.x);
+  return Vec<D>::at(bodies.row(random.below(bodies.count)) + bodies.at.x);
 }
 
 template <int D>
@@ -100,7 +100,7 @@ void query_windows(const Scene& scene, Tree& tree) {
   std::size_t found = 0, leaves = 0;
   const double seconds = seconds_of([&] {
     for (std::size_t i = 0; i < questions; ++i) {
-      const Vec<D> at = somewhere<D>(scene, random), still = Vec<D>::Zero();
+      const Vec<D> at = somewhere<D>(scene, random), still = Vec<D>::zero();
       WindowWalk<D> walk(tree.pages, moving_window<D>(at - half, at + half, still, horizon), horizon, still,
                          never);
       for (LeafHits hits; walk.next(hits); ++leaves) found += hits.slots.size();
@@ -118,7 +118,7 @@ double distance(const LeafHits& hits, std::uint32_t slot, const Scene& scene, co
   const Offsets at = record_offsets(scene.layout);
   const double* record = hits.leaf->values.data() + slot * scene.size;
   const double s = horizon.now - record[at.t];
-  const Vec<D> x = Eigen::Map<const Vec<D>>(record + at.x), v = Eigen::Map<const Vec<D>>(record + at.v);
+  const Vec<D> x = Vec<D>::at(record + at.x), v = Vec<D>::at(record + at.v);
   const Vec<D> gap = x + v * s - point;
   const double squared = v.square().sum(), closest = squared > 0 ? -(gap * v).sum() / squared : 0;
   return std::sqrt((gap + v * std::clamp(closest, 0.0, horizon.h)).square().sum());
@@ -134,7 +134,7 @@ void query_nearest(const Scene& scene, Tree& tree, double h) {
     std::vector<double> best;
     for (std::size_t i = 0; i < questions; ++i) {
       const Vec<D> point = somewhere<D>(scene, random);
-      NearestWalk<D> walk(tree.pages, point, Vec<D>::Zero(), horizon, never);
+      NearestWalk<D> walk(tree.pages, point, Vec<D>::zero(), horizon, never);
       double reach = std::numeric_limits<double>::infinity();
       best.clear();
       for (LeafHits hits; walk.next(reach, hits); ++leaves)
@@ -160,7 +160,7 @@ void join(const Scene& scene, Tree& tree) {
   std::size_t candidates = 0, pairs = 0;
   double deciding = 0;
   const double seconds = seconds_of([&] {
-    const auto walk = make_tree_join<D>(rows.bodies(), rows.levels, horizon, Vec<D>::Zero(), never);
+    const auto walk = make_tree_join<D>(rows.bodies(), rows.levels, horizon, Vec<D>::zero(), never);
     std::vector<Pair> hits;
     std::vector<ContactTimes> times;
     for (std::vector<Pair> batch; walk->next(batch); batch.clear()) {

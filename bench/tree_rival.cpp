@@ -51,7 +51,7 @@ Figures measure_ours(const Workload& w) {
       tree->insert(static_cast<std::int64_t>(i), {w.bodies().row(i), numbers});
   });
   const Horizon queried{0, w.h};
-  const Vec<2> still = Vec<2>::Zero();
+  const Vec<2> still = Vec<2>::zero();
   figures.window = seconds_of([&] {
     for (std::size_t i = 0; i < windows; ++i) {
       const double* const x = w.bodies().row(i);

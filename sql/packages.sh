@@ -14,7 +14,6 @@ build_packages=(
   "git: command git"
   "sqlite3: command sqlite3"
   "libsqlite3-dev: header sqlite3ext.h"
-  "libeigen3-dev: header eigen3/Eigen/Core Eigen/Core"
   "libboost-dev: header boost/version.hpp"
 )
 test_packages=(

@@ -11,7 +11,7 @@ namespace foresee::bench {
 namespace {
 
 NeverInterrupt never;
-const Vec<2> no_margin = Vec<2>::Zero();
+const Vec<2> no_margin = Vec<2>::zero();
 constexpr double step = 0.1;  // of time stepping
 
 template <class Kind>

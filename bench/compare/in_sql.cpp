@@ -66,7 +66,7 @@ class RtreeTable final : public SqlContestant {
     }
     write(row, report);
     store(*object_, row, report);
-    rival_.store_box(*box_, row, swept_box<2>(objects_.bodies(), row, {0, objects_.h}, Vec<2>::Zero()));
+    rival_.store_box(*box_, row, swept_box<2>(objects_.bodies(), row, {0, objects_.h}, Vec<2>::zero()));
   }
   Answer join() override { return pairs_of(rival_.join_sql()); }
 

@@ -8,7 +8,7 @@ namespace {
 
 template <int D>
 void add_swept_box(const Bodies& bodies, std::size_t i, double h, std::vector<double>& boxes) {
-  const Box<D> box = swept_box<D>(bodies, i, {value_or(bodies.row(i), bodies.at.t, 0), h}, Vec<D>::Zero());
+  const Box<D> box = swept_box<D>(bodies, i, {value_or(bodies.row(i), bodies.at.t, 0), h}, Vec<D>::zero());
   for (int axis = 0; axis < D; ++axis) boxes.insert(boxes.end(), {box.lower[axis], box.upper[axis]});
 }
 

@@ -15,7 +15,7 @@ struct Box {
 
   static Box empty() {
     const double inf = std::numeric_limits<double>::infinity();
-    return {Vec<D>::Constant(inf), Vec<D>::Constant(-inf)};
+    return {Vec<D>::constant(inf), Vec<D>::constant(-inf)};
   }
   bool is_empty() const { return !(lower <= upper).all(); }
   /// Whether the closed boxes intersect: boxes that touch do.
@@ -29,7 +29,7 @@ struct Extents {
   Vec<D> lower, upper;
 
   /// The extents of a point.
-  static Extents none() { return {Vec<D>::Zero(), Vec<D>::Zero()}; }
+  static Extents none() { return {Vec<D>::zero(), Vec<D>::zero()}; }
 };
 
 /// Extents of equal reach to both sides.

@@ -51,7 +51,7 @@ class TurnChanges final : public ChangesOf<TurnChanges> {
         vector[1] = vector[1] * by.cosine - x * by.sine;
         return vector;
       };
-      return {Vec<D>::Zero(), turned_by(vector_of<D>(reference().v)), turned_by(vector_of<D>(reference().a)),
+      return {Vec<D>::zero(), turned_by(vector_of<D>(reference().v)), turned_by(vector_of<D>(reference().a)),
               0, reference().until - reference().t};
     }
   }
@@ -122,7 +122,7 @@ class ClimbChanges final : public ChangesOf<ClimbChanges> {
   MotionSet<D> set_of(double p, double q) const {
     MotionSet<D> set = unchanged_set<D>();
     const Middle middle(p, q);
-    Vec<D> up = Vec<D>::Zero();
+    Vec<D> up = Vec<D>::zero();
     up[D - 1] = 1;
     set.velocity = added_vectors<D>(vector_of<D>(reference().v), up, middle.k, middle.half);
     return set;

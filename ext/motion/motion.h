@@ -4,24 +4,31 @@
 // exists during the closed interval [t, until].
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
+#include <cstdint>
 
-#include "motion/law.h"
+#include "motion/vec.h"
 
 namespace foresee {
 
-// Vectors of one to three axes, in the scene's own unit of length.
+/// How an object moves; each law adds columns to the one before.
+enum class Law : std::uint8_t {
+  rest,         ///< x
+  uniform,      ///< x, v
+  accelerated,  ///< x, v, a
+  forced,       ///< x, v, force and mass: a = F/m, rounded once, computed when read
+};
 
-/// An Eigen array, not a vector: `*`, `<` and `max` are element-wise, as boxes need.
-template <int D>
-using Vec = Eigen::Array<double, D, 1>;
-
-/// The first D numbers; the others are those of axes that a scene does not have.
-template <int D>
-Vec<D> vector_of(const std::array<double, 3>& values) {
-  return Eigen::Map<const Vec<D>>(values.data());
+/// The degree of the centre's motion as a polynomial in time; the relative motion of two objects of this law
+/// has it too.
+constexpr int degree_of(Law law) {
+  return law == Law::rest ? 0 : law == Law::uniform ? 1 : 2;
 }
+
+/// Motion on one axis as of a reference time. Real: double, or several objects at once (base/doubles.h).
+template <class Real>
+struct AxisMotion {
+  Real x, v, a;
+};
 
 /// The closed time interval [now, now + h] of a query; its end is the exact real sum. Requires: now finite;
 /// h finite and >= 0.

@@ -20,7 +20,7 @@ template <int D>
 VectorSet<D> stored_vector(const Vec<D>& vector) {
   const Vec<D> size = vector.abs();
   return {.centre = vector,
-          .pad = (size > 0).select(size * pad_of_stored + lost_by_underflow, Vec<D>::Zero())};
+          .pad = (size > 0).select(size * pad_of_stored + lost_by_underflow, Vec<D>::zero())};
 }
 
 template <int D>
@@ -56,8 +56,8 @@ VectorSet<D> vectors_scaled_by_square(const Vec<D>& vector, double m, double p, 
   const double high = std::max(first * first, last * last);
   const double low = first <= 0 && last >= 0 ? 0 : std::min(first * first, last * last);
   VectorSet<D> set =
-      added_vectors<D>(Vec<D>::Zero(), vector, low + 0.5 * (high - low), 0.5 * (high - low) + 0x1p-48 * high);
-  set.pad += (vector == 0).select(Vec<D>::Zero(), Vec<D>::Constant(lost_by_underflow));
+      added_vectors<D>(Vec<D>::zero(), vector, low + 0.5 * (high - low), 0.5 * (high - low) + 0x1p-48 * high);
+  set.pad += (vector == 0).select(Vec<D>::zero(), Vec<D>::constant(lost_by_underflow));
   const double half = 0.5 * (last - first);
   set.bulge = half * half * std::sqrt((vector * vector).sum());
   return set;

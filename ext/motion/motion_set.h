@@ -25,7 +25,7 @@ namespace foresee {
 /// inflated by `pad` on every axis.
 template <int D>
 struct VectorSet {
-  Vec<D> centre = Vec<D>::Zero(), along = Vec<D>::Zero(), pad = Vec<D>::Zero();
+  Vec<D> centre = Vec<D>::zero(), along = Vec<D>::zero(), pad = Vec<D>::zero();
   bool is_arc = false;          ///< `centre` is turned
   double sine = 0, cosine = 1;  ///< of the half width of a turn
   bool whole_circle = false;
@@ -48,7 +48,7 @@ struct VectorSet {
 
  private:
   static Vec<D> unit(int axis, double length) {
-    Vec<D> vector = Vec<D>::Zero();
+    Vec<D> vector = Vec<D>::zero();
     vector[axis] = length;
     return vector;
   }

@@ -16,7 +16,7 @@ Vec<D> margin_of(const PairRule::Reach& reach) {
   auto half = [](double whole) {
     return whole > 0 ? std::nextafter(whole / 2, std::numeric_limits<double>::infinity()) : 0.0;
   };
-  Vec<D> margin = Vec<D>::Constant(half(reach.within));
+  Vec<D> margin = Vec<D>::constant(half(reach.within));
   if constexpr (D == 3) margin[2] = half(reach.within_z);
   return margin;
 }

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "motion/law.h"
+#include "motion/motion.h"
 
 namespace foresee {
 

@@ -49,7 +49,7 @@ Extents<D> extents_of_bounds(const double* numbers, const Offsets& at) {
 template <int D>
 Extents<D> no_extents() {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  return {Vec<D>::Constant(inf), Vec<D>::Constant(-inf)};
+  return {Vec<D>::constant(inf), Vec<D>::constant(-inf)};
 }
 
 // The columns that hold the size of a shape.
@@ -93,7 +93,7 @@ struct BoxShape {
 
   template <int D>
   static Extents<D> extents(const double* numbers, const Offsets& at) {
-    return symmetric<D>(Eigen::Map<const Vec<D>>(numbers + at.half));
+    return symmetric<D>(Vec<D>::at(numbers + at.half));
   }
 };
 
@@ -104,7 +104,7 @@ struct BallShape {
 
   template <int D>
   static Extents<D> extents(const double* numbers, const Offsets& at) {
-    return symmetric<D>(Vec<D>::Constant(value_or(numbers, at.r, 0)));
+    return symmetric<D>(Vec<D>::constant(value_or(numbers, at.r, 0)));
   }
 };
 
@@ -116,7 +116,7 @@ struct CylinderShape {
 
   template <int D>
   static Extents<D> extents(const double* numbers, const Offsets& at) {
-    Vec<D> half = Vec<D>::Constant(value_or(numbers, at.r, 0));
+    Vec<D> half = Vec<D>::constant(value_or(numbers, at.r, 0));
     half[D - 1] = value_or(numbers, at.hz, 0);
     return symmetric<D>(half);
   }
@@ -201,7 +201,7 @@ constexpr int growth_place(Shape shape, const Offsets& at, int axis) {
 /// The speed at which each side of the bounding box moves outward from t on.
 template <int D>
 Vec<D> growth_of(Shape shape, const double* numbers, const Offsets& at) {
-  Vec<D> growth = Vec<D>::Zero();
+  Vec<D> growth = Vec<D>::zero();
   if (at.growth == Offsets::absent && at.growth_z == Offsets::absent) return growth;
   for (int axis = 0; axis < D; ++axis) growth[axis] = value_or(numbers, growth_place(shape, at, axis), 0);
   return growth;

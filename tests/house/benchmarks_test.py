@@ -18,14 +18,12 @@ from house import ROOT, main
 sys.path.insert(0, str(ROOT / "bench"))
 import compare_pages  # noqa: E402
 
-FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Werror", "-Iext", "-Itests", "-Ibench", "-I.",
-         "-isystem", "/usr/include/eigen3"]
+FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Werror", "-Iext", "-Itests", "-Ibench", "-I."]
 PEERS = re.compile(r"fatal error: '?(CGAL|spatialindex|fcl|ccd|benchmark|boost)/\S+")
 
 
 # What nearly every benchmark includes. Compiled once, it saves half of the time.
-COMMON = """#include <Eigen/Core>
-#include <algorithm>
+COMMON = """#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <filesystem>
 #include <functional>

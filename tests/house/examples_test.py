@@ -17,7 +17,7 @@ from examples_given import DRAWINGS, GIVEN
 from house import ROOT, main
 
 COMPILER = os.environ.get("FORESEE_COMPILER", "g++")
-FLAGS = ["-std=c++20", "-fsyntax-only", "-Werror=narrowing", "-ffp-contract=off", "-isystem", "/usr/include/eigen3"]
+FLAGS = ["-std=c++20", "-fsyntax-only", "-Werror=narrowing", "-ffp-contract=off"]
 
 
 def errors_of(root):

@@ -30,7 +30,7 @@ class ModuleGuard(unittest.TestCase):
         self.passes("contact/ball.h", '#include "motion/vec.h"')
         self.passes("query/join/join.h", '#include "index/candidates.h"\n#include "contact/contact.h"')
         self.passes("sqlite/table/moving_objects_table.cpp", '#include "storage/table/store.h"\n#include "query/join/join.h"')
-        self.passes("motion/vec.h", '#include <Eigen/Core>\n#include "motion/law.h"')
+        self.passes("motion/motion.h", '#include <array>\n#include "motion/vec.h"')
         self.passes("index/gpcd_grid/stripes.cpp", '#include "index/gpcd_grid/stripes.h"')
 
     def test_a_module_may_not_include_modules_to_its_left(self):

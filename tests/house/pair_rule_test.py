@@ -9,7 +9,7 @@ from pathlib import Path
 from house import ROOT, main
 
 COMPILER = os.environ.get("FORESEE_COMPILER", "g++")
-FLAGS = ["-std=c++20", "-fsyntax-only", "-ffp-contract=off", "-isystem", "/usr/include/eigen3"]
+FLAGS = ["-std=c++20", "-fsyntax-only", "-ffp-contract=off"]
 ENUM = "enum class Shape : std::uint8_t {\n"
 
 

@@ -27,9 +27,9 @@ class RestingBodies {
     }
   }
 
-  MovingBoxes<D> side() const { return {Bodies(layout, rows_.data(), count_), {0, 0}, Vec<D>::Zero()}; }
+  MovingBoxes<D> side() const { return {Bodies(layout, rows_.data(), count_), {0, 0}, Vec<D>::zero()}; }
   std::vector<Box<D>> boxes(Interrupt& interrupt) const {
-    return swept_boxes<D>(side().bodies, {0, 0}, Vec<D>::Zero(), interrupt);
+    return swept_boxes<D>(side().bodies, {0, 0}, Vec<D>::zero(), interrupt);
   }
 
  private:

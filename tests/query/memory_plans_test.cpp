@@ -81,7 +81,7 @@ TEST_P(MemoryPlansOf, HoldWhatWasPutLast) {
 template <int D>
 std::set<std::int64_t> found_by_walks(NodeSource& tree, const Horizon& horizon) {
   NeverInterrupt never;
-  const Vec<D> everywhere = Vec<D>::Constant(no_end), zero = Vec<D>::Zero();
+  const Vec<D> everywhere = Vec<D>::constant(no_end), zero = Vec<D>::zero();
   std::set<std::int64_t> by_window, by_distance, by_sweep;
   WindowWalk<D> window(tree, moving_window<D>(-everywhere, everywhere, zero, horizon), horizon, zero, never);
   NearestWalk<D> nearest(tree, zero, zero, horizon, never);

@@ -26,7 +26,7 @@ template <int D>
 std::unique_ptr<BeamLanes<D>> beams_of(const Bodies& bodies, const Horizon& horizon) {
   const auto lanes_in_use = [&] {
     auto lanes = std::make_unique<BeamLanes<D>>();
-    beams<D>(bodies, 0, bodies.count, horizon, Vec<D>::Zero(), *lanes);
+    beams<D>(bodies, 0, bodies.count, horizon, Vec<D>::zero(), *lanes);
     return lanes;
   };
   auto first = lanes_in_use();
@@ -39,7 +39,8 @@ std::unique_ptr<BeamLanes<D>> beams_of(const Bodies& bodies, const Horizon& hori
     }
     for (std::size_t l = 0; l < bodies.count; ++l) {
       const Beam<D> one = beam_at(*first, l), other = beam_at(*others, l);
-      EXPECT_TRUE(((one.travel == other.travel) || (one.travel.isNaN() && other.travel.isNaN())).all());
+      EXPECT_TRUE(
+          ((one.travel == other.travel) || (one.travel != one.travel && other.travel != other.travel)).all());
       EXPECT_EQ(one.begin, other.begin);
       EXPECT_EQ(one.end, other.end);
     }

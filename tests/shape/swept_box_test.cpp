@@ -35,7 +35,7 @@ Bodies bodies_of(const Object& object) {
 }
 
 Box<1> sweep(const Object& object, const Horizon& horizon, double margin = 0) {
-  return swept_box<1>(bodies_of(object), 0, horizon, Vec<1>::Constant(margin));
+  return swept_box<1>(bodies_of(object), 0, horizon, Vec<1>::constant(margin));
 }
 
 /// Whether the box contains the exact position at time s after the object's t.
@@ -100,7 +100,7 @@ TEST(SweptBox, IsEmptyForWhatDoesNotExist) {
   EXPECT_TRUE(sweep({-20, 0, 1, 0, 0, -1}, {0, 10}).is_empty());
   EXPECT_FALSE(sweep({10, 0, 1, 0, 0, infinity}, {0, 10}).is_empty());  // exists at the last time
   EXPECT_FALSE(sweep({-20, 0, 1, 0, 0, 0}, {0, 10}).is_empty());        // exists at the first time
-  const Box<1> wide{Vec<1>::Constant(-1e308), Vec<1>::Constant(1e308)};
+  const Box<1> wide{Vec<1>::constant(-1e308), Vec<1>::constant(1e308)};
   EXPECT_FALSE(wide.meets(Box<1>::empty()));
 }
 
@@ -181,12 +181,12 @@ TEST(SweptBoxes, AnswerInRowOrderAndCanBeInterrupted) {
   const double rows[] = {0, 0, 1, 1, 10, 10, 1, 1, -5, -5, 1, 1};
   const Bodies bodies(Layout{.axes = 2, .law = Law::uniform}, rows, 3);
   NeverInterrupt never;
-  const auto boxes = swept_boxes<2>(bodies, {0, 1}, Vec<2>::Zero(), never);
+  const auto boxes = swept_boxes<2>(bodies, {0, 1}, Vec<2>::zero(), never);
   ASSERT_EQ(boxes.size(), 3u);
   EXPECT_NEAR(boxes[1].upper[1], 11, 1e-12);
   EXPECT_NEAR(boxes[2].lower[0], -5, 1e-12);
   testing::StopAt stop(0);
-  EXPECT_THROW(swept_boxes<2>(bodies, {0, 1}, Vec<2>::Zero(), stop), Interrupted);
+  EXPECT_THROW(swept_boxes<2>(bodies, {0, 1}, Vec<2>::zero(), stop), Interrupted);
 }
 
 }  // namespace

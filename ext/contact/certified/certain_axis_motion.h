@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "base/lane_math.h"
-#include "motion/law.h"
+#include "motion/motion.h"
 #include "numbers/double_double.h"
 
 namespace foresee {

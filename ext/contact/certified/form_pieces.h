@@ -35,7 +35,7 @@ class FormPieces {
   /// it.
   void take_row(const Bodies& bodies, const FormRows<Form>* forms, std::size_t i) {
     if (const Form* const form = forms ? forms->pieces(i, own_) : nullptr) return take(*form);
-    const auto place = [row = bodies.row(i)](int at) { return Vec<D>(Eigen::Map<const Vec<D>>(row + at)); };
+    const auto place = [row = bodies.row(i)](int at) { return Vec<D>::at(row + at); };
     const Offsets& at = bodies.at;
     Pieces& self = static_cast<Pieces&>(*this);
     if (!forms && at.bounds != Offsets::absent)

@@ -15,7 +15,7 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 template <int D>
 double magnitude_of(const Encounter<D>& encounter) {
-  return encounter.x.abs().maxCoeff() + encounter.extents.size();
+  return encounter.x.abs().largest() + encounter.extents.size();
 }
 
 /// The first instants of all changes of a range, along the normals of possible separating planes.
@@ -60,7 +60,7 @@ class Start {
 
   /// Tests the plane of this normal, which is within `error` on each axis.
   void probe_along(const Vec<D>& n, const Vec<D>& error) {
-    if (!(n.abs().maxCoeff() >= min_normal)) return set_unknown();
+    if (!(n.abs().largest() >= min_normal)) return set_unknown();
     const auto& extents = encounter_.extents;
     double growth = 0;
     if (extents.grows) {
@@ -101,7 +101,7 @@ class Start {
   double bent_until(const Vec<D>& n, const Vec<D>& error, double speed) const {
     if ((acceleration_ == 0).all()) return unbounded;
     const double min_acceleration =
-        0.5 * min_of<D>(n, encounter_.a, Vec<D>(Vec<D>::Zero()), family_.all.acceleration) -
+        0.5 * min_of<D>(n, encounter_.a, Vec<D>(Vec<D>::zero()), family_.all.acceleration) -
         (error * acceleration_).sum();
     return min_acceleration >= 0 ? unbounded : speed / -min_acceleration * (1 - 0x1p-48);
   }
@@ -119,7 +119,7 @@ class Start {
 template <int D>
 void probe_sum(const Encounter<D>& encounter, double slack, Start<D>& start) {
   const auto& extents = encounter.extents;
-  Vec<D> n = Vec<D>::Zero(), error = Vec<D>::Zero();
+  Vec<D> n = Vec<D>::zero(), error = Vec<D>::zero();
   if (extents.radius > 0x1p20 * slack) {
     // With so small an error the nearest point of a piece has nearly the same direction.
     const double distance = extents.sum->signed_distance(encounter.x[0], encounter.x[1], n[0], n[1]);
@@ -143,7 +143,7 @@ void probe_round_set(const Encounter<D>& encounter, double slack, Start<D>& star
   const auto& extents = encounter.extents;
   if constexpr (D > 1)
     if (extents.sum) return probe_sum<D>(encounter, slack, start);
-  Vec<D> n = Vec<D>::Zero(), error = Vec<D>::Zero();
+  Vec<D> n = Vec<D>::zero(), error = Vec<D>::zero();
   int beyond = 0;
   for (int axis = 0; axis < extents.round_axes; ++axis) {
     const double over = std::abs(encounter.x[axis]) - extents.half[axis];
@@ -156,7 +156,7 @@ void probe_round_set(const Encounter<D>& encounter, double slack, Start<D>& star
   }
   if (beyond == 1) {
     n = n.sign();
-    error.setZero();
+    error = Vec<D>::zero();
   }
   if (beyond == 0 || extents.radius <= slack)
     start.set_unknown();
@@ -171,7 +171,7 @@ Departure departure_of(const Encounter<D>& encounter, const TrajectoryFamily<D>&
   const auto& extents = encounter.extents;
   const double slack = touching_share * magnitude_of(encounter);
   Start<D> start(encounter, family);
-  Vec<D> ignored = Vec<D>::Zero();
+  Vec<D> ignored = Vec<D>::zero();
   const Vec<D> over = encounter.x.abs() - extents.half;
   const bool is_round = extents.sum || (D > 1 && extents.radius > 0);
   if (is_round && signed_distance_in_round_axes<D>(extents, over, encounter.x, ignored) >= -slack)
@@ -181,9 +181,9 @@ Departure departure_of(const Encounter<D>& encounter, const TrajectoryFamily<D>&
   if (encounter.square_gap > 0 && !may_be_above) start.probe_round(extents.round_axes, encounter.square_gap);
   for (int axis = is_round ? extents.round_axes : 0; axis < D; ++axis) {
     if (over[axis] - (D == 1 ? extents.radius : 0) < -slack) continue;
-    Vec<D> n = Vec<D>::Zero();
+    Vec<D> n = Vec<D>::zero();
     n[axis] = std::copysign(1, encounter.x[axis]);
-    start.probe_along(n, Vec<D>::Zero());
+    start.probe_along(n, Vec<D>::zero());
   }
   return start.departure();
 }

@@ -8,7 +8,7 @@ namespace {
 /// The distance of the farthest corner of a box from the origin, rounded up.
 double reach_of(const Box<2>& box) {
   const Vec<2> far = box.lower.abs().max(box.upper.abs());
-  const double largest = far.maxCoeff();
+  const double largest = far.largest();
   if (largest == 0) return 0;
   return largest * std::sqrt((far / largest).square().sum()) * (1 + 0x1p-49) +
          std::numeric_limits<double>::denorm_min();

@@ -48,14 +48,14 @@ struct PairExtents {
   }
 
   /// Approximate upper bound of the distance from the origin on each axis.
-  double size() const { return half.abs().maxCoeff() + std::abs(radius) + (sum ? sum->size() : 0); }
+  double size() const { return half.abs().largest() + std::abs(radius) + (sum ? sum->size() : 0); }
 };
 
 /// The extents at a time, and their growth per unit of time. Before both objects exist, sizes may be
 /// negative.
 template <int D>
 struct GrowingExtents : PairExtents<D> {
-  PairExtents<D> growth{Vec<D>::Zero(), 0, D};
+  PairExtents<D> growth{Vec<D>::zero(), 0, D};
   bool grows = false;
 
   /// Whether what passes along this axis, or along any, is in contact for an instant only.

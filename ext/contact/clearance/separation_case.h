@@ -187,7 +187,7 @@ class SeparationCase {
     if constexpr (D > 1)
       if (extents.sum) {
         const double half = half_diagonal(tau);
-        Vec<D> middle = Vec<D>::Zero(), ignored;
+        Vec<D> middle = Vec<D>::zero(), ignored;
         for (int axis = 0; axis < 2; ++axis)
           middle[axis] = 0.5 * (place_of(family_.upper, axis, tau) + place_of(family_.lower, axis, tau));
         if (!(signed_distance_in_round_axes<D>(extents, middle, middle, ignored) + half +
@@ -237,7 +237,7 @@ class SeparationCase {
     const Vec<D> v = family_.upper[1].abs().max(family_.lower[1].abs()) + encounter_.v.abs();
     const PairExtents<D> extents = encounter_.extents.after(tau);
     const double sum = extents.sum ? extents.sum->size() : 0;
-    return (encounter_.x.abs() + extents.half.abs() + tau * v).maxCoeff() + std::abs(extents.radius) + sum;
+    return (encounter_.x.abs() + extents.half.abs() + tau * v).largest() + std::abs(extents.radius) + sum;
   }
 
   /// Splits the time into intervals, in each of which the path is approximated by a straight one.
@@ -266,7 +266,7 @@ class SeparationCase {
       }
       if (plane_proves<D>(encounter_, family_, normal, part.begin, part.end)) continue;
       // Compares what a shorter time gains with what only a narrower range gains.
-      const Vec<D> along = family_.is_from_start ? approach.normal : Vec<D>(Vec<D>::Ones());
+      const Vec<D> along = family_.is_from_start ? approach.normal : Vec<D>(Vec<D>::constant(1));
       const double bend = 0.125 * length * length * (along * path.a).abs().sum();
       if (evaluations > 200 || !(bend > 0.5 * width_along(along, part.end))) return ProbeResult::inconclusive;
       parts[count++] = {middle, part.end};
@@ -277,7 +277,7 @@ class SeparationCase {
   }
 
   /// Upper bound of the distance of two motions of the range at tau.
-  double width_at(double tau) const { return width_along(Vec<D>::Ones(), tau); }
+  double width_at(double tau) const { return width_along(Vec<D>::constant(1), tau); }
   double width_along(const Vec<D>& n, double tau) const {
     const Vec<D> v = family_.upper[1] - family_.lower[1], a = family_.upper[2] - family_.lower[2];
     return (n.abs() * (family_.upper[0] - family_.lower[0] + tau * (v + 0.5 * tau * a))).sum();

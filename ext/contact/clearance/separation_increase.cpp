@@ -76,12 +76,12 @@ ClearanceVerdict certify_growing_separation_increases(const Encounter<D>& encoun
   std::array<ClearanceVerdict, D + 1> parts;
   std::size_t count = 0;
   if (together > 0) {
-    Vec<D> round = Vec<D>::Zero();
+    Vec<D> round = Vec<D>::zero();
     for (int axis = 0; axis < together; ++axis) round[axis] = encounter.x[axis];
     parts[count++] = certify_gap_increases<D>(encounter, family, round, growth.radius);
   }
   for (int axis = together; axis < D; ++axis) {
-    Vec<D> one = Vec<D>::Zero();
+    Vec<D> one = Vec<D>::zero();
     one[axis] = encounter.x[axis];
     const double rate = growth.half[axis] + (axis < encounter.extents.round_axes ? growth.radius : 0);
     parts[count++] = certify_gap_increases<D>(encounter, family, one, rate);
@@ -136,7 +136,7 @@ Trend trend_at_boundary(const Encounter<D>& encounter, const TrajectoryFamily<D>
     const bool in = (n * encounter.v).sum() + family.all.velocity.support(-n) < growth - unsure;
     trend = in ? Trend::approaching : Trend::mixed;
   };
-  Vec<D> n = Vec<D>::Zero();
+  Vec<D> n = Vec<D>::zero();
   for (int axis = 2; axis < D; ++axis) {
     n[axis] = std::copysign(1, encounter.x[axis]);
     if (extents.half[axis] - std::abs(encounter.x[axis]) <= slack)
@@ -147,7 +147,7 @@ Trend trend_at_boundary(const Encounter<D>& encounter, const TrajectoryFamily<D>
   if (signed_distance_in_round_axes<D>(extents, encounter.x.abs(), encounter.x, n) <
       -encounter.inflation - slack)
     return trend;
-  n.setZero();
+  n = Vec<D>::zero();
   if (around > 0x1p20 * (encounter.inflation + slack)) {
     // With so small an error the nearest point of a piece has nearly the same direction.
     const double distance = extents.sum->signed_distance(encounter.x[0], encounter.x[1], n[0], n[1]);
@@ -174,7 +174,7 @@ CountedVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
                                                   const TrajectoryFamily<D>& family) {
   if (encounter.begin > 0) return certify_clearance<D>(encounter, family);
   Vec<D> ignored;
-  const double slack = touching_share * (encounter.x.abs().maxCoeff() + encounter.extents.size());
+  const double slack = touching_share * (encounter.x.abs().largest() + encounter.extents.size());
   const double outside = signed_distance<D>(encounter.extents, encounter.x, ignored);
   if (outside > encounter.inflation + slack) return certify_clearance<D>(encounter, family);
   const CountedVerdict increasing = certify_separation_increases<D>(encounter, family);

@@ -50,12 +50,12 @@ double signed_distance_in_round_axes(const PairExtents<D>& extents, const Vec<D>
 template <int D>
 double signed_distance(const PairExtents<D>& extents, const Vec<D>& place, Vec<D>& normal) {
   const Vec<D> over = place.abs() - extents.half;
-  normal.setZero();
+  normal = Vec<D>::zero();
   double outside = signed_distance_in_round_axes<D>(extents, over, place, normal);
   for (int axis = extents.round_axes; axis < D; ++axis)
     if (over[axis] > outside) {
       outside = over[axis];
-      normal.setZero();
+      normal = Vec<D>::zero();
       normal[axis] = std::copysign(1.0, place[axis]);
     }
   return outside;

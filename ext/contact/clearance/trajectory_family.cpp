@@ -12,7 +12,7 @@ constexpr double rounded_up = 0x1p-50;
 /// The extents whose sizes are size(each size of the rule).
 template <int D, class SizeOf>
 PairExtents<D> composed(const PairRule& rule, const SizeOf& size) {
-  PairExtents<D> pair{Vec<D>::Zero(), size(rule.radius), rule.distance == Distance::upright ? 2 : D};
+  PairExtents<D> pair{Vec<D>::zero(), size(rule.radius), rule.distance == Distance::upright ? 2 : D};
   for (int axis = 0; axis < D; ++axis) pair.half[axis] = size(rule.extent[axis]);
   return pair;
 }
@@ -32,7 +32,7 @@ double horizon_end(const Horizon& horizon, double s) {
 /// Both bounds on each axis; most sets of a scene contain only 0.
 template <int D>
 void find_bounds(const VectorSet<D>& set, Vec<D>& lower, Vec<D>& upper) {
-  lower = upper = Vec<D>::Zero();
+  lower = upper = Vec<D>::zero();
   if ((set.centre == 0).all() && (set.along == 0).all() && (set.pad == 0).all()) return;
   for (int axis = 0; axis < D; ++axis) {
     const bool is_one = !set.is_arc && set.along[axis] == 0 && set.pad[axis] == 0;

@@ -90,8 +90,8 @@ class TurnedLines {
  public:
   TurnedLines(const Encounter<D>& encounter, const TrajectoryFamily<D>& family)
       : half_{family.all.velocity.sine, family.all.velocity.cosine}, radius_(encounter.extents.radius) {
-    const Vec<2> own = family.all.velocity.centre.template head<2>(), other = encounter.v.template head<2>(),
-                 x = encounter.x.template head<2>();
+    const Vec<2> own = family.all.velocity.centre.template first<2>(),
+                 other = encounter.v.template first<2>(), x = encounter.x.template first<2>();
     for (const Corner& corner : encounter.turning->own_corners()) {
       const Vec<2> p{corner.x, corner.y};
       across_[0].add(half_, {cross(p, own), -cross(p, other), -dot(p, other)});

@@ -65,7 +65,7 @@ class SpacePiece {
 class SpacePieces : public FormPieces<SpacePieces, 3, TriangleTree> {
  public:
   void take_box(const Box<3>& box);
-  void take_point() { take_box({Vec<3>::Zero(), Vec<3>::Zero()}); }
+  void take_point() { take_box({Vec<3>::zero(), Vec<3>::zero()}); }
 
   /// About as many: a triangle takes as long as a box.
   static std::size_t corner_count(std::size_t) { return 4; }

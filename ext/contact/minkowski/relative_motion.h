@@ -8,7 +8,7 @@
 #include <cstddef>
 
 #include "contact/setup.h"
-#include "motion/law.h"
+#include "motion/motion.h"
 #include "numbers/coefficients.h"
 #include "numbers/exact_conversion.h"
 

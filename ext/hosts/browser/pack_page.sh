@@ -9,7 +9,7 @@ cd "$(dirname "$0")/../../.."
 . sql/newest_sqlite.sh
 
 need_packages "emscripten: command emcc" "cmake: command cmake" "ninja-build: command ninja" "python3: command python3" \
-  "npm: command npm" "libeigen3-dev: header eigen3/Eigen/Core Eigen/Core" "libboost-dev: header boost/version.hpp"
+  "npm: command npm" "libboost-dev: header boost/version.hpp"
 fetch_newest_sqlite || {
   echo "SQLite's amalgamation could not be fetched by npm ($newest_sqlite/npm.log): put sqlite3.c and sqlite3.h into $newest_sqlite" >&2
   exit 1

@@ -31,7 +31,7 @@ Once it is installed, the shell's command .load foresee loads it.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libforesee-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "libsqlite3-mod-foresee (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libsqlite3-dev, libeigen3-dev")
+  "libsqlite3-mod-foresee (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libsqlite3-dev")
 set(CPACK_DEBIAN_DEV_DESCRIPTION "predictive spatial joins: archives and headers
 For programs that link SQLite themselves (libforesee.a, foresee.h) and for
 those that have no SQLite (libforesee_core.a, C++20).

@@ -120,7 +120,7 @@ fetch_sqlite() {
 fetch_include() {
   mkdir -p "$roots/include"
   local header
-  for header in boost eigen3 sqlite3.h sqlite3ext.h; do ln -sfn "/usr/include/$header" "$roots/include/$header"; done
+  for header in boost sqlite3.h sqlite3ext.h; do ln -sfn "/usr/include/$header" "$roots/include/$header"; done
 }
 
 [ $# -gt 0 ] || set -- debian11 arm64 musl-x64 musl-arm64 zig sqlite include

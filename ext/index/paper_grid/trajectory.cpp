@@ -87,7 +87,7 @@ bool are_separated(const Chord<2>& a, const Chord<2>& b) {
 bool are_separated(const Chord<3>& a, const Chord<3>& b) {
   const Vec<3> along_a = a.direction(), along_b = b.direction();
   for (int axis = 0; axis < 3; ++axis) {
-    Vec<3> unit = Vec<3>::Zero();
+    Vec<3> unit = Vec<3>::zero();
     unit[axis] = 1;
     if (separated_along<3>(a, b, cross(along_a, unit)) || separated_along<3>(a, b, cross(along_b, unit)))
       return true;

@@ -5,15 +5,8 @@
 namespace foresee {
 
 template <int D>
-Vec<D> lower_end(const Vec<D>& value, const Vec<D>& pad) {
-  const Vec<D> end = value - pad;
-  if ((end.abs() <= largest_bound).all()) return end;  // the usual case
+Vec<D> unbounded_lower_end(const Vec<D>& end) {
   return (end >= -largest_bound).select(end, -std::numeric_limits<double>::infinity()).min(largest_bound);
-}
-
-template <int D>
-Vec<D> upper_end(const Vec<D>& value, const Vec<D>& pad) {
-  return -lower_end<D>(-value, pad);
 }
 
 namespace {
@@ -44,7 +37,7 @@ Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double e
   const double absolute_pad = pad > 0 ? smallest_pad : 0;
   const Vec<D> x_pad =
       (motion.x.abs() + by_velocity.abs() + by_acceleration.abs() + reach_of(extents)) * pad + absolute_pad;
-  const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + absolute_pad, none = Vec<D>::Zero();
+  const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + absolute_pad, none = Vec<D>::zero();
   return {lower_end<D>(centre + extents.lower, x_pad),
           upper_end<D>(centre + extents.upper, x_pad),
           lower_end<D>(velocity, v_pad),
@@ -58,7 +51,7 @@ Bounds<D> with_growth(const Bounds<D>& bounds, const Vec<D>& growth, double age,
   const double absolute_pad = pad > 0 ? smallest_pad : 0;
   const Vec<D> more = growth * std::max(age, 0.0);
   const auto padding = [&](const Vec<D>& end, const Vec<D>& grown) {
-    return Vec<D>(end.isFinite().select((end.abs() + grown) * pad + absolute_pad, 0.0));
+    return Vec<D>(end.is_finite().select((end.abs() + grown) * pad + absolute_pad, 0.0));
   };
   return {lower_end<D>(bounds.x_lower - more, padding(bounds.x_lower, more)),
           upper_end<D>(bounds.x_upper + more, padding(bounds.x_upper, more)),
@@ -80,8 +73,7 @@ Bounds<D> carried(const Bounds<D>& bounds, double from, double to) {
 }
 
 #define FORESEE_OF_AXES(D)                                                           \
-  template Vec<D> lower_end<D>(const Vec<D>&, const Vec<D>&);                        \
-  template Vec<D> upper_end<D>(const Vec<D>&, const Vec<D>&);                        \
+  template Vec<D> unbounded_lower_end<D>(const Vec<D>&);                             \
   template Bounds<D> bounds_at(const Motion<D>&, const Extents<D>&, double, double); \
   template Bounds<D> with_growth(const Bounds<D>&, const Vec<D>&, double, double);   \
   template Bounds<D> carried(const Bounds<D>&, double, double)

@@ -31,11 +31,20 @@ inline constexpr double rounding_pad = 0x1p-48;
 inline constexpr double smallest_pad = 0x1p-1000;
 inline constexpr double largest_bound = 1e300;
 
+/// The lower end that is stored for `end`, which is not of a finite bound on every axis.
+template <int D>
+Vec<D> unbounded_lower_end(const Vec<D>& end);
+
 /// The lower end of a bound whose computed value is `value` ± `pad`.
 template <int D>
-Vec<D> lower_end(const Vec<D>& value, const Vec<D>& pad);
+inline Vec<D> lower_end(const Vec<D>& value, const Vec<D>& pad) {
+  const Vec<D> end = value - pad;
+  return (end.abs() <= largest_bound).all() ? end : unbounded_lower_end(end);
+}
 template <int D>
-Vec<D> upper_end(const Vec<D>& value, const Vec<D>& pad);
+inline Vec<D> upper_end(const Vec<D>& value, const Vec<D>& pad) {
+  return -lower_end<D>(-value, pad);
+}
 
 template <int D>
 struct Bounds {
@@ -43,7 +52,7 @@ struct Bounds {
 
   /// Contains no motion; after include() it equals the included bounds.
   static Bounds nothing() {
-    const Vec<D> infinity = Vec<D>::Constant(std::numeric_limits<double>::infinity());
+    const Vec<D> infinity = Vec<D>::constant(std::numeric_limits<double>::infinity());
     return {infinity, -infinity, infinity, -infinity, infinity, -infinity};
   }
 

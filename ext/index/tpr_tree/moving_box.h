@@ -66,7 +66,7 @@ template <int D>
 void pad_outward(MovingBox<D>& box, const Vec<D>& size) {
   const Vec<D> pad = size * rounding_pad + smallest_pad;
   box.lower -= pad, box.upper += pad;
-  const Eigen::Array<bool, D, 1> bounded =
+  const VecMask<D> bounded =
       size <= largest_bound && box.v_lower.abs() <= largest_bound && box.v_upper.abs() <= largest_bound;
   if (bounded.all()) return;  // the usual case
   const double infinity = std::numeric_limits<double>::infinity();
@@ -196,8 +196,8 @@ bool narrow_to_contact(const MovingBox<D>& a, const MovingBox<D>& b, SharedInter
   const Vec<D> left_first = left + left_speed * span.begin, left_last = left + left_speed * span.end,
                right_first = right + right_speed * span.begin, right_last = right + right_speed * span.end;
   // Most pairs are separated along one axis all the time, or overlap on all axes.
-  if (left_first.min(left_last).max(right_first.min(right_last)).maxCoeff() > 0) return false;
-  if (left_first.max(left_last).max(right_first.max(right_last)).maxCoeff() <= 0) return true;
+  if (left_first.min(left_last).max(right_first.min(right_last)).largest() > 0) return false;
+  if (left_first.max(left_last).max(right_first.max(right_last)).largest() <= 0) return true;
   for (int axis = 0; axis < D; ++axis)
     if (!narrow_to_closed(left[axis], left_speed[axis], span) ||
         !narrow_to_closed(right[axis], right_speed[axis], span))

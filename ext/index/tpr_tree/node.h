@@ -27,7 +27,7 @@ class LeafReader {
   /// True for an object with a plan.
   bool is_head(const double* record) const { return has_plan(at_, record); }
   Motion<D> motion(const double* record) const {
-    if (is_head(record)) return {t(record), vector(record, at_.x), Vec<D>::Zero(), Vec<D>::Zero(), t(record)};
+    if (is_head(record)) return {t(record), vector(record, at_.x), Vec<D>::zero(), Vec<D>::zero(), t(record)};
     return own_motion(record);
   }
   /// Requires: no head.
@@ -60,8 +60,8 @@ class LeafReader {
 
  private:
   static Vec<D> vector(const double* record, int place) {
-    if (place == Offsets::absent) return Vec<D>::Zero();
-    return Eigen::Map<const Vec<D>>(record + place);
+    if (place == Offsets::absent) return Vec<D>::zero();
+    return Vec<D>::at(record + place);
   }
 
   Offsets at_;
@@ -159,7 +159,7 @@ Times times_at(const Node& inner, std::size_t slot) {
 template <int D>
 Bounds<D> bounds_at(const Node& inner, std::size_t slot) {
   const double* from = inner.values.data() + slot * entry_size(D) + times_size;
-  auto next = [&from] { return Vec<D>(Eigen::Map<const Vec<D>>(std::exchange(from, from + D))); };
+  auto next = [&from] { return Vec<D>::at(std::exchange(from, from + D)); };
   return {next(), next(), next(), next(), next(), next()};
 }
 

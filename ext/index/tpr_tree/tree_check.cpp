@@ -115,11 +115,11 @@ class TreeCheck {
 
   /// A face that overflowed in the computation is replaced by one inside any entry: it proves nothing.
   static Bounds<D> known(Bounds<D> own) {
-    const Vec<D> anywhere = Vec<D>::Constant(std::numeric_limits<double>::infinity());
+    const Vec<D> anywhere = Vec<D>::constant(std::numeric_limits<double>::infinity());
     for (Vec<D>* lower : {&own.x_lower, &own.v_lower, &own.a_lower})
-      *lower = lower->isFinite().select(*lower, anywhere);
+      *lower = lower->is_finite().select(*lower, anywhere);
     for (Vec<D>* upper : {&own.x_upper, &own.v_upper, &own.a_upper})
-      *upper = upper->isFinite().select(*upper, -anywhere);
+      *upper = upper->is_finite().select(*upper, -anywhere);
     return own;
   }
 

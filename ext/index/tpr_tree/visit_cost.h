@@ -48,7 +48,7 @@ class VisitCost {
     const Bounds<D>& bounds = entry.bounds;
     const Vec<D> x = bounds.x_upper - bounds.x_lower + query.side, v = bounds.v_upper - bounds.v_lower,
                  a = (bounds.a_upper - bounds.a_lower) * 0.5;
-    auto product = [&](double s) { return within_reason(x + s * (v + s * a)).prod(); };
+    auto product = [&](double s) { return within_reason(x + s * (v + s * a)).product(); };
     auto integral = [&](const std::array<double, 3>& at) {
       return product(at[0]) + 4 * product(at[1]) + product(at[2]);
     };

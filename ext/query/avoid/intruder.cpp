@@ -62,7 +62,7 @@ bool Intruder<D>::is_worth_splitting(const TrajectoryFamily<D>& family) const {
       (family.upper[0] - family.lower[0]) +
       end * ((family.upper[1] - family.lower[1]) + (0.5 * end) * (family.upper[2] - family.lower[2]));
   const double size = stage_ == Stage::boxes ? outlines_->box_size(part_) : 0;
-  return touches_at_start() || 4 * (size + 2 * encounter_.extents.after(end).radius) >= apart.maxCoeff();
+  return touches_at_start() || 4 * (size + 2 * encounter_.extents.after(end).radius) >= apart.largest();
 }
 
 template <int D>

@@ -36,7 +36,7 @@ MovingBox<D> box_around(const ManoeuvreCase& manoeuvre, const Changes& changes, 
   const Bodies own = manoeuvre.question.own_scene->bodies();
   Extents<D> extents = extents_of<D>(own, 0);
   if (turns_with_course(manoeuvre.question, changes)) {  // those of all rotations
-    const double far = reach_of(extents).template head<std::min(D, 2)>().sum();
+    const double far = reach_of(extents).template first<std::min(D, 2)>().sum();
     for (int axis = 0; axis < std::min(D, 2); ++axis) extents.lower[axis] = -far, extents.upper[axis] = far;
   }
   const Horizon horizon{manoeuvre.question.now, manoeuvre.question.h};
@@ -80,7 +80,7 @@ class RowsNear {
   /// Calls use(number) for each box that the row meets, until it returns false. Returns false then.
   template <class Use>
   bool find_boxes(std::size_t row, Use use) const {
-    const MovingBox<D> other = moving_box<D>(bodies_, row, horizon_, Vec<D>::Zero());
+    const MovingBox<D> other = moving_box<D>(bodies_, row, horizon_, Vec<D>::zero());
     return spans_.find(other.span.begin, other.span.end, [&](std::size_t box) {
       SharedInterval span = shared_span(other, boxes_[box]);
       return span.is_empty() || !narrow_to_contact(other, boxes_[box], span) || use(box);
@@ -132,7 +132,7 @@ NearObjects find_near_objects(const ManoeuvreCase& manoeuvre, const SearchTarget
   const KindTest partners = KindTest::of_partners(kinds_of(own.row(0), own.at));
   with_axes(scene->layout.axes, [&]<int D>(Axes<D>) {
     // Our boxes have the whole reach, so the tree adds none: margin_of() is half of it.
-    const Vec<D> margin = 2 * margin_of<D>(reach_to(question, others)), none = Vec<D>::Zero();
+    const Vec<D> margin = 2 * margin_of<D>(reach_to(question, others)), none = Vec<D>::zero();
     const QueriedChanges& queried = manoeuvre.queried;
     std::vector<MovingBox<D>> boxes;
     for (const auto& leg : legs)

@@ -128,7 +128,7 @@ class Encounters {
     const Horizon horizon{question_.now, question_.h};
     auto encounter = encounter_of<D>(reference, horizon, there, there.row(row), extents);
     if (encounter.begin > encounter.end) return;
-    const double far = (encounter.x.abs() - encounter.extents.half).maxCoeff() - encounter.extents.radius;
+    const double far = (encounter.x.abs() - encounter.extents.half).largest() - encounter.extents.radius;
     const auto pair = own_outline ? std::make_shared<const OutlinePair>(own_outline, there, row,
                                                                         given_outline(table, there, row))
                                   : nullptr;

@@ -56,7 +56,7 @@ std::vector<MovingBox<D>> boxes_of(const Scene& one, const Horizon& horizon, con
   for (const ChunkRange& range : cut_into_chunks(legs)) {
     steps.costly(1000);
     const ChunkBox box = chunk_box(std::span(legs).subspan(range.first, range.count), D);
-    Motion<D> chord{box.t, Vec<D>::Zero(), Vec<D>::Zero(), Vec<D>::Zero(), box.until};
+    Motion<D> chord{box.t, Vec<D>::zero(), Vec<D>::zero(), Vec<D>::zero(), box.until};
     Vec<D> half;
     for (int axis = 0; axis < D; ++axis) {
       const auto j = static_cast<std::size_t>(axis);

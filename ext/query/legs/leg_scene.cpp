@@ -73,7 +73,7 @@ class LegFilter {
     const Extents<D> shape = extents_of<D>(layout_.shape, chunk.record.data(), at_);
     std::erase_if(chunk.legs, [&](const Leg& leg) {
       if (life_of(leg.t, leg.until, horizon_).none) return true;
-      const MovingBox<D> box = moving_box<D>(motion_of<D>(leg), shape, horizon_, Vec<D>::Zero());
+      const MovingBox<D> box = moving_box<D>(motion_of<D>(leg), shape, horizon_, Vec<D>::zero());
       return !may_meet_one(box);
     });
   }
@@ -148,7 +148,7 @@ void for_each_plan(ChunkSource& chunks, const Layout& layout, const Horizon& hor
   Scene scene;
   scene.layout = layout, scene.legs_during = leg_times_of(horizon);
   with_axes(layout.axes, [&]<int D>(Axes<D>) {
-    const Vec<D> everywhere = Vec<D>::Constant(no_end), zero = Vec<D>::Zero();
+    const Vec<D> everywhere = Vec<D>::constant(no_end), zero = Vec<D>::zero();
     const MovingBox<D> box = moving_window<D>(-everywhere, everywhere, zero, horizon);
     const auto found = chunks_near<D>(chunks, {&box, 1}, horizon, zero, interrupt, {});
     for_each_object<D>(chunks, found, scene.legs_during, nullptr, interrupt,

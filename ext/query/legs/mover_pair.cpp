@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "motion/law.h"
+#include "motion/motion.h"
 
 namespace foresee {
 namespace {

@@ -137,7 +137,7 @@ class Search {
 
   /// False only for what is farther than `reach` during the whole horizon.
   bool may_come_within(double reach, const Motion<D>& motion) const {
-    const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::Zero());
+    const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::zero());
     return !box.span.is_empty() && min_point_distance(box, box_) <= reach;
   }
 

@@ -15,7 +15,7 @@ namespace {
 template <int D>
 Box<D> met_by_all(const std::vector<QueriedCorners>& queried) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  Box<D> box{Vec<D>::Constant(-inf), Vec<D>::Constant(inf)};
+  Box<D> box{Vec<D>::constant(-inf), Vec<D>::constant(inf)};
   for (int axis = 0; axis < std::min(D, static_cast<int>(queried.size())); ++axis) {
     const QueriedCorners& corners = queried[static_cast<std::size_t>(axis)];
     const double one = std::max(corners.lower_min, corners.upper_min),

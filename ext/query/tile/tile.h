@@ -54,7 +54,7 @@ struct Tile {
   template <int D>
   Box<D> closed() const {
     constexpr double inf = std::numeric_limits<double>::infinity();
-    Box<D> box{Vec<D>::Constant(-inf), Vec<D>::Constant(inf)};
+    Box<D> box{Vec<D>::constant(-inf), Vec<D>::constant(inf)};
     box.lower[0] = x0, box.upper[0] = x1;
     if constexpr (D > 1) box.lower[1] = y0, box.upper[1] = y1;
     return box;

@@ -61,7 +61,7 @@ class WindowOfTree final : public ObjectCandidates {
         walk_(*tree_,
               moving_window<D>(vector_of<D>(faces.lower), vector_of<D>(faces.upper),
                                vector_of<D>(faces.velocity), horizon),
-              horizon, Vec<D>::Zero(), interrupt, test),
+              horizon, Vec<D>::zero(), interrupt, test),
         reader_(tree_->layout()),
         lower_(vector_of<D>(faces.lower)),
         upper_(vector_of<D>(faces.upper)),
@@ -179,9 +179,7 @@ WindowFaces faces_around(const WindowQuestion& question) {
   WindowFaces faces = question.faces;
   if (!question.zone) return faces;
   const Extents<2> around = question.zone->outline().extents();
-  for (const std::size_t j : {0, 1})
-    faces.lower[j] = around.lower[static_cast<Eigen::Index>(j)],
-    faces.upper[j] = around.upper[static_cast<Eigen::Index>(j)];
+  for (const std::size_t j : {0, 1}) faces.lower[j] = around.lower[j], faces.upper[j] = around.upper[j];
   return faces;
 }
 
@@ -236,7 +234,7 @@ void Window::find_plans(const WindowFaces& faces, const std::optional<KindTest>&
     legs = with_axes(objects.layout().axes, [&]<int D>(Axes<D>) {
       const MovingBox<D> box = moving_window<D>(vector_of<D>(faces.lower), vector_of<D>(faces.upper),
                                                 vector_of<D>(faces.velocity), horizon);
-      return legs_near<D>(objects, box, horizon, Vec<D>::Zero(), interrupt_, test);
+      return legs_near<D>(objects, box, horizon, Vec<D>::zero(), interrupt_, test);
     });
   const MoverWants wants{test, question_.wants, question_.all_contacts};
   movers_ = std::make_unique<MoverWindow>(std::move(legs), window_, horizon, wants, interrupt_);

@@ -56,9 +56,7 @@ class LeafAssignment {
   int widest_axis(Place first, Place last) const {
     Vec<D> lower = middle_of(*first), upper = lower;
     for (; first != last; ++first) lower = lower.min(middle_of(*first)), upper = upper.max(middle_of(*first));
-    int axis = 0;
-    (upper - lower).maxCoeff(&axis);
-    return axis;
+    return (upper - lower).largest_axis();
   }
 
   Vec<D> middle_of(std::uint32_t box) const { return boxes_[box].lower / 2 + boxes_[box].upper / 2; }

@@ -43,7 +43,7 @@ class SharedOutline final : public Form {
   Extents<3> extents(double heading) const override {
     const Extents<2> flat = rotated(heading).extents();
     Extents<3> around = Extents<3>::none();
-    around.lower.head<2>() = flat.lower, around.upper.head<2>() = flat.upper;
+    for (int j = 0; j < 2; ++j) around.lower[j] = flat.lower[j], around.upper[j] = flat.upper[j];
     return around;
   }
 

@@ -22,7 +22,7 @@ TEST(StraightApproach, FindsTheNearestApproachAndAPlane) {
   for (int i = 0; i < 4000; ++i) {
     GrowingExtents<3> extents{
         {{random.in(0, 2), random.in(0, 2), random.in(0, 2)}, random.in(0, 2), i % 2 ? 3 : 2}};
-    if (i % 5 == 0) extents.half.setZero();
+    if (i % 5 == 0) extents.half = Vec<3>::zero();
     if (i % 7 == 0) extents.radius = 0, extents.round_axes = 3;
     if (i % 3 == 0) {
       extents.grows = true;
@@ -98,8 +98,8 @@ struct TurningShips {
   explicit TurningShips(Random& random) {
     encounter.x = {random.in(-400, 400), random.in(-400, 400)};
     encounter.v = {random.in(-9, 9), random.in(-9, 9)};
-    if (random.below(4) == 0) encounter.v.setZero();
-    encounter.a.setZero(), encounter.ex.setZero(), encounter.ev.setZero();
+    if (random.below(4) == 0) encounter.v = Vec<2>::zero();
+    encounter.a = Vec<2>::zero(), encounter.ex = Vec<2>::zero(), encounter.ev = Vec<2>::zero();
     encounter.extents = {{{0, 0}, random.below(2) ? 0 : random.in(0, 60), 2, &sum}};
     encounter.begin = random.below(2) ? 0 : random.in(0, 20), encounter.end = 60;
     encounter.turning = &sum;

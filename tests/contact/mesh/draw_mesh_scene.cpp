@@ -115,7 +115,7 @@ class DrawScene {
       return pace * (place_of(corner) - p);
     };
     Meeting met{p - q, any.velocity};
-    if (family_.motion == Motion::none) met.velocity.setZero();
+    if (family_.motion == Motion::none) met.velocity = Vec<3>::zero();
     if (family_.motion == Motion::along_an_edge) met.velocity = path_to(corners[t[1]]);
     if (family_.motion == Motion::across_a_face) {
       met.velocity = path_to(corners[t[1]]);

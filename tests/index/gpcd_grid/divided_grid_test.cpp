@@ -31,8 +31,8 @@ void expect_same(SceneKind kind, std::size_t count) {
                          .seed = seed});
   };
   const RandomScene one = scene_of_seed(1), other = scene_of_seed(2);
-  const MovingBoxes<D> a{one.bodies(), one.horizon(), Vec<D>::Zero()};
-  const MovingBoxes<D> b{other.bodies(), one.horizon(), Vec<D>::Zero()};
+  const MovingBoxes<D> a{one.bodies(), one.horizon(), Vec<D>::zero()};
+  const MovingBoxes<D> b{other.bodies(), one.horizon(), Vec<D>::zero()};
   for (const MovingBoxes<D>* second : {static_cast<const MovingBoxes<D>*>(nullptr), &b}) {
     const auto divided = make_divided_grid<D>(a, second, 2, never, nullptr);
     EXPECT_GE(divided->parts(), D > 1 ? 3u : 1u) << name_of(kind);
@@ -59,7 +59,7 @@ void expect_crossings_counted() {
     for (int axis = 0; axis < D; ++axis)
       rows[i * static_cast<std::size_t>(at.size) + static_cast<std::size_t>(at.half + axis)] *=
           axis == static_cast<int>(i) % D ? 300 : 10;
-  const MovingBoxes<D> boxes{Bodies(scene.layout, rows.data(), 3000), scene.horizon(), Vec<D>::Zero()};
+  const MovingBoxes<D> boxes{Bodies(scene.layout, rows.data(), 3000), scene.horizon(), Vec<D>::zero()};
   gpcd::Grid<D> grid(boxes, nullptr, nullptr, 0, never);
   const gpcd::Partition<D>& partition = grid.partition();
   const std::vector<std::size_t> counts = grid.side(0).giants.crossing_counts(partition);
@@ -88,7 +88,7 @@ TEST(DividedGrid, CountsTheGiantsThatCrossEachStripe) {
 
 TEST(DividedGrid, HasNoCandidatesWithoutObjects) {
   const Bodies none{Layout{.axes = 2}, nullptr, 0};
-  const auto divided = make_divided_grid<2>({none, {0, 1}, Vec<2>::Zero()}, nullptr, 2, never, nullptr);
+  const auto divided = make_divided_grid<2>({none, {0, 1}, Vec<2>::zero()}, nullptr, 2, never, nullptr);
   EXPECT_TRUE(from_three_threads(*divided).empty());
 }
 

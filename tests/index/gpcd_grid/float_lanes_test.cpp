@@ -31,7 +31,7 @@ std::vector<Beam<2>> some_beams(std::size_t count, double size) {
   const auto number = [&] { return std::ldexp(random.in(-2, 2), static_cast<int>(random.in(-size, size))); };
   std::vector<Beam<2>> beams;
   for (std::size_t i = 0; i < count; ++i) {
-    Beam<2> beam{Box<2>::empty(), Vec<2>::Zero(), 0, 1};
+    Beam<2> beam{Box<2>::empty(), Vec<2>::zero(), 0, 1};
     for (int k = 0; k < 2 && i % 16 != 5; ++k) {
       beam.box.lower[k] = i % 16 == 6 ? -inf : number();
       beam.box.upper[k] = i % 16 == 7 ? inf : beam.box.lower[k] + std::abs(number());

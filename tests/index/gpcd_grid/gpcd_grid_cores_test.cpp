@@ -32,7 +32,7 @@ struct Found {
 
 template <int D>
 Found candidates_of(const Side& a, const Side* b, const Question& question) {
-  const Vec<D> margin = Vec<D>::Constant(question.within / 2);
+  const Vec<D> margin = Vec<D>::constant(question.within / 2);
   const MovingBoxes<D> first{a.bodies(), question.horizon, margin};
   MovingBoxes<D> second = first;
   if (b) second.bodies = b->bodies();

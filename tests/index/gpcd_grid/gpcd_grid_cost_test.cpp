@@ -11,7 +11,7 @@ template <int D>
 std::vector<Box<D>> boxes_of(SceneKind kind, std::size_t count) {
   const Layout layout{D, Law::accelerated, Shape::box, false, false};
   const RandomScene scene = random_scene({layout, kind, count, 3});
-  return swept_boxes<D>(scene.bodies(), scene.horizon(), Vec<D>::Zero(), never);
+  return swept_boxes<D>(scene.bodies(), scene.horizon(), Vec<D>::zero(), never);
 }
 
 struct Cost {
@@ -113,7 +113,7 @@ TEST(GpcdGridInterrupt, IsSeenDuringTheBuild) {
 }
 
 TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
-  const RestingBodies<2> resting(std::vector(20000, Box<2>{Vec<2>::Zero(), Vec<2>::Constant(1)}));
+  const RestingBodies<2> resting(std::vector(20000, Box<2>{Vec<2>::zero(), Vec<2>::constant(1)}));
   const MovingBoxes<2> side = resting.side();
   StopAt stop(1000);
   gpcd::GridVisit<2> visit(std::make_shared<gpcd::Grid<2>>(side, nullptr, nullptr, 0, stop), stop);

@@ -19,7 +19,7 @@ std::vector<Kinds> kinds_of(const RandomScene& scene) {
 
 template <int D>
 MovingBoxes<D> side(const RandomScene& scene, const Kinds* kinds) {
-  return {scene.bodies(), scene.horizon(), Vec<D>::Constant(0.5), kinds};
+  return {scene.bodies(), scene.horizon(), Vec<D>::constant(0.5), kinds};
 }
 
 template <int D>

@@ -13,7 +13,7 @@ namespace {
 
 template <int D>
 std::vector<Box<D>> boxes_of(const RandomScene& scene, double h) {
-  return swept_boxes<D>(scene.bodies(), {scene.now, h}, Vec<D>::Constant(scene.within / 2), never);
+  return swept_boxes<D>(scene.bodies(), {scene.now, h}, Vec<D>::constant(scene.within / 2), never);
 }
 
 template <int D>

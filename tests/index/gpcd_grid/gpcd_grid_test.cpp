@@ -87,8 +87,8 @@ TYPED_TEST(GpcdGrid, AnswersTinyScenes) {
   constexpr int D = TypeParam::value;
   expect_grid_agrees<D>({});
   expect_grid_agrees(uniform_boxes<D>(1, 1));
-  const Box<D> unit{Vec<D>::Constant(0), Vec<D>::Constant(1)}, next{Vec<D>::Constant(1), Vec<D>::Constant(2)};
-  const Box<D> far{Vec<D>::Constant(5), Vec<D>::Constant(6)};
+  const Box<D> unit{Vec<D>::constant(0), Vec<D>::constant(1)}, next{Vec<D>::constant(1), Vec<D>::constant(2)};
+  const Box<D> far{Vec<D>::constant(5), Vec<D>::constant(6)};
   const auto count_of = [](const RestingBodies<D>& bodies) {
     return drain(*make_gpcd_grid<D>(bodies.side(), nullptr, never)).size();
   };
@@ -120,7 +120,7 @@ TYPED_TEST(GpcdGrid, TakesHugeAndEmptyBoxes) {
   for (int i = 0; i < 5; ++i) boxes[random.below(600)].lower[0] = -far_away;
   for (int i = 0; i < 5; ++i) boxes[random.below(600)].upper[D - 1] = far_away;
   for (int i = 0; i < 60; ++i) boxes[random.below(600)] = Box<D>::empty();
-  boxes[7] = {Vec<D>::Constant(-far_away), Vec<D>::Constant(far_away)};
+  boxes[7] = {Vec<D>::constant(-far_away), Vec<D>::constant(far_away)};
   expect_grid_agrees(boxes, 2);
   expect_grid_agrees_between(boxes, uniform_boxes<D>(300, 12), 2);
   expect_grid_agrees(std::vector<Box<D>>(20, Box<D>::empty()));
@@ -132,7 +132,7 @@ TYPED_TEST(GpcdGrid, AgreesWhenAllAreAtOneSpot) {
   std::vector<Box<D>> boxes;
   Random random(3);
   for (int i = 0; i < 300; ++i)
-    boxes.push_back({Vec<D>::Constant(5 - random.unit()), Vec<D>::Constant(5 + random.unit())});
+    boxes.push_back({Vec<D>::constant(5 - random.unit()), Vec<D>::constant(5 + random.unit())});
   expect_grid_agrees(boxes);
   expect_grid_agrees(std::vector<Box<D>>(300, boxes[0]));
   expect_grid_agrees_between(boxes, boxes);
@@ -188,7 +188,7 @@ TYPED_TEST(GpcdGrid, KeepsResolutionAtExtremeCoordinates) {
 
 TYPED_TEST(GpcdGrid, ComesInBatches) {
   constexpr int D = TypeParam::value;
-  const RestingBodies<D> bodies(std::vector(2000, Box<D>{Vec<D>::Constant(0), Vec<D>::Constant(1)}));
+  const RestingBodies<D> bodies(std::vector(2000, Box<D>{Vec<D>::constant(0), Vec<D>::constant(1)}));
   auto candidates = make_gpcd_grid<D>(bodies.side(), nullptr, never);
   std::size_t total = 0;
   for (std::vector<Pair> batch; candidates->next(batch); batch.clear()) {

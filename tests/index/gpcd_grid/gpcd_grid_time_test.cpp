@@ -29,7 +29,7 @@ Moving moving(const RandomScene& scene, double h) {
 
 template <int D>
 std::vector<Pair> candidates_of(const Moving& a, const Moving* b) {
-  const Vec<D> margin = Vec<D>::Constant(a.within / 2);
+  const Vec<D> margin = Vec<D>::constant(a.within / 2);
   const MovingBoxes<D> first{a.bodies(), a.horizon, margin};
   if (!b) return drain(*make_gpcd_grid<D>(first, nullptr, never));
   const MovingBoxes<D> second{b->bodies(), b->horizon, margin};

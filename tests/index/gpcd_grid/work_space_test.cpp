@@ -34,7 +34,7 @@ TEST(WorkSpace, OfAGridFollowsTheScene) {
   const auto space = std::make_shared<GridSpace>();
   const auto join = [&](std::size_t count) {
     const RandomScene scene = random_scene({.layout = {.axes = 2, .law = Law::uniform}, .count = count});
-    const MovingBoxes<2> boxes{scene.bodies(), scene.horizon(), Vec<2>::Constant(0.5)};
+    const MovingBoxes<2> boxes{scene.bodies(), scene.horizon(), Vec<2>::constant(0.5)};
     const auto kept = drain(*make_gpcd_grid<2>(boxes, nullptr, never, space));
     EXPECT_EQ(within_order(kept), within_order(drain(*make_gpcd_grid<2>(boxes, nullptr, never)))) << count;
     space->trim();

@@ -22,23 +22,27 @@ using testing::within_order;
 
 template <int D>
 std::vector<Box<D>> boxes_of(const testing::RandomScene& scene) {
-  return swept_boxes<D>(scene.bodies(), scene.horizon(), Vec<D>::Constant(scene.within / 2), never);
+  return swept_boxes<D>(scene.bodies(), scene.horizon(), Vec<D>::constant(scene.within / 2), never);
 }
 
 /// Steps 2 to 4 without entries: a pair shares a cell if the cells of both overlap on every axis.
 template <int D>
 struct PlainCells {
   explicit PlainCells(std::span<const Box<D>> boxes, double times = 1) {
-    Vec<D> sum = Vec<D>::Zero();
+    Vec<D> sum = Vec<D>::zero();
     double count = 0;
-    from = Vec<D>::Constant(std::numeric_limits<double>::infinity());
+    from = Vec<D>::constant(std::numeric_limits<double>::infinity());
     for (const Box<D>& box : boxes)
       if (!box.is_empty()) sum += box.upper - box.lower, ++count, from = from.min(box.lower);
     size = sum / count * times;
   }
   bool share(const Box<D>& a, const Box<D>& b) const {
     if (a.is_empty() || b.is_empty()) return false;
-    const auto cell = [&](const Vec<D>& x) -> Vec<D> { return ((x - from) * (1 / size)).floor(); };
+    const auto cell = [&](const Vec<D>& x) {
+      Vec<D> cells = (x - from) * (1 / size);
+      for (int j = 0; j < D; ++j) cells[j] = std::floor(cells[j]);
+      return cells;
+    };
     return (cell(a.lower) <= cell(b.upper)).all() && (cell(b.lower) <= cell(a.upper)).all();
   }
   Vec<D> from, size;
@@ -122,9 +126,9 @@ std::vector<Box<3>> diagonal_with_giant(std::size_t count) {
   std::vector<Box<3>> boxes;
   for (std::size_t i = 0; i < count; ++i) {
     const double at = 2 * static_cast<double>(i);
-    boxes.push_back({Vec<3>::Constant(at), Vec<3>::Constant(at + 1)});
+    boxes.push_back({Vec<3>::constant(at), Vec<3>::constant(at + 1)});
   }
-  boxes.push_back({Vec<3>::Zero(), Vec<3>::Constant(2 * static_cast<double>(count))});
+  boxes.push_back({Vec<3>::zero(), Vec<3>::constant(2 * static_cast<double>(count))});
   return boxes;
 }
 

@@ -26,7 +26,7 @@ struct TwoBoxes {
   }
   Bodies bodies() const { return {{2, Law::accelerated, Shape::box}, rows[0], 2}; }
   std::vector<Trajectory<2>> of(double h) const {
-    const Vec<2> none = Vec<2>::Zero();
+    const Vec<2> none = Vec<2>::zero();
     return {trajectory_of<2>(bodies(), 0, {0, h}, none), trajectory_of<2>(bodies(), 1, {0, h}, none)};
   }
   bool swept_boxes_meet(double h) const {
@@ -42,7 +42,7 @@ struct TwoBoxes {
     return foresee::regions_may_meet<2>(t[0], t[1]);
   }
   PaperStages& staged(double h) {
-    stages = make_paper_stages<2>(bodies(), bodies(), false, {0, h}, Vec<2>::Zero(), never);
+    stages = make_paper_stages<2>(bodies(), bodies(), false, {0, h}, Vec<2>::zero(), never);
     std::vector<Pair> pairs{{0, 1}};
     stages->prune(pairs);
     return *stages;
@@ -124,7 +124,7 @@ struct Losses {
     candidates += pairs.size();
     contact->decide(pairs, touching);
     const auto stages = make_paper_stages<D>(a.bodies(), b.bodies(), &a != &b, {a.now, h},
-                                             Vec<D>::Constant(reach * (0.5 + 0x1p-50)), never);
+                                             Vec<D>::constant(reach * (0.5 + 0x1p-50)), never);
     stages->prune(pairs);
     std::sort(pairs.begin(), pairs.end());
     EXPECT_TRUE(std::includes(pairs.begin(), pairs.end(), touching.begin(), touching.end())) << what;

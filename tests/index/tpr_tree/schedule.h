@@ -76,7 +76,7 @@ inline double nodes_of_windows(MemoryPages& pages, double side, double now, doub
   NeverInterrupt never;
   Random random(9);
   const Horizon horizon{now, h};
-  const Vec<2> still = Vec<2>::Zero();
+  const Vec<2> still = Vec<2>::zero();
   for (int i = 0; i < windows; ++i) {
     const Vec<2> lower(random.in(0, side), random.in(0, side));
     WindowWalk<2> walk(source, moving_window<2>(lower, lower + 30, still, horizon), horizon, still, never);

@@ -85,7 +85,7 @@ TEST(TreeBounds, MovingBoxesContainTheExactMotion) {
     const Bounds<1> at_epoch = bounds_at(motion, symmetric<1>(c.half), c.epoch);
     const Case moved{motion, c.half, c.epoch, c.later, c.now};
     expect_outside(moving_box<1>(at_epoch, c.epoch, {0, h}, horizon), moved, horizon, 0);
-    expect_outside(moving_box<1>(motion, symmetric<1>(c.half), horizon, Vec<1>::Constant(1)), moved, horizon,
+    expect_outside(moving_box<1>(motion, symmetric<1>(c.half), horizon, Vec<1>::constant(1)), moved, horizon,
                    1);
   }
 }
@@ -94,12 +94,12 @@ TEST(TreeBounds, MovingBoxesContainTheExactMotion) {
 template <int D>
 void expect_to_meet(double speed, double other, double h) {
   const Horizon horizon{0, h};
-  const Vec<D> none = Vec<D>::Zero(), place = Vec<D>::Constant(3), gone = Vec<D>::Constant(other * (h / 2));
+  const Vec<D> none = Vec<D>::zero(), place = Vec<D>::constant(3), gone = Vec<D>::constant(other * (h / 2));
   const auto moving = [&](double v) {
-    return moving_box<D>({h / 2, place, Vec<D>::Constant(v), none, 1e300}, Extents<D>::none(), horizon, none);
+    return moving_box<D>({h / 2, place, Vec<D>::constant(v), none, 1e300}, Extents<D>::none(), horizon, none);
   };
   const MovingBox<D> a = moving(speed), b = moving(other),
-                     window = moving_window<D>(place - gone, place - gone, Vec<D>::Constant(other), horizon);
+                     window = moving_window<D>(place - gone, place - gone, Vec<D>::constant(other), horizon);
   for (const MovingBox<D>& met : {b, window}) {
     SharedInterval span = shared_span(a, met), turned = span;
     EXPECT_TRUE(narrow_to_contact(a, met, span) && span.begin <= h / 2);
@@ -122,10 +122,10 @@ TEST(TreeBounds, BoxesThatMeetAreSeparatedByNoSpeed) {
 /// A tree narrows an interval again whose ends are already rounded.
 TEST(TreeBounds, BoxesThatMeetBetweenTwoDoublesMeetStill) {
   constexpr double time = 5e-324, speed = 1e299;
-  const Vec<1> none = Vec<1>::Zero();
+  const Vec<1> none = Vec<1>::zero();
   const Horizon horizon{0, 40 * time};
   for (double part = 1.125; part < 40; part += 1.125) {
-    const Vec<1> offset = Vec<1>::Constant(speed * time * part), fast = Vec<1>::Constant(speed);
+    const Vec<1> offset = Vec<1>::constant(speed * time * part), fast = Vec<1>::constant(speed);
     const MovingBox<1> a = moving_box<1>({0, none, fast, none, 1}, Extents<1>::none(), horizon, none),
                        b = moving_box<1>({0, offset, none, none, 1}, Extents<1>::none(), horizon, none);
     SharedInterval span = shared_span(a, b);
@@ -134,8 +134,8 @@ TEST(TreeBounds, BoxesThatMeetBetweenTwoDoublesMeetStill) {
 }
 
 TEST(TreeBounds, AreTightForEverydayNumbers) {
-  const Motion<1> motion{0, Vec<1>::Constant(100), Vec<1>::Constant(2), Vec<1>::Constant(0.5), 1e9};
-  const Bounds<1> bounds = bounds_at(motion, symmetric<1>(Vec<1>::Constant(1)), 10);
+  const Motion<1> motion{0, Vec<1>::constant(100), Vec<1>::constant(2), Vec<1>::constant(0.5), 1e9};
+  const Bounds<1> bounds = bounds_at(motion, symmetric<1>(Vec<1>::constant(1)), 10);
   EXPECT_NEAR(bounds.x_lower[0], 100 + 20 + 25 - 1, 1e-11);
   EXPECT_NEAR(bounds.v_upper[0], 7, 1e-12);
 }

@@ -57,7 +57,7 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> all_candidates(Candidates& can
 template <int D>
 void expect_joins_complete(TreeModel& model, TreeModel& other, const Horizon& horizon, double margin) {
   const TreeScene a = read_tree(model.pages, model.never), b = read_tree(other.pages, other.never);
-  const Vec<D> margins = Vec<D>::Constant(margin);
+  const Vec<D> margins = Vec<D>::constant(margin);
   const auto within = make_tree_join<D>(a.bodies(), a.levels, horizon, margins, model.never);
   const auto self = all_candidates(*within, true);
   const auto between =
@@ -108,9 +108,9 @@ TEST(TreeJoin, GivesNoMorePairsThanSweptBoxesWould) {
   model.load(scene);
   const TreeScene tree = read_tree(model.pages, model.never);
   const Horizon horizon{0, 3};
-  const auto join = make_tree_join<2>(tree.bodies(), tree.levels, horizon, Vec<2>::Zero(), model.never);
+  const auto join = make_tree_join<2>(tree.bodies(), tree.levels, horizon, Vec<2>::zero(), model.never);
   const auto pairs = all_candidates(*join, true);
-  const auto boxes = swept_boxes<2>(tree.bodies(), horizon, Vec<2>::Constant(1e-9), model.never);
+  const auto boxes = swept_boxes<2>(tree.bodies(), horizon, Vec<2>::constant(1e-9), model.never);
   for (const auto& [i, j] : pairs) EXPECT_TRUE(boxes[i].meets(boxes[j]));
   EXPECT_GT(pairs.size(), 500u);
 }
@@ -121,9 +121,9 @@ TEST(TreeJoin, OfEmptyTreesHasNoPairs) {
   model.insert(1, {0});
   const TreeScene a = read_tree(model.pages, model.never), none = read_tree(other.pages, other.never);
   std::vector<Pair> out;
-  EXPECT_FALSE(make_tree_join<1>(none.bodies(), none.levels, {}, Vec<1>::Zero(), model.never)->next(out));
+  EXPECT_FALSE(make_tree_join<1>(none.bodies(), none.levels, {}, Vec<1>::zero(), model.never)->next(out));
   EXPECT_FALSE(
-      make_tree_join<1>(a.bodies(), a.levels, none.bodies(), none.levels, {}, Vec<1>::Zero(), model.never)
+      make_tree_join<1>(a.bodies(), a.levels, none.bodies(), none.levels, {}, Vec<1>::zero(), model.never)
           ->next(out));
   EXPECT_TRUE(out.empty());
 }
@@ -134,7 +134,7 @@ TEST(TreeJoin, StopsWhenInterrupted) {
   TreeModel model(layout, 3);
   for (int i = 0; i < 2000; ++i) model.insert(i, {0});
   const TreeScene tree = read_tree(model.pages, model.never);
-  const auto join = make_tree_join<1>(tree.bodies(), tree.levels, {}, Vec<1>::Zero(), stop);
+  const auto join = make_tree_join<1>(tree.bodies(), tree.levels, {}, Vec<1>::zero(), stop);
   std::vector<Pair> out;
   EXPECT_THROW(while (join->next(out)) out.clear(), Interrupted);
 }

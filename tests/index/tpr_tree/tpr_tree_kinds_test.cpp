@@ -19,7 +19,7 @@ constexpr Layout kinds_of_boats{.axes = 2,
 
 std::vector<std::int64_t> found_by(TreeModel& model, const std::optional<KindTest>& test) {
   std::vector<std::int64_t> ids;
-  const Vec<2> far = Vec<2>::Constant(1e9), still = Vec<2>::Zero();
+  const Vec<2> far = Vec<2>::constant(1e9), still = Vec<2>::zero();
   WindowWalk<2> walk(model.pages, moving_window<2>(-far, far, still, {0, 1}), {0, 1}, still, model.never,
                      test);
   for (LeafHits hits; walk.next(hits);)
@@ -54,7 +54,7 @@ TEST(TprTreeKinds, WalksReturnWhatTheyAcceptAfterEveryChange) {
         if (test.accepts(kinds_of(model.objects[id].data(), at))) accepted.push_back(id);
       EXPECT_EQ(found_by(model, test), accepted);
       std::size_t nearest = 0;
-      const Vec<2> origin = Vec<2>::Zero();
+      const Vec<2> origin = Vec<2>::zero();
       NearestWalk<2> walk(model.pages, origin, origin, {0, 1}, model.never, test);
       for (LeafHits hits; walk.next(1e300, hits);) nearest += hits.slots.size();
       EXPECT_EQ(nearest, accepted.size());
@@ -114,7 +114,7 @@ TEST(TprTreeKinds, WalksSkipNodesWithoutAnAcceptedKind) {
   }
   TreeModel model(kinds_of_boats, 3);
   model.load(scene);
-  const Vec<2> far = Vec<2>::Constant(1e9), still = Vec<2>::Zero();
+  const Vec<2> far = Vec<2>::constant(1e9), still = Vec<2>::zero();
   const auto reads = [&](std::uint32_t mask) {
     CountedPages pages(model.pages);
     WindowWalk<2> walk(pages, moving_window<2>(-far, far, still, {0, 1}), {0, 1}, still, model.never,

@@ -95,7 +95,7 @@ std::vector<double> some_life(Random& random) {
 
 /// The walk finds just the objects whose own boxes meet the window during their lives.
 void expect_windows(TreeModel& model, Random& random) {
-  const Vec<2> still = Vec<2>::Zero();
+  const Vec<2> still = Vec<2>::zero();
   for (int i = 0; i < 8; ++i) {
     const Horizon horizon{some_time(random), random.below(2) ? 0 : random.in(0, 200)};
     const Vec<2> lower(random.in(-60, 60), random.in(-60, 60));

@@ -188,7 +188,7 @@ TEST(TprTree, SharedChildrenAreAnErrorAtOnce) {
   EXPECT_THROW(collect_objects(pages, ids, records, never), BrokenTree);
   EXPECT_THROW(read_tree(pages, never), BrokenTree);
   EXPECT_THROW(make_tpr_tree(pages, 60)->rebuild(never), BrokenTree);
-  const Vec<2> origin = Vec<2>::Zero();
+  const Vec<2> origin = Vec<2>::zero();
   const Horizon horizon{0, 60};
   const auto walk_window = [&] {
     WindowWalk<2> walk(pages, moving_window<2>(origin, origin + 9, origin, horizon), horizon, origin, never);

@@ -34,7 +34,7 @@ template <int D>
 void expect_window_complete(TreeModel& model, const Horizon& horizon, const Vec<D>& lower,
                             const Vec<D>& upper, const Vec<D>& velocity) {
   std::set<std::int64_t> found;
-  WindowWalk<D> walk(model.pages, moving_window<D>(lower, upper, velocity, horizon), horizon, Vec<D>::Zero(),
+  WindowWalk<D> walk(model.pages, moving_window<D>(lower, upper, velocity, horizon), horizon, Vec<D>::zero(),
                      model.never);
   for (LeafHits hits; walk.next(hits);)
     for (const std::uint32_t slot : hits.slots) EXPECT_TRUE(found.insert(hits.leaf->keys[slot]).second);
@@ -95,7 +95,7 @@ void expect_walks_complete(TreeModel& model, const RandomScene& scene, Random& r
     const Vec<D> lower = random_vec<D>(random, -5, scene.side), velocity = random_vec<D>(random, -4, 4);
     Vec<D> upper = lower + random_vec<D>(random, 0, scene.side / 3);
     if (i % 7 == 0) upper[0] = infinity;
-    expect_window_complete<D>(model, horizon, lower, upper, i % 2 ? velocity : Vec<D>(Vec<D>::Zero()));
+    expect_window_complete<D>(model, horizon, lower, upper, i % 2 ? velocity : Vec<D>(Vec<D>::zero()));
     expect_nearest_complete<D>(model, horizon, lower, velocity, 1 + random.below(12));
   }
 }
@@ -142,7 +142,7 @@ TEST(TreeWalks, LoseNothingFarFromTheEpochAndTheOrigin) {
     model.expect_sound();
     for (double now : {1.7e9, 1.7e9 + 1e5, 1.7e9 - 1e5})
       for (int i = 0; i < 10; ++i) {
-        const Vec<2> lower(offset + 6 * i, -offset), upper = lower + 10.0, still = Vec<2>::Zero();
+        const Vec<2> lower(offset + 6 * i, -offset), upper = lower + 10.0, still = Vec<2>::zero();
         expect_window_complete<2>(model, {now, 30}, lower, upper, still);
         expect_nearest_complete<2>(model, {now, 30}, lower, still, 5);
       }
@@ -155,7 +155,7 @@ TEST(TreeWalks, FindFewWhereFewAre) {
   TreeModel model(layout, 3, 20);
   model.load(scene);
   const Horizon horizon{0, 3};
-  const Vec<2> lower(40, 40), upper(60, 60), still = Vec<2>::Zero();
+  const Vec<2> lower(40, 40), upper(60, 60), still = Vec<2>::zero();
   WindowWalk<2> walk(model.pages, moving_window<2>(lower, upper, still, horizon), horizon, still,
                      model.never);
   std::size_t leaves = 0, objects = 0;
@@ -191,7 +191,7 @@ TEST(MinDistance, IsNeverAboveASampledDistance) {
 TEST(MinDistance, IsNoneWhereTheSlopeOfASquareVanishes) {
   for (double gap : {1e-120, 1e-130, 1e-139})
     for (double pace : {1e-180, 1e-200, 1e-220}) {
-      const Vec<2> none = Vec<2>::Zero(), place(0, gap), speed(0, -pace);
+      const Vec<2> none = Vec<2>::zero(), place(0, gap), speed(0, -pace);
       const SharedInterval span{0, 1e105};
       EXPECT_EQ(min_distance<2>({none, none, none, none, span}, {place, place, speed, speed, span}, span), 0)
           << gap << " " << pace;
@@ -210,7 +210,7 @@ TEST(MinDistance, OfPointsHoldsAtEverySizeOfNumbers) {
                                infinity};
         const Vec<2> point = random_vec<2>(random, -size, size), speed = random_vec<2>(random, -slow, slow);
         const double bound =
-            min_point_distance(moving_box<2>(motion, Extents<2>::none(), horizon, Vec<2>::Zero()),
+            min_point_distance(moving_box<2>(motion, Extents<2>::none(), horizon, Vec<2>::zero()),
                                moving_window<2>(point, point, speed, horizon));
         long double sampled = infinity;
         for (int step = 0; step <= 100; ++step) {

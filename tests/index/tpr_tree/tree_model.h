@@ -174,7 +174,7 @@ inline LeavesInWindows leaves_in_windows(TreeModel& model, double side, double n
   CountedLeaves leaves(model.pages);
   LeavesInWindows all;
   for (int i = 0; i < 100; ++i) {
-    const Vec<2> lower(random.in(0, side), random.in(0, side)), still = Vec<2>::Zero();
+    const Vec<2> lower(random.in(0, side), random.in(0, side)), still = Vec<2>::zero();
     const Horizon horizon{now, 0};
     WindowWalk<2> walk(leaves, moving_window<2>(lower, lower + side / 20, still, horizon), horizon, still,
                        model.never);

@@ -43,7 +43,7 @@ Counts explained(JoinQuestion question, JoinMethod method) {
 /// Counts every pair in every stage: two boxes share a cell where their cells overlap on every axis.
 template <int D>
 Counts counted_plainly(const RandomScene& scene) {
-  const Vec<D> margin = Vec<D>::Constant(scene.within / 2);
+  const Vec<D> margin = Vec<D>::constant(scene.within / 2);
   std::vector<Trajectory<D>> t;
   for (std::size_t i = 0; i < scene.size(); ++i)
     t.push_back(trajectory_of<D>(scene.bodies(), i, scene.horizon(), margin));
@@ -59,11 +59,15 @@ Counts counted_plainly(const RandomScene& scene) {
   const auto contact = make_contact(scene.bodies(), scene.bodies(),
                                     {.horizon = scene.horizon(), .within = scene.within}, "", "");
 
-  Vec<D> sum = Vec<D>::Zero(), from = Vec<D>::Constant(1e300);
+  Vec<D> sum = Vec<D>::zero(), from = Vec<D>::constant(1e300);
   for (const Trajectory<D>& one : t)
     sum += one.swept.upper - one.swept.lower, from = from.min(one.swept.lower);
   const Vec<D> per_unit = 1 / (sum / static_cast<double>(t.size()));
-  auto cell = [&](const Vec<D>& x) -> Vec<D> { return ((x - from) * per_unit).floor(); };
+  const auto cell = [&](const Vec<D>& x) {
+    Vec<D> cells = (x - from) * per_unit;
+    for (int j = 0; j < D; ++j) cells[j] = std::floor(cells[j]);
+    return cells;
+  };
 
   std::uint64_t all = 0, share = 0, overlap = 0, in_time = 0, in_space = 0, touch = 0;
   for (std::uint32_t i = 0; i < t.size(); ++i)

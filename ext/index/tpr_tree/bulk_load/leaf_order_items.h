@@ -71,7 +71,7 @@ class OrderItems {
     if constexpr (timed) item.place[2 * D] = clamped((at - now_) * distance_per_time_);
     item.index = index;
     const Vec<D> growth = mover.growth * (std::max(s, 0.0) + velocity_weight);
-    reach = clamped((v.abs() + growth + reach_of(mover.extents)).maxCoeff());
+    reach = clamped((v.abs() + growth + reach_of(mover.extents)).largest());
     return item;
   }
 
@@ -171,7 +171,7 @@ class OrderItems {
       const Times times = times_of_one(motion);
       if (times_.is_clock(times)) continue;
       lives.push_back(std::min(motion.until - motion.t, 1e100));
-      const double speed = (motion.v + motion.a * (times_.of(times) - motion.t)).matrix().norm();
+      const double speed = (motion.v + motion.a * (times_.of(times) - motion.t)).length();
       if (speed > 0) speeds.push_back(speed);
       distance_per_time_ = 1;
       some.push_back(of(record, 0));

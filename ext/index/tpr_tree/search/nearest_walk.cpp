@@ -71,7 +71,7 @@ bool moves_far(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterva
 template <int D>
 double min_distance(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span) {
   const Vec<D> gaps = min_gaps(a, b, span);
-  const double by_axis = gaps.square().sum(), widest = gaps.maxCoeff();
+  const double by_axis = gaps.square().sum(), widest = gaps.largest();
   double squared = by_axis * shrink;
   if (D > 1 && moves_far(a, b, span)) squared = std::max(squared, tangent_bound(a, b, span));
   // Squares outside the range of doubles give no bound; the widest gap always does.
@@ -86,8 +86,8 @@ double min_point_distance(const MovingBox<D>& point, const MovingBox<D>& query) 
   const Vec<D> gap = 0.5 * point.lower - 0.5 * query.lower + (0.5 * point.upper - 0.5 * query.upper);
   const Vec<D> off = 0.5 * point.upper - 0.5 * point.lower + (0.5 * query.upper - 0.5 * query.lower);
   const Vec<D> speed = point.v_lower - query.v_lower;
-  const double fastest = speed.abs().maxCoeff(),
-               farthest = (gap.abs() + speed.abs() * point.span.end).maxCoeff();
+  const double fastest = speed.abs().largest(),
+               farthest = (gap.abs() + speed.abs() * point.span.end).largest();
   const bool squares_fit = farthest < 1e140 && fastest < 1e140 && (fastest > 1e-140 || fastest == 0);
   if (!squares_fit) return min_distance(point, query, point.span);
   double tau = point.span.begin;
@@ -161,7 +161,7 @@ template <bool plain, bool to_centre>
     }
     const Motion<D> motion = reader_.own_motion(record);
     const Extents<D> extents = to_centre ? Extents<D>::none() : reader_.own_extents(record);
-    const MovingBox<D> box = moving_box<D>(motion, extents, horizon_, Vec<D>::Zero());
+    const MovingBox<D> box = moving_box<D>(motion, extents, horizon_, Vec<D>::zero());
     if (box.span.is_empty()) continue;
     const double distance = to_centre ? min_point_distance(box, query_) : min_distance(box, query_, box.span);
     if (distance <= reach) near_.emplace_back(distance, static_cast<std::uint32_t>(slot));

@@ -111,7 +111,7 @@ class JoinSide {
   }
 
   MovingBox<D> around(std::size_t level, std::size_t i) const {
-    const Vec<D> infinity = Vec<D>::Constant(std::numeric_limits<double>::infinity());
+    const Vec<D> infinity = Vec<D>::constant(std::numeric_limits<double>::infinity());
     MovingBox<D> all{infinity, -infinity, infinity, -infinity, {infinity[0], -infinity[0]}};
     for (std::uint32_t child = starts_[level][i]; child < starts_[level][i + 1]; ++child) {
       const MovingBox<D>& box = boxes_[level][child];

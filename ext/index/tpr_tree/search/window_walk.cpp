@@ -69,7 +69,7 @@ template <bool plain>
     if (reader_.ends() && !exists({reader_.t(record), reader_.t(record), reader_.own_until(record)}))
       continue;
     const MovingBox<D> box =
-        (plain ? Mover<D>::plain(reader_, record) : Mover<D>(reader_, record)).box(horizon_, Vec<D>::Zero());
+        (plain ? Mover<D>::plain(reader_, record) : Mover<D>(reader_, record)).box(horizon_, Vec<D>::zero());
     SharedInterval span = shared_span(box, query_);
     if (!span.is_empty() && narrow_to_contact(box, query_, span))
       slots.push_back(static_cast<std::uint32_t>(slot));

@@ -1,7 +1,7 @@
 // Search in a TPR-tree for objects that may meet a moving box during a horizon (a window query), leaf by
 // leaf.
 //
-//   WindowWalk<2> walk(source, moving_window<2>(lower, upper, velocity, horizon), horizon, Vec<2>::Zero(),
+//   WindowWalk<2> walk(source, moving_window<2>(lower, upper, velocity, horizon), horizon, Vec<2>::zero(),
 //                      interrupt);
 //   for (LeafHits hits; walk.next(hits);)
 //     for (auto slot : hits.slots) decide(hits.leaf->keys[slot]);          // the contact module decides

@@ -63,7 +63,7 @@ double visits_of(const TreeState<D>& state, const std::vector<Entry<D>>& leaves)
   Entry<D> all;
   for (const Entry<D>& entry : leaves) all.include(entry);
   Bounds<D>& bounds = all.bounds;  // at the clock: a small crowd would spread far beyond its leaves
-  bounds.v_lower = bounds.v_upper = bounds.a_lower = bounds.a_upper = Vec<D>::Zero();
+  bounds.v_lower = bounds.v_upper = bounds.a_lower = bounds.a_upper = Vec<D>::zero();
   const TypicalQuery query = cost.query_like(0.5, leaves);
   return cost(leaves, query) / cost(all, query);
 }

@@ -150,7 +150,7 @@ std::size_t leaves_in_windows(TreeModel& model, double side) {
   Random random(8);
   std::size_t leaves = 0;
   for (int i = 0; i < 200; ++i) {
-    const Vec<2> lower(random.in(0, side), random.in(0, side)), still = Vec<2>::Zero();
+    const Vec<2> lower(random.in(0, side), random.in(0, side)), still = Vec<2>::zero();
     const Horizon horizon{0, 0};
     WindowWalk<2> walk(model.pages, moving_window<2>(lower, lower + side / 100, still, horizon), horizon,
                        still, model.never);
