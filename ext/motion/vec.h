@@ -197,16 +197,15 @@ class Vec {
     return mask;
   }
 
-  /// Of three numbers the first is added last.
   double sum() const {
-    if constexpr (D == 1) return of_axis_[0];
-    if constexpr (D == 2) return of_axis_[0] + of_axis_[1];
-    if constexpr (D == 3) return of_axis_[0] + (of_axis_[1] + of_axis_[2]);
+    double sum = of_axis_[0];
+    for (int j = 1; j < D; ++j) sum += of_axis_[j];
+    return sum;
   }
   double product() const {
-    if constexpr (D == 1) return of_axis_[0];
-    if constexpr (D == 2) return of_axis_[0] * of_axis_[1];
-    if constexpr (D == 3) return of_axis_[0] * (of_axis_[1] * of_axis_[2]);
+    double product = of_axis_[0];
+    for (int j = 1; j < D; ++j) product *= of_axis_[j];
+    return product;
   }
   double length() const { return std::sqrt(square().sum()); }
   double largest() const { return of_axis_[largest_axis()]; }

@@ -32,10 +32,10 @@ TEST(Vec, ArithmeticIsOfEachAxis) {
   EXPECT_EQ(a.length(), 10);
 }
 
-TEST(Vec, ThreeAreSummedFromTheLast) {
-  const Vec<3> numbers(1, 0x1p-53, 0x1p-53);
-  EXPECT_EQ(numbers.sum(), 1 + 0x1p-52);                                 // from the first it would be 1
-  EXPECT_EQ(Vec<3>(0x1p1000, 0x1p1000, 0x1p-1000).product(), 0x1p1000);  // and this infinity
+TEST(Vec, SumsFromTheFirstAxis) {
+  EXPECT_EQ(Vec<3>(1, 0x1p-53, 0x1p-53).sum(), 1);  // from the last it would be 1 + 2^-52
+  EXPECT_EQ(Vec<3>(0x1p-53, 0x1p-53, 1).sum(), 1 + 0x1p-52);
+  EXPECT_EQ(Vec<3>(0x1p-1000, 0x1p1000, 0x1p1000).product(), 0x1p1000);  // from the last: infinity
 }
 
 TEST(Vec, ComparisonsAreMasks) {
