@@ -124,6 +124,28 @@ class Dask(Fleet):
         self.assertEqual(errors.splitlines()[-1], "foresee_dask: cut off; the same command goes on")
         self.assertNotIn("Traceback", errors)
 
+    def test_an_interrupt_in_a_callback_that_drops_exceptions_is_kept(self):
+        program = """
+import gc, os, signal, time
+from foresee_dask import in_one_line
+
+def interrupt(phase, info):
+    gc.callbacks.clear()
+    os.kill(os.getpid(), signal.SIGINT)
+
+def work():
+    gc.callbacks.append(interrupt)
+    gc.collect()
+    print("went on", flush=True)
+    time.sleep(30)
+    print("never")
+
+in_one_line(work)
+"""
+        run = subprocess.run([sys.executable, "-c", program], env=environment(), capture_output=True, text=True, timeout=60)
+        self.assertEqual((run.returncode, run.stdout), (1, "went on\n"), run.stderr)
+        self.assertEqual(run.stderr, "foresee_dask: cut off; the same command goes on\n")
+
     def test_a_tile_that_fails_three_times(self):
         self.fleet(600, 8)
         self.assertEqual(self.command("plan", *self.asked[1:]).returncode, 0)

@@ -8,16 +8,28 @@ docs/how-to/tiles_on_dask.md tells the rest. Only run.py knows Dask.
 
 
 import logging
+import os
+import signal
 import sqlite3
 import sys
+from threading import Timer
 
 
 class Refusal(Exception):
     """What cannot be done, in one line for people. Nothing that was written before is touched."""
 
 
+def _interrupt_again(dropped):
+    """Python drops an interrupt that arrives in a callback, such as Dask's of the garbage collector: it is sent again."""
+    if issubclass(dropped.exc_type, KeyboardInterrupt):
+        Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
+    else:
+        sys.__unraisablehook__(dropped)
+
+
 def in_one_line(main, *arguments):
     """main(), of which mistakes are one line and status 1."""
+    sys.unraisablehook = _interrupt_again
     try:
         main(*arguments)
     except (Refusal, OSError) as error:
