@@ -16,7 +16,8 @@
 
 namespace foresee {
 
-/// The numbers of D axes. Two are a register of their own: compilers pack them only now and then.
+/// How the numbers of D axes are kept. Two are kept as a vector of the compiler: GCC 12 packs two doubles of an array
+/// in few functions only.
 template <int D>
 struct AxisNumbers {
   using Type = double[D];

@@ -38,8 +38,8 @@ template <int D>
 Motion<D> motion_of(const Bodies& bodies, std::size_t i) {
   const double* row = bodies.row(i);
   const Offsets& at = bodies.at;
-  auto vector_at = [row](int place) -> Vec<D> {
-    return place == Offsets::absent ? Vec<D>(Vec<D>::zero()) : Vec<D>::at(row + place);
+  auto vector_at = [row](int place) {
+    return place == Offsets::absent ? Vec<D>::zero() : Vec<D>::at(row + place);
   };
   return {value_or(row, at.t, 0), vector_at(at.x), vector_at(at.v), vector_at(at.a),
           value_or(row, at.until, std::numeric_limits<double>::infinity())};

@@ -101,7 +101,7 @@ class Start {
   double bent_until(const Vec<D>& n, const Vec<D>& error, double speed) const {
     if ((acceleration_ == 0).all()) return unbounded;
     const double min_acceleration =
-        0.5 * min_of<D>(n, encounter_.a, Vec<D>(Vec<D>::zero()), family_.all.acceleration) -
+        0.5 * min_of<D>(n, encounter_.a, Vec<D>::zero(), family_.all.acceleration) -
         (error * acceleration_).sum();
     return min_acceleration >= 0 ? unbounded : speed / -min_acceleration * (1 - 0x1p-48);
   }

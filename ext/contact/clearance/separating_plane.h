@@ -82,7 +82,7 @@ bool planes_prove_of_turns(const Encounter<D>& encounter, const TrajectoryFamily
     const double v = min_of<D>(n, encounter.v, encounter.ev, one(own.v, all.velocity));
     const double c1 =
         v - growth - extra.rate - 4 * unit_roundoff * (std::abs(v) + growth + std::abs(extra.rate));
-    const double c2 = 0.5 * min_of<D>(n, encounter.a, Vec<D>(Vec<D>::zero()), one(own.a, all.acceleration)) -
+    const double c2 = 0.5 * min_of<D>(n, encounter.a, Vec<D>::zero(), one(own.a, all.acceleration)) -
                       extra.bend * (1 + 0x1p-48);
     if (!surely_positive(c0 - 4 * unit_roundoff * (std::abs(c0) + std::abs(reach)), c1, c2, begin, end))
       return false;
@@ -137,7 +137,7 @@ bool plane_proves(const Encounter<D>& encounter, const TrajectoryFamily<D>& fami
   const double c0 = min_of<D>(n, encounter.x, encounter.ex, all.place) - reach;
   const double v = min_of<D>(n, encounter.v, encounter.ev, all.velocity);
   const double c1 = growth == 0 ? v : v - growth - 4 * unit_roundoff * (std::abs(v) + growth);
-  const double c2 = 0.5 * min_of<D>(n, encounter.a, Vec<D>(Vec<D>::zero()), all.acceleration);
+  const double c2 = 0.5 * min_of<D>(n, encounter.a, Vec<D>::zero(), all.acceleration);
   return surely_positive(c0 - 4 * unit_roundoff * (std::abs(c0) + std::abs(reach)), c1, c2, begin, end);
 }
 

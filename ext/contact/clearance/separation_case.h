@@ -266,7 +266,7 @@ class SeparationCase {
       }
       if (plane_proves<D>(encounter_, family_, normal, part.begin, part.end)) continue;
       // Compares what a shorter time gains with what only a narrower range gains.
-      const Vec<D> along = family_.is_from_start ? approach.normal : Vec<D>(Vec<D>::constant(1));
+      const Vec<D> along = family_.is_from_start ? approach.normal : Vec<D>::constant(1);
       const double bend = 0.125 * length * length * (along * path.a).abs().sum();
       if (evaluations > 200 || !(bend > 0.5 * width_along(along, part.end))) return ProbeResult::inconclusive;
       parts[count++] = {middle, part.end};

@@ -23,7 +23,7 @@ set(package_files ${CMAKE_INSTALL_LIBDIR}/cmake/foresee)
 set(hosts ${CMAKE_CURRENT_SOURCE_DIR}/ext/hosts)
 set(made ${CMAKE_CURRENT_BINARY_DIR}/hosts)
 
-# One export a component: who wants the module is not asked for SQLite or threads.
+# One export a component: who wants the module is not asked for a thread library.
 function(install_component name target)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT foresee_${name}

@@ -51,7 +51,7 @@ Bounds<D> with_growth(const Bounds<D>& bounds, const Vec<D>& growth, double age,
   const double absolute_pad = pad > 0 ? smallest_pad : 0;
   const Vec<D> more = growth * std::max(age, 0.0);
   const auto padding = [&](const Vec<D>& end, const Vec<D>& grown) {
-    return Vec<D>(end.is_finite().select((end.abs() + grown) * pad + absolute_pad, 0.0));
+    return end.is_finite().select((end.abs() + grown) * pad + absolute_pad, 0);
   };
   return {lower_end<D>(bounds.x_lower - more, padding(bounds.x_lower, more)),
           upper_end<D>(bounds.x_upper + more, padding(bounds.x_upper, more)),

@@ -31,7 +31,7 @@ inline constexpr double rounding_pad = 0x1p-48;
 inline constexpr double smallest_pad = 0x1p-1000;
 inline constexpr double largest_bound = 1e300;
 
-/// The lower end that is stored for `end`, which is not of a finite bound on every axis.
+/// lower_end() where the computed end exceeds largest_bound on an axis: unbounded below, or largest_bound.
 template <int D>
 Vec<D> unbounded_lower_end(const Vec<D>& end);
 

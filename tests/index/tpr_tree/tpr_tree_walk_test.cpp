@@ -95,7 +95,7 @@ void expect_walks_complete(TreeModel& model, const RandomScene& scene, Random& r
     const Vec<D> lower = random_vec<D>(random, -5, scene.side), velocity = random_vec<D>(random, -4, 4);
     Vec<D> upper = lower + random_vec<D>(random, 0, scene.side / 3);
     if (i % 7 == 0) upper[0] = infinity;
-    expect_window_complete<D>(model, horizon, lower, upper, i % 2 ? velocity : Vec<D>(Vec<D>::zero()));
+    expect_window_complete<D>(model, horizon, lower, upper, i % 2 ? velocity : Vec<D>::zero());
     expect_nearest_complete<D>(model, horizon, lower, velocity, 1 + random.below(12));
   }
 }
