@@ -17,6 +17,7 @@ build_packages=(
   "libboost-dev: header boost/version.hpp"
 )
 test_packages=(
+  "ccache: command ccache"
   "clang: command clang++"
   "libclang-rt-14-dev: sanitizers"
   "libgtest-dev: header gtest/gtest.h"

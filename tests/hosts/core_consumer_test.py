@@ -41,7 +41,7 @@ class CoreConsumer(Installed):
         for header in wanted_headers():
             text = f'#include "{header}"\n'
             name = header.replace("/", "_") + ".cpp"
-            said = self.compile("c++", name, text, "-ffast-math", fails=True)
+            said = self.compile("c++", name, text, "-ffast-math", "-Wfatal-errors", fails=True)
             self.assertIn("build without -ffast-math", said, header)
         said = self.compile("c++", name, text, "-D_GLIBCXX_DEBUG", fails=True)
         self.assertIn("_GLIBCXX_DEBUG changes std::vector", said)
