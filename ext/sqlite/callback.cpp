@@ -3,8 +3,8 @@
 #include <exception>
 #include <new>
 
+#include "database/sqlite_api.h"
 #include "index/pages.h"
-#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 namespace {

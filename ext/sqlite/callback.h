@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
 
 namespace foresee {
 

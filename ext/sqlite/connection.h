@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
+#include "database/statement.h"
 #include "index/gpcd_grid/work_space.h"
 #include "query/scene.h"
 #include "sqlite/names/table_lookups.h"
 #include "sqlite/watch_upkeep.h"
-#include "storage/rows/statement.h"
 #include "storage/table/store.h"
 
 namespace foresee {

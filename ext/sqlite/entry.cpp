@@ -1,9 +1,9 @@
 // Entry point of the extension: registers everything that `.load foresee` provides.
+#include "database/statement.h"
 #include "sqlite/callback.h"
 #include "sqlite/foresee.h"
 #include "sqlite/host_sqlite.h"
 #include "sqlite/modules.h"
-#include "storage/rows/statement.h"
 
 // The one name that the module exports. Windows exports every name of a DLL unless one is marked.
 #ifdef _WIN32

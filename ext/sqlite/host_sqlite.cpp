@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "database/statement.h"
 #include "sqlite/version.h"
-#include "storage/rows/statement.h"
 
 namespace foresee {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
 
 namespace foresee {
 

@@ -1,4 +1,4 @@
 // Table of SQLite's functions for a loadable extension: the host passes it to the entry point.
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
 
 const sqlite3_api_routines* sqlite3_api = nullptr;

@@ -10,11 +10,11 @@
 #include "base/float_environment.h"
 #include "base/interrupt_steps.h"
 #include "base/number_text.h"
+#include "database/statement.h"
+#include "database/value_text.h"
 #include "motion/plan/packed_legs.h"
 #include "motion/plan/plan_legs.h"
 #include "motion/plan/plan_text.h"
-#include "storage/rows/statement.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

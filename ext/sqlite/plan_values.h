@@ -15,10 +15,10 @@
 
 #include "base/error.h"
 #include "base/text/wkt_lexer.h"
+#include "database/sqlite_api.h"
+#include "format/declaration.h"
 #include "geography/frame.h"
 #include "motion/plan/plan.h"
-#include "storage/format/declaration.h"
-#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

@@ -3,13 +3,13 @@
 #include <exception>
 
 #include "base/float_environment.h"
+#include "database/value_text.h"
 #include "geography/geodesic.h"
 #include "sqlite/callback.h"
 #include "sqlite/functions/geo/geo_inputs.h"
 #include "sqlite/functions/plan/plan_functions.h"
 #include "sqlite/modules.h"
 #include "sqlite/version.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

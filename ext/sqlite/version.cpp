@@ -1,7 +1,7 @@
 #include "sqlite/version.h"
 
 #include "base/simd.h"
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
 
 namespace foresee {
 

@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "base/float_environment.h"
+#include "format/chunk_blob.h"
+#include "format/crc32c.h"
 #include "motion/plan/plan_legs.h"
-#include "storage/format/chunk_blob.h"
-#include "storage/format/crc32c.h"
 #include "wkt.h"
 
 namespace foresee::testing {

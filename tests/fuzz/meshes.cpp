@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/error.h"
+#include "format/form_blob.h"
 #include "shape/mesh/mesh.h"
 #include "shape/mesh/mesh_text.h"
 #include "shape/mesh/triangle_tree.h"
-#include "storage/format/form_blob.h"
 #include "wkt.h"
 
 namespace foresee::testing {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "format/crc32c.h"
+#include "format/node_format.h"
 #include "program.h"
-#include "storage/format/crc32c.h"
-#include "storage/format/node_format.h"
 
 namespace foresee::testing {
 namespace {

@@ -43,14 +43,20 @@ class ModuleGuard(unittest.TestCase):
 
     def test_storage_sees_the_page_interface_shape_and_motion_only(self):
         self.passes("storage/pages.cpp", '#include "index/pages.h"\n#include "shape/row_layout.h"')
-        self.catches("storage/pages.cpp", '#include "index/candidates.h"', "storage may include base, geography, motion")
-        self.catches("storage/pages.cpp", '#include "contact/contact.h"', "storage may include base, geography, motion")
+        self.catches("storage/pages.cpp", '#include "index/candidates.h"', "storage may include base, database, format, geography, motion")
+        self.catches("storage/pages.cpp", '#include "contact/contact.h"', "storage may include base, database, format")
+
+    def test_the_bytes_of_a_file_and_sqlite_know_nothing_of_each_other(self):
+        self.passes("format/leaf_node.h", '#include "index/tpr_tree/node.h"\n#include "shape/row_layout.h"')
+        self.catches("format/leaf_node.h", '#include "database/statement.h"', "format may include base, geography, motion, shape")
+        self.catches("format/leaf_node.h", "#include <sqlite3.h>", "see SQLite")
+        self.catches("database/statement.h", '#include "format/features.h"', "database may include base")
 
     def test_modules_inside_a_module_have_an_order(self):
-        self.passes("storage/table/store.h", '#include "storage/nodes/node_cache.h"\n#include "storage/rows/statement.h"')
+        self.passes("storage/table/store.h", '#include "storage/nodes/node_cache.h"\n#include "database/statement.h"')
         self.passes("query/scene.h", '#include "query/join/join.h"')
         self.passes("query/join/join.h", '#include "query/scene.h"')
-        self.catches("storage/nodes/node_history.h", '#include "storage/table/store.h"', "storage/nodes may include journal, rows, format")
+        self.catches("storage/nodes/node_history.h", '#include "storage/table/store.h"', "storage/nodes may include journal, rows")
         self.catches("query/window/window.h", '#include "query/join/join.h"', "query/window may include nearest, position")
         self.catches("query/window/window.h", '#include "query/annex/join.h"', "query/annex has no place")
 
@@ -60,8 +66,8 @@ class ModuleGuard(unittest.TestCase):
         files["motion/c.h"] = '#include "motion/a.h"\n'
         self.assertEqual(tree(files), ["a circle of includes: motion/a.h -> motion/b.h -> motion/c.h -> motion/a.h"])
 
-    def test_only_storage_and_sqlite_see_sqlite(self):
-        self.passes("storage/rows/sqlite_api.h", "#include <sqlite3ext.h>")
+    def test_only_what_stands_on_sqlite_sees_it(self):
+        self.passes("database/sqlite_api.h", "#include <sqlite3ext.h>")
         self.catches("query/join/join.h", "#include <sqlite3.h>", "see SQLite")
         self.catches("index/pages.h", '#include "sqlite3ext.h"', "see SQLite")
 

@@ -2,8 +2,8 @@
 #include <chrono>
 
 #include "database.h"
-#include "storage/rows/sqlite_api.h"
-#include "storage/rows/statement.h"
+#include "database/sqlite_api.h"
+#include "database/statement.h"
 
 namespace foresee::testing {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/rows/statement.h"
+#include "database/statement.h"
 #include "storage/table/store.h"
 
 namespace foresee {

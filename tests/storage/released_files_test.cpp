@@ -4,9 +4,9 @@
 #include <map>
 #include <sstream>
 
+#include "format/node_format.h"
 #include "sqlite/foresee.h"
 #include "storage/database.h"
-#include "storage/format/node_format.h"
 
 namespace foresee {
 namespace {

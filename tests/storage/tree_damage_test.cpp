@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "format/inner_node.h"
+#include "format/leaf_node.h"
 #include "storage/database.h"
-#include "storage/format/inner_node.h"
-#include "storage/format/leaf_node.h"
 
 namespace foresee {
 namespace {

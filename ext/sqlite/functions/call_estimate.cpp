@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "database/value_text.h"
 #include "sqlite/functions/table_function.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "base/integer_of.h"
+#include "database/value_text.h"
 #include "sqlite/functions/table_function.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 

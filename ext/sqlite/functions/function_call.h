@@ -18,8 +18,8 @@
 #include <variant>
 #include <vector>
 
+#include "database/sqlite_api.h"
 #include "sqlite/connection.h"
-#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

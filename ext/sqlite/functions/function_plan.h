@@ -17,8 +17,8 @@
 #include <span>
 #include <vector>
 
+#include "database/sqlite_api.h"
 #include "sqlite/functions/table_function.h"
-#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

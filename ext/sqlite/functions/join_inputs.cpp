@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "database/value_text.h"
 #include "query/input_checks.h"
 #include "sqlite/functions/columns.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/stored_table.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

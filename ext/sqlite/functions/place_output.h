@@ -15,11 +15,11 @@
 
 #include "base/error.h"
 #include "base/float_environment.h"
+#include "database/sqlite_api.h"
+#include "format/declaration.h"
 #include "geography/frame.h"
 #include "query/position/positions.h"
 #include "sqlite/table/degrees_columns.h"
-#include "storage/format/declaration.h"
-#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

@@ -4,6 +4,7 @@
 
 #include "base/float_environment.h"
 #include "base/integer_of.h"
+#include "database/value_text.h"
 #include "geography/frame.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "motion/plan/plan_legs.h"
@@ -14,7 +15,6 @@
 #include "sqlite/stored_table.h"
 #include "sqlite/table/column_vocabulary.h"
 #include "sqlite/table/degrees_columns.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

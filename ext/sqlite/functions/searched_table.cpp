@@ -1,10 +1,10 @@
 #include "sqlite/functions/searched_table.h"
 
+#include "database/value_text.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/legs/leg_scene.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/stored_table.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 

@@ -3,9 +3,9 @@
 #include <cstring>
 #include <vector>
 
+#include "database/value_text.h"
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

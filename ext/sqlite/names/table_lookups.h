@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/rows/statement.h"
+#include "database/statement.h"
 
 namespace foresee {
 

@@ -1,8 +1,8 @@
 #include "sqlite/names/visible_tables.h"
 
+#include "database/statement.h"
 #include "sqlite/host_sqlite.h"
 #include "sqlite/sql_tokens.h"
-#include "storage/rows/statement.h"
 
 namespace foresee {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
 
 namespace foresee {
 

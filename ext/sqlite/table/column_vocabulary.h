@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "storage/format/declaration.h"
+#include "format/declaration.h"
 
 namespace foresee {
 

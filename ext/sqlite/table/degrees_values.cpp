@@ -6,10 +6,10 @@
 
 #include "base/float_environment.h"
 #include "base/number_text.h"
+#include "database/value_text.h"
 #include "sqlite/callback.h"
 #include "sqlite/table/degrees_columns.h"
 #include "sqlite/table/record_values.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

@@ -7,11 +7,11 @@
 #include "base/float_environment.h"
 #include "base/integer_of.h"
 #include "base/number_text.h"
+#include "database/value_text.h"
 #include "geography/zone.h"
 #include "shape/kinds.h"
 #include "shape/outline/shared_outline.h"
 #include "sqlite/callback.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 

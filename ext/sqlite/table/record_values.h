@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
+#include "database/sqlite_api.h"
+#include "format/declaration.h"
 #include "sqlite/plan_values.h"
 #include "sqlite/table/column_vocabulary.h"
-#include "storage/format/declaration.h"
-#include "storage/rows/sqlite_api.h"
 #include "storage/table/table_writer.h"
 
 namespace foresee {

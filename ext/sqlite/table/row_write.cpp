@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "database/value_text.h"
 #include "sqlite/callback.h"
 #include "sqlite/table/table_cursor.h"
 #include "sqlite/table/table_declaration.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "database/value_text.h"
 #include "sqlite/table/degrees_columns.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "database/statement.h"
 #include "sqlite/sql_tokens.h"
 #include "sqlite/table/column_vocabulary.h"
 #include "sqlite/table/frame_options.h"
 #include "sqlite/table/layout_rules.h"
 #include "sqlite/table/table_arguments.h"
-#include "storage/rows/statement.h"
 
 namespace foresee {
 namespace {

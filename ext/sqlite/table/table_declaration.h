@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "storage/format/declaration.h"
+#include "format/declaration.h"
 
 namespace foresee {
 

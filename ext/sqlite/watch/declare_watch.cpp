@@ -9,11 +9,11 @@
 #include <set>
 
 #include "base/error.h"
+#include "database/statement.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
 #include "sqlite/table/table_arguments.h"
-#include "storage/rows/statement.h"
 
 namespace foresee {
 namespace {

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "database/shadow_tables.h"
 #include "query/watch/watch_state.h"
 #include "sqlite/connection.h"
-#include "storage/rows/shadow_tables.h"
 
 namespace foresee {
 

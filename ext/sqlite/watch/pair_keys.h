@@ -15,9 +15,9 @@
 
 #include <vector>
 
+#include "database/shadow_tables.h"
 #include "query/watch/pair_contacts.h"
 #include "query/watch/watch_state.h"
-#include "storage/rows/shadow_tables.h"
 
 namespace foresee {
 

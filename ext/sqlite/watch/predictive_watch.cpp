@@ -3,6 +3,7 @@
 //   CREATE  declare_watch.h     read  WatchCursor     commands  watch_commands.cpp     COMMIT  pair_update.h
 #include <utility>
 
+#include "database/value_text.h"
 #include "query/watch/pair_contacts.h"
 #include "sqlite/callback.h"
 #include "sqlite/functions/table_functions.h"
@@ -11,7 +12,6 @@
 #include "sqlite/names/open_table.h"
 #include "sqlite/watch/declare_watch.h"
 #include "sqlite/watch/watch_table.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "database/value_text.h"
 #include "query/watch/pair_contacts.h"
 #include "sqlite/callback.h"
 #include "sqlite/watch/watch_table.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "base/float_environment.h"
 #include "base/number_text.h"
+#include "database/sqlite_api.h"
+#include "database/value_text.h"
 #include "sqlite/watch/watch_rows.h"
-#include "storage/rows/sqlite_api.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
 
 namespace foresee {
 namespace {

@@ -1,9 +1,9 @@
 #include "sqlite/watch/watches.h"
 
+#include "database/sqlite_api.h"
 #include "sqlite/callback.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/sql_tokens.h"
-#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 namespace {

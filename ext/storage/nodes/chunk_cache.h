@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-#include "storage/format/chunk_blob.h"
+#include "format/chunk_blob.h"
 #include "storage/nodes/memory_budget.h"
 #include "storage/nodes/node_slots.h"
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/interrupt_steps.h"
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
 
 namespace foresee {
 namespace {

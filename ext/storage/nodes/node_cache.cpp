@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "storage/format/inner_node.h"
-#include "storage/format/leaf_node.h"
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
+#include "format/inner_node.h"
+#include "format/leaf_node.h"
 
 namespace foresee {
 

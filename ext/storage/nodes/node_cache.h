@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-#include "storage/format/node_format.h"
+#include "format/node_format.h"
 #include "storage/nodes/id_map.h"
 #include "storage/nodes/leaf_hints.h"
 #include "storage/nodes/memory_budget.h"

@@ -1,10 +1,10 @@
 // NodeCache: eviction of clean nodes, writing of dirty nodes, rollbacks and snapshots.
 #include <new>
 
-#include "storage/format/inner_node.h"
-#include "storage/format/leaf_node.h"
+#include "database/sqlite_api.h"
+#include "format/inner_node.h"
+#include "format/leaf_node.h"
 #include "storage/nodes/node_cache.h"
-#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

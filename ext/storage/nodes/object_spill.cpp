@@ -4,7 +4,7 @@
 #include <cstring>
 #include <new>
 
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
 
 namespace foresee {
 namespace {

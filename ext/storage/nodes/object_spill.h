@@ -18,9 +18,9 @@
 #include <span>
 #include <vector>
 
+#include "database/shadow_tables.h"
+#include "database/statement.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "storage/rows/shadow_tables.h"
-#include "storage/rows/statement.h"
 
 namespace foresee {
 

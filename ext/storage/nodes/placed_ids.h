@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "base/repeatable_choice.h"
-#include "storage/format/id_block.h"
+#include "format/id_block.h"
 #include "storage/rows/id_hash_map.h"
 
 namespace foresee {

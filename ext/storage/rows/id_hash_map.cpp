@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/repeatable_choice.h"
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
 
 namespace foresee {
 

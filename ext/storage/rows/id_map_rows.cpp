@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "storage/rows/ascending_rows.h"
-#include "storage/rows/sqlite_api.h"
+#include "database/ascending_rows.h"
+#include "database/sqlite_api.h"
 
 namespace foresee {
 

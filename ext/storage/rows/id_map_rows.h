@@ -17,10 +17,10 @@
 #include <span>
 #include <vector>
 
-#include "storage/format/id_block.h"
+#include "database/shadow_tables.h"
+#include "database/statement.h"
+#include "format/id_block.h"
 #include "storage/rows/id_hash_map.h"
-#include "storage/rows/shadow_tables.h"
-#include "storage/rows/statement.h"
 
 namespace foresee {
 

@@ -1,6 +1,6 @@
 #include "storage/rows/shadow_rows.h"
 
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
 
 namespace foresee {
 namespace {

@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
-#include "storage/rows/ascending_rows.h"
+#include "database/ascending_rows.h"
+#include "database/statement.h"
 #include "storage/rows/shadow_schema.h"
-#include "storage/rows/statement.h"
 #include "storage/rows/tree_rows.h"
 
 namespace foresee {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "database/blob_rows.h"
+#include "database/sqlite_api.h"
+#include "database/value_text.h"
+#include "format/features.h"
 #include "shape/shapes.h"
-#include "storage/format/features.h"
-#include "storage/rows/blob_rows.h"
 #include "storage/rows/shape_rows.h"
-#include "storage/rows/sqlite_api.h"
 #include "storage/rows/tree_rows.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

@@ -20,10 +20,10 @@
 #include <string>
 #include <string_view>
 
-#include "storage/format/declaration.h"
-#include "storage/format/node_format.h"
-#include "storage/rows/meta_rows.h"
-#include "storage/rows/shadow_tables.h"
+#include "database/meta_rows.h"
+#include "database/shadow_tables.h"
+#include "format/declaration.h"
+#include "format/node_format.h"
 
 namespace foresee {
 

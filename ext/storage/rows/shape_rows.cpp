@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "storage/format/form_blob.h"
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
+#include "format/form_blob.h"
 
 namespace foresee {
 

@@ -13,9 +13,9 @@
 #include <optional>
 #include <span>
 
+#include "database/ascending_rows.h"
+#include "database/shadow_tables.h"
 #include "shape/shared_form.h"
-#include "storage/rows/ascending_rows.h"
-#include "storage/rows/shadow_tables.h"
 
 namespace foresee {
 

@@ -12,10 +12,10 @@
 
 #include <vector>
 
-#include "storage/format/features.h"
-#include "storage/rows/blob_rows.h"
+#include "database/blob_rows.h"
+#include "database/meta_rows.h"
+#include "format/features.h"
 #include "storage/rows/id_map_rows.h"
-#include "storage/rows/meta_rows.h"
 
 namespace foresee {
 

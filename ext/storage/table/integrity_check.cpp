@@ -7,13 +7,13 @@
 
 #include "base/error.h"
 #include "base/interrupt_steps.h"
+#include "database/sqlite_api.h"
+#include "database/value_text.h"
+#include "format/inner_node.h"
+#include "format/leaf_node.h"
+#include "format/node_format.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "storage/format/inner_node.h"
-#include "storage/format/leaf_node.h"
-#include "storage/format/node_format.h"
 #include "storage/rows/shape_rows.h"
-#include "storage/rows/sqlite_api.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

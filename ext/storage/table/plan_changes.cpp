@@ -4,10 +4,10 @@
 #include <cstring>
 
 #include "base/float_environment.h"
+#include "database/sqlite_api.h"
+#include "database/statement.h"
 #include "motion/plan/plan_legs.h"
 #include "shape/chunk_item.h"
-#include "storage/rows/sqlite_api.h"
-#include "storage/rows/statement.h"
 #include "storage/table/stored_plans.h"
 
 namespace foresee {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/float_environment.h"
+#include "database/sqlite_api.h"
 #include "shape/chunk_item.h"
-#include "storage/rows/sqlite_api.h"
 #include "storage/table/stored_plans.h"
 
 namespace foresee {

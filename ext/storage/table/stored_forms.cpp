@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "storage/format/form_blob.h"
+#include "format/form_blob.h"
 
 namespace foresee {
 namespace {

@@ -6,9 +6,9 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "base/interrupt_steps.h"
+#include "database/sqlite_api.h"
 #include "index/tpr_tree/node.h"
 #include "motion/plan/plan_legs.h"
-#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 namespace {

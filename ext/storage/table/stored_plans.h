@@ -20,10 +20,10 @@
 #include <vector>
 
 #include "base/interrupt_steps.h"
+#include "database/blob_rows.h"
+#include "format/chunk_blob.h"
 #include "index/chunk_source.h"
-#include "storage/format/chunk_blob.h"
 #include "storage/nodes/chunk_cache.h"
-#include "storage/rows/blob_rows.h"
 #include "storage/tree/tree_store.h"
 
 namespace foresee {

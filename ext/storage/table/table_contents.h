@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "storage/format/declaration.h"
+#include "database/sqlite_api.h"
+#include "format/declaration.h"
 #include "storage/rows/shadow_rows.h"
-#include "storage/rows/sqlite_api.h"
 #include "storage/table/stored_forms.h"
 #include "storage/table/stored_plans.h"
 #include "storage/table/table_totals.h"

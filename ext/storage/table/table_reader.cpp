@@ -1,8 +1,8 @@
 // TableReader: reads, from pending objects and dirty nodes first, then from the shadow rows.
 #include "storage/table/table_reader.h"
 
-#include "storage/format/leaf_node.h"
-#include "storage/rows/value_text.h"
+#include "database/value_text.h"
+#include "format/leaf_node.h"
 
 namespace foresee {
 namespace {

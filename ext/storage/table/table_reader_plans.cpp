@@ -1,5 +1,5 @@
 // TableReader: plans of objects, for queries, and for 'rebuild'.
-#include "storage/format/leaf_node.h"
+#include "format/leaf_node.h"
 #include "storage/table/table_reader.h"
 
 namespace foresee {

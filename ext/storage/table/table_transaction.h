@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "database/sqlite_api.h"
 #include "storage/journal/version.h"
-#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

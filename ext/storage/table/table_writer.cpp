@@ -3,8 +3,8 @@
 #include <cstring>
 #include <limits>
 
-#include "storage/format/leaf_node.h"
-#include "storage/rows/statement.h"
+#include "database/statement.h"
+#include "format/leaf_node.h"
 
 namespace foresee {
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 
 #include "base/interrupt_steps.h"
-#include "storage/format/inner_node.h"
-#include "storage/format/leaf_node.h"
+#include "database/sqlite_api.h"
+#include "format/inner_node.h"
+#include "format/leaf_node.h"
 #include "storage/nodes/object_spill.h"
-#include "storage/rows/sqlite_api.h"
 #include "storage/tree/record_sample.h"
 #include "storage/tree/tree_store.h"
 

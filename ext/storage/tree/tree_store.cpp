@@ -5,8 +5,8 @@
 
 #include "base/interrupt_steps.h"
 #include "base/repeatable_choice.h"
-#include "storage/format/leaf_node.h"
-#include "storage/rows/sqlite_api.h"
+#include "database/sqlite_api.h"
+#include "format/leaf_node.h"
 
 namespace foresee {
 namespace {

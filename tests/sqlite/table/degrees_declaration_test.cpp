@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "format/features.h"
 #include "sqlite/table/table_declaration.h"
-#include "storage/format/features.h"
 #include "storage/rows/shadow_schema.h"
 
 namespace foresee {

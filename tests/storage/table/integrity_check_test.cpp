@@ -1,7 +1,7 @@
 // Damage is reported: by every read of the damaged part, and by integrity_check() anywhere.
 
+#include "format/leaf_node.h"
 #include "storage/database.h"
-#include "storage/format/leaf_node.h"
 
 namespace foresee {
 namespace {

@@ -1,5 +1,5 @@
 // Plans that are damaged: reported in every way of reading, and by 'integrity-check'; repaired by 'rebuild'.
-#include "storage/format/node_format.h"
+#include "format/node_format.h"
 #include "storage/plan_cases.h"
 
 namespace foresee {

@@ -1,7 +1,7 @@
 // More objects than are sorted in memory: 'rebuild', 'optimize' and loads through a temporary file.
+#include "format/leaf_node.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "stopping_interrupt.h"
-#include "storage/format/leaf_node.h"
 #include "storage/table/partitioned_table.h"
 
 namespace foresee {

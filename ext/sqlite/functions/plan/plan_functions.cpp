@@ -6,11 +6,11 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "database/statement.h"
+#include "database/value_text.h"
 #include "motion/plan/arc.h"
 #include "motion/plan/plan_legs.h"
 #include "sqlite/callback.h"
-#include "storage/rows/statement.h"
-#include "storage/rows/value_text.h"
 
 namespace foresee {
 

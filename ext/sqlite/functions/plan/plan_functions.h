@@ -8,8 +8,8 @@
 
 #include <optional>
 
+#include "database/sqlite_api.h"
 #include "sqlite/plan_values.h"
-#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 
