@@ -158,20 +158,6 @@ void LeafView::copy_records(double* records) const {
   std::memcpy(records, record_at(0), static_cast<std::size_t>(count()) * format_->record_size);
 }
 
-void append(const LeafView& leaf, std::vector<std::int64_t>& ids, std::vector<double>& records) {
-  const std::size_t before = ids.size(), size = records.size();
-  const auto count = static_cast<std::size_t>(leaf.count());
-  ids.resize(before + count);
-  records.resize(size + count * leaf.record_size());
-  leaf.copy_ids(ids.data() + before);
-  leaf.copy_records(records.data() + size);
-}
-
-void append(const Node& leaf, std::vector<std::int64_t>& ids, std::vector<double>& records) {
-  ids.insert(ids.end(), leaf.keys.begin(), leaf.keys.end());
-  records.insert(records.end(), leaf.values.begin(), leaf.values.end());
-}
-
 std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number, const Node& leaf) {
   if (leaf.size() > format.leaf_capacity) throw BrokenTree("a tree node does not fit into its row");
   std::vector<std::byte> blob(format.node_size);
@@ -200,9 +186,14 @@ std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number
 }
 
 Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob) {
+  Node leaf;
+  decode_leaf(format, blob, leaf);
+  return leaf;
+}
+
+void decode_leaf(const NodeFormat& format, std::span<const std::byte> blob, Node& leaf) {
   const LeafView view(format, blob);
   const auto count = static_cast<std::size_t>(view.count());
-  Node leaf;
   leaf.parent = load_number<std::int64_t>(blob.data() + NodeFormat::parent_at);
   leaf.keys.reserve(count + 1);  // a node overflows by one entry before the tree splits it
   leaf.values.reserve((count + 1) * static_cast<std::size_t>(format.at.size));
@@ -210,7 +201,6 @@ Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob) {
   leaf.values.resize(count * static_cast<std::size_t>(format.at.size));
   view.copy_ids(leaf.keys.data());
   view.copy_records(leaf.values.data());
-  return leaf;
 }
 
 }  // namespace foresee

@@ -29,8 +29,6 @@ class LeafView {
   LeafView(const NodeFormat& format, std::span<const std::byte> blob) : format_(&format), bytes_(blob) {}
 
   int count() const { return load_number<std::uint16_t>(bytes_.data() + NodeFormat::count_at); }
-  /// Doubles in a record.
-  std::size_t record_size() const { return static_cast<std::size_t>(format_->at.size); }
   std::int64_t id(int i) const { return load_number<std::int64_t>(id_at(i)); }
   /// The index of `id`, or -1.
   int find(std::int64_t id) const;
@@ -54,15 +52,13 @@ class LeafView {
   std::span<const std::byte> bytes_;
 };
 
-/// Appends all objects of a leaf.
-void append(const LeafView& leaf, std::vector<std::int64_t>& ids, std::vector<double>& records);
-void append(const Node& leaf, std::vector<std::int64_t>& ids, std::vector<double>& records);
-
 /// Returns the bytes of leaf `number`: ids ascending, each with its record, whatever the order in the node.
 /// Requires: at least one object. Throws BrokenTree if the objects do not fit.
 std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number, const Node& leaf);
 
 /// Requires: `leaf_fault` returned null.
 Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob);
+/// The same into an existing node, whose memory is used again.
+void decode_leaf(const NodeFormat& format, std::span<const std::byte> blob, Node& leaf);
 
 }  // namespace foresee

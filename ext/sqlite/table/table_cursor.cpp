@@ -111,13 +111,16 @@ void TableCursor::start_scan() {
 
 void TableCursor::next_leaf() {
   position_ = 0;
-  do {
-    ids_.clear();
-    records_.clear();
-    leaf_ = table_.store().next_leaf(leaf_, ids_, records_);
-  } while (leaf_ != 0 && ids_.empty());
-  found_ += ids_.size();
-  if (leaf_ != 0) return;
+  Node leaf;  // in the memory of the last one
+  leaf.keys.swap(ids_);
+  leaf.values.swap(records_);
+  leaf_ = table_.store().next_leaf(leaf_, leaf);
+  if (leaf_ != 0) {
+    found_ += leaf.size();
+    leaf.keys.swap(ids_);
+    leaf.values.swap(records_);
+    return;
+  }
   source_ = Source::list;
   table_.store().expect_objects(found_);
 }
@@ -186,21 +189,17 @@ void TableCursor::keep_walk() {
 
 void TableCursor::keep_leaves() {
   std::vector<std::int64_t> rest(ids_.begin() + static_cast<std::ptrdiff_t>(position_), ids_.end());
-  std::vector<std::int64_t> ids;
-  std::vector<double> records;
+  Node leaf;
   std::size_t found = found_;  // a copy: if a leaf cannot be read, the scan keeps its state
-  for (std::int64_t leaf = leaf_; (leaf = table_.store().next_leaf(leaf, ids, records)) != 0;) {
-    rest.insert(rest.end(), ids.begin(), ids.end());
-    found += ids.size();
-    ids.clear();
-    records.clear();
+  for (NodeNumber number = leaf_; (number = table_.store().next_leaf(number, leaf)) != 0;) {
+    rest.insert(rest.end(), leaf.keys.begin(), leaf.keys.end());
+    found += leaf.size();
   }
   table_.store().expect_objects(found);
   const std::size_t size = records_.size() / ids_.size();
-  records.assign(records_.begin() + static_cast<std::ptrdiff_t>(position_ * size),
-                 records_.begin() + static_cast<std::ptrdiff_t>((position_ + 1) * size));
+  const auto record = records_.begin() + static_cast<std::ptrdiff_t>(position_ * size);
+  records_ = std::vector<double>(record, record + static_cast<std::ptrdiff_t>(size));
   ids_ = std::move(rest);
-  records_ = std::move(records);
   position_ = 0;
   report_of_ = nullptr;
   source_ = Source::list;

@@ -59,7 +59,8 @@ void StoredPlans::rebuild(std::vector<Head>& heads, std::span<const double> reco
     scan(
         heads, read_chunk, [&](std::int64_t number) { strays.push_back(number); }, interrupt);
   };
-  TreeStore::Replacement replacement(tree_, for_each_item, interrupt);
+  TreeStore::Replacement replacement(tree_, interrupt);
+  replacement.read(for_each_item);
   std::int64_t total = 0;
   for (const Head& head : heads) total += head.chunks;
   if (total != static_cast<std::int64_t>(replacement.objects()))

@@ -24,24 +24,20 @@ class LeafRows {
     rows_.reserve(objects * row_size_);
   }
 
-  template <class Leaf>
-  void add(const Leaf& leaf) {
-    std::size_t end = ids_.size();
+  void add(const Node& leaf) {
+    objects_ += leaf.size();
     if (row_size_ == record_size_ && !wanted_) {  // rows are records
-      append(leaf, ids_, rows_);
-      objects_ += ids_.size() - end;
+      ids_.insert(ids_.end(), leaf.keys.begin(), leaf.keys.end());
+      rows_.insert(rows_.end(), leaf.values.begin(), leaf.values.end());
       return;
     }
-    leaf_ids_.clear();
-    records_.clear();
-    append(leaf, leaf_ids_, records_);
-    objects_ += leaf_ids_.size();
-    ids_.resize(end + leaf_ids_.size());
-    rows_.resize((end + leaf_ids_.size()) * row_size_);
-    for (std::size_t i = 0; i < leaf_ids_.size(); ++i) {
-      const double* const record = records_.data() + i * record_size_;
+    std::size_t end = ids_.size();
+    ids_.resize(end + leaf.size());
+    rows_.resize((end + leaf.size()) * row_size_);
+    for (std::size_t i = 0; i < leaf.size(); ++i) {
+      const double* const record = leaf.values.data() + i * record_size_;
       if (wanted_ && !wanted_->accepts(kinds_of(record, format_.at))) continue;
-      ids_[end] = leaf_ids_[i];
+      ids_[end] = leaf.keys[i];
       row_from_record(format_.layout, record, rows_.data() + end * row_size_);
       ++end;
     }
@@ -59,8 +55,6 @@ class LeafRows {
   std::vector<std::int64_t>& ids_;
   std::vector<double>& rows_;
   std::size_t objects_ = 0;
-  std::vector<std::int64_t> leaf_ids_;
-  std::vector<double> records_;  ///< of one leaf
 };
 
 /// So few that the share of all ids need not be known.
@@ -196,15 +190,15 @@ bool TableReader::read_all(std::vector<std::int64_t>& ids, std::vector<double>& 
   // A leaf by number costs more than the next one of a scan.
   const bool by_number = leaves.others > leaves.numbers.size() / 2;
   LeafRows found(format_, wanted, ids, rows);
-  const auto add_leaf = [&](const auto& leaf) { found.add(leaf); };
+  const auto add_leaf = [&](const Node& leaf) { found.add(leaf); };
   if (by_number) {
     found.reserve(leaves.numbers.size() * format_.leaf_capacity);
-    tree_.read_leaves(leaves.numbers, interrupt, add_leaf, add_leaf);
+    tree_.read_leaves(leaves.numbers, interrupt, add_leaf);
     return false;
   }
   if (!nodes().has_unwritten())
     found.reserve(static_cast<std::size_t>(shadow_rows().tree().map().count_ids()));
-  tree_.read_leaves(interrupt, add_leaf, add_leaf);
+  tree_.read_leaves(interrupt, add_leaf);
   expect_objects(found.objects());
   return ids.size() == found.objects();
 }
@@ -214,10 +208,9 @@ void TableReader::expect_objects(std::size_t found) {
   tree().require_as_many(found);
 }
 
-std::int64_t TableReader::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
-                                    std::vector<double>& records) {
+NodeNumber TableReader::next_leaf(NodeNumber after, Node& leaf) {
   if (after == 0) merge_pending();
-  return tree().next_leaf(after, ids, records);
+  return tree().next_leaf(after, leaf);
 }
 
 std::optional<IdWalk> TableReader::walk_ids(const IdRange& range, std::optional<IdOrder> order) {

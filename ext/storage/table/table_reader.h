@@ -41,7 +41,7 @@ class TableReader : public TableContents,
   bool read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt,
                 const std::optional<KindTest>& wanted = {});
   /// Reads the leaf after leaf `after` (0: the first one). Returns its number, or 0 at the end.
-  std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
+  NodeNumber next_leaf(NodeNumber after, Node& leaf);
   /// Call it after reading every leaf: SQLITE_CORRUPT_VTAB if the map, when written, has another count.
   void expect_objects(std::size_t found);
   /// The ids of a range in order. Nothing if no order is wanted and a scan probably costs less than their look-ups.

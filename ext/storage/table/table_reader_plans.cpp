@@ -63,24 +63,19 @@ std::vector<StoredPlans::Head> TableReader::read_heads(const EachObject& plain, 
   const auto size = static_cast<std::size_t>(format_.at.size);
   std::size_t objects = 0;
   std::vector<StoredPlans::Head> heads;
-  std::vector<std::int64_t> ids;
-  std::vector<double> of_leaf;
-  const auto add_leaf = [&](const auto& leaf) {
-    ids.clear();
-    of_leaf.clear();
-    append(leaf, ids, of_leaf);
-    objects += ids.size();
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      const std::span<const double> record(of_leaf.data() + i * size, size);
+  tree_.read_leaves(interrupt, [&](const Node& leaf) {
+    objects += leaf.size();
+    for (std::size_t i = 0; i < leaf.size(); ++i) {
+      const std::int64_t id = leaf.keys[i];
+      const std::span<const double> record(leaf.values.data() + i * size, size);
       if (!has_plan(format_.at, record.data())) {
-        plain(ids[i], record, {});
+        plain(id, record, {});
         continue;
       }
-      heads.push_back(plans_->head_of(ids[i], record.data(), heads.size()));
+      heads.push_back(plans_->head_of(id, record.data(), heads.size()));
       records.insert(records.end(), record.begin(), record.end());
     }
-  };
-  tree_.read_leaves(interrupt, add_leaf, add_leaf);
+  });
   expect_objects(objects);
   return heads;
 }

@@ -18,70 +18,11 @@ namespace foresee {
 namespace {
 
 template <class Each>
-void for_each_object(const LeafView& leaf, std::size_t record_size, Each each) {
-  std::vector<std::int64_t> ids(static_cast<std::size_t>(leaf.count()));
-  std::vector<double> records(ids.size() * record_size);
-  leaf.copy_ids(ids.data());
-  leaf.copy_records(records.data());
-  for (std::size_t i = 0; i < ids.size(); ++i) each(ids[i], records.data() + i * record_size);
-}
-
-template <class Each>
 void for_each_object(const Node& leaf, std::size_t record_size, Each each) {
   for (std::size_t i = 0; i < leaf.size(); ++i) each(leaf.keys[i], leaf.values.data() + i * record_size);
 }
 
 }  // namespace
-
-/// Steps of a partitioned load: see() every object, divide(), add() every object again, write().
-class TreeStore::PartitionedLoad {
- public:
-  PartitionedLoad(TreeStore& tree, Interrupt& interrupt)
-      : tree_(tree),
-        interrupt_(interrupt),
-        record_size_(static_cast<std::size_t>(tree.format_.at.size)),
-        sample_(record_size_) {}
-
-  void see(std::int64_t id, const double* record) {
-    ids_.push_back(id);
-    sample_.add(record);
-  }
-
-  /// Throws if an id was seen twice. `newest`: as in TprTree::divide().
-  void divide(std::span<const double> newest) {
-    tree_.require_unique(ids_, interrupt_);
-    for (const std::int64_t id : ids_) seen_.add(id);
-    std::vector<std::int64_t>().swap(ids_);
-    const std::size_t limit = std::max<std::size_t>(1, tree_.share_.budget().max_ordered());
-    const std::size_t partitions = seen_.count() * tree_.format_.record_size / limit + 1;
-    division_ = tree_.tree_->divide(sample_.records(), partitions, newest, interrupt_);
-    spill_.emplace(tree_.db_, tree_.name_, record_size_, partitions, limit / 4);
-  }
-
-  void add(std::int64_t id, const double* record) {
-    spill_->add(division_->partition_of(record), id, record);
-  }
-
-  /// Replaces the contents by the added objects. Requires: in a change.
-  void write() {
-    spill_->finish();
-    tree_.cache_.drop_nodes(true);
-    tree_.cache_.erase_everything();
-    tree_.cache_.start_placing_new(seen_.count());
-    tree_.tree_->bulk_load_partitions(*spill_, interrupt_);
-    tree_.cache_.write_places(seen_, interrupt_);
-  }
-
- private:
-  TreeStore& tree_;
-  Interrupt& interrupt_;
-  std::size_t record_size_;
-  std::vector<std::int64_t> ids_;
-  IdSum seen_;
-  RecordSample sample_;
-  std::unique_ptr<SpacePartitioning> division_;
-  std::optional<ObjectSpill> spill_;
-};
 
 void TreeStore::require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt) const {
   Steps step(interrupt);
@@ -98,27 +39,14 @@ void TreeStore::require_unique(std::vector<std::int64_t>& ids, Interrupt& interr
 
 // --- of objects that can be read again
 
-TreeStore::Replacement::Replacement(TreeStore& tree, const EachObject& for_each, Interrupt& interrupt)
-    : tree_(tree), interrupt_(interrupt) {
-  if (read_into_memory(for_each)) return;
-  const auto use_all = [&](auto use) {
-    for_each([&](std::int64_t id, const double* record) {
-      use(id, record);
-      return true;
-    });
-  };
-  tree_.reporting_damage([&] {
-    load_ = std::make_unique<PartitionedLoad>(tree_, interrupt_);
-    use_all([&](std::int64_t id, const double* record) {
-      load_->see(id, record);
-      ++objects_;
-    });
-    load_->divide({});
-    use_all([&](std::int64_t id, const double* record) { load_->add(id, record); });
-  });
-}
+TreeStore::Replacement::Replacement(TreeStore& tree, Interrupt& interrupt)
+    : tree_(tree), interrupt_(interrupt) {}
 
 TreeStore::Replacement::~Replacement() = default;
+
+void TreeStore::Replacement::read(const EachObject& for_each) {
+  if (!read_into_memory(for_each)) partition(for_each, {});
+}
 
 bool TreeStore::Replacement::read_into_memory(const EachObject& for_each) {
   const auto size = static_cast<std::size_t>(tree_.format_.at.size);
@@ -140,25 +68,61 @@ bool TreeStore::Replacement::read_into_memory(const EachObject& for_each) {
   return true;
 }
 
+void TreeStore::Replacement::partition(const EachObject& for_each, std::span<const double> newest) {
+  const auto use_all = [&](auto use) {
+    for_each([&](std::int64_t id, const double* record) {
+      use(id, record);
+      return true;
+    });
+  };
+  const auto size = static_cast<std::size_t>(tree_.format_.at.size);
+  std::vector<std::int64_t> ids;
+  RecordSample sample(size);
+  use_all([&](std::int64_t id, const double* record) {
+    ids.push_back(id);
+    sample.add(record);
+  });
+  tree_.require_unique(ids, interrupt_);
+  for (const std::int64_t id : ids) seen_.add(id);
+  objects_ = ids.size();
+  std::vector<std::int64_t>().swap(ids);
+  const std::size_t limit = std::max<std::size_t>(1, tree_.share_.budget().max_ordered());
+  const std::size_t partitions = objects_ * tree_.format_.record_size / limit + 1;
+  const auto division = tree_.reporting_damage(
+      [&] { return tree_.tree_->divide(sample.records(), partitions, newest, interrupt_); });
+  spill_ = std::make_unique<ObjectSpill>(tree_.db_, tree_.name_, size, partitions, limit / 4);
+  use_all([&](std::int64_t id, const double* record) {
+    spill_->add(division->partition_of(record), id, record);
+  });
+  spill_->finish();
+}
+
 void TreeStore::Replacement::write() {
   tree_.reporting_damage([&] {
-    if (load_) return load_->write();
-    tree_.cache_.erase_everything();
-    tree_.tree_->bulk_load(ids_, records_, interrupt_);
+    NodeCache& cache = tree_.cache_;
+    if (!spill_) {
+      cache.erase_everything();
+      return tree_.tree_->bulk_load(ids_, records_, interrupt_);
+    }
+    cache.drop_nodes(true);
+    cache.erase_everything();
+    cache.start_placing_new(objects_);
+    tree_.tree_->bulk_load_partitions(*spill_, interrupt_);
+    cache.write_places(seen_, interrupt_);
   });
   tree_.note_packed();
 }
 
 TreeStore::Rebuild::Rebuild(TreeStore& tree, Interrupt& interrupt)
-    : tree_(tree),
-      interrupt_(interrupt),
-      replacement_(
-          tree, [this](const UseObject& use) { read_leaves(use); }, interrupt) {
+    : tree_(tree), interrupt_(interrupt), replacement_(tree, interrupt) {
+  replacement_.read([this](const UseObject& use) { read_leaves(use); });
   if (!damaged_nodes_.empty()) require_leaves_of_map();
 }
 
 void TreeStore::Rebuild::read_leaves(const UseObject& use) {
   const NodeFormat& format = tree_.format_;
+  const auto size = static_cast<std::size_t>(format.at.size);
+  Node leaf;
   unsigned nodes = 0;
   bool goes_on = true;
   forms_.clear();
@@ -170,13 +134,11 @@ void TreeStore::Rebuild::read_leaves(const UseObject& use) {
       damaged_nodes_.emplace(number, fault);
       return;
     }
-    tree_.read_stored_leaf(number, blob, [&](const LeafView& leaf) {
-      for_each_object(leaf, static_cast<std::size_t>(format.at.size),
-                      [&](std::int64_t id, const double* record) {
-                        goes_on = goes_on && use(id, record);
-                        if (is_stored_apart(format.layout.shape))
-                          forms_.insert(static_cast<std::int64_t>(record[format.at.outline]));
-                      });
+    decode_leaf(format, blob, leaf);
+    for_each_object(leaf, size, [&](std::int64_t id, const double* record) {
+      goes_on = goes_on && use(id, record);
+      if (is_stored_apart(format.layout.shape))
+        forms_.insert(static_cast<std::int64_t>(record[format.at.outline]));
     });
   });
 }
@@ -235,31 +197,26 @@ void TreeStore::append_pending(std::vector<std::int64_t>& ids, std::vector<doubl
 
 void TreeStore::load_partitioned(Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
-  PartitionedLoad load(*this, interrupt);
-  std::size_t stored = 0, replaced = 0;
-  bool all_are_new = false;  // no pending object replaces a stored one; known after one pass
-  const auto for_each = [&](auto use) {
+  const bool all_are_new = !pending_updates_.get();
+  std::size_t stored = 0;
+  const EachObject for_each = [&](const UseObject& use) {
+    bool goes_on = true;
     stored = 0;
-    const auto use_stored = [&](std::int64_t id, const double* record) {
-      ++stored;
-      if (!all_are_new && pending_.find(id))
-        ++replaced;
-      else
-        use(id, record);
-    };
-    const auto use_leaf = [&](const auto& leaf) { for_each_object(leaf, size, use_stored); };
-    read_leaves(interrupt, use_leaf, use_leaf);
+    read_leaves(interrupt, [&](const Node& leaf) {
+      stored += leaf.size();
+      for_each_object(leaf, size, [&](std::int64_t id, const double* record) {
+        if (all_are_new || !pending_.find(id)) goes_on = goes_on && use(id, record);
+      });
+    });
     Steps step(interrupt);
     pending_.for_each([&](std::int64_t id, std::span<const double> record) {
       step();
-      use(id, record.data());
+      goes_on = goes_on && use(id, record.data());
     });
   };
-  for_each([&](std::int64_t id, const double* record) { load.see(id, record); });
-  all_are_new = replaced == 0;
+  Replacement load(*this, interrupt);
+  load.partition(for_each, pending_.all_records());
   require_as_many(stored);
-  load.divide(pending_.all_records());
-  for_each([&](std::int64_t id, const double* record) { load.add(id, record); });
   load.write();
 }
 

@@ -131,29 +131,40 @@ double TreeStore::min_loaded(bool is_large) const {
   return std::clamp(fraction_of(hash_of(pending_.first_record())), sometimes_loaded, always);
 }
 
+TreeStore::Placement TreeStore::placement_of_pending(double stored, bool is_large, Reason reason,
+                                                     Interrupt& interrupt) const {
+  const double pending = static_cast<double>(pending_.count());
+  const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
+  const bool many = pending > stored * (packs_new ? min_loaded_of_new : min_loaded(is_large));
+  const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
+  // Of a large load: the commit packs everything once.
+  if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count())) return Placement::run;
+  const bool packs_runs = reason == Reason::commit && has_runs_.get();
+  if (stored == 0 || packs_runs) return Placement::load;
+  // A few objects, or many in few nodes.
+  return !many || (is_large && arrive_in_place(interrupt)) ? Placement::merge : Placement::load;
+}
+
 void TreeStore::merge_records(Reason reason, Interrupt& interrupt) {
   const double pending = static_cast<double>(pending_.count()), stored = estimate_objects(cache_, pending);
   const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
   const bool is_large = bytes > static_cast<double>(share_.budget().max_ordered());
-  const bool packs_new = !pending_updates_.get() && tree_->packs_new(pending_.count());
-  const bool many = pending > stored * (packs_new ? min_loaded_of_new : min_loaded(is_large));
-  const bool more_follow = reason == Reason::memory && (many || has_runs_.get());
-  const bool packs_runs = reason == Reason::commit && has_runs_.get();
-  if (more_follow && !pending_updates_.get() && tree_->takes_run(pending_.count())) {
-    add_run(interrupt);  // of a large load: the commit packs everything once
-  } else if (stored > 0 && !packs_runs && (!many || (is_large && arrive_in_place(interrupt)))) {
-    with_pending([&](auto ids, auto records) {  // a few objects, or many in few nodes
-      if (pending_updates_.get())
-        tree_->merge(ids, records, interrupt);
+  switch (placement_of_pending(stored, is_large, reason, interrupt)) {
+    case Placement::run:
+      return add_run(interrupt);
+    case Placement::merge:
+      return with_pending([&](auto ids, auto records) {
+        if (pending_updates_.get())
+          tree_->merge(ids, records, interrupt);
+        else
+          tree_->merge_new(ids, records, interrupt);
+      });
+    case Placement::load:
+      if (stored > 0 && is_large)
+        load_partitioned(interrupt);  // more than may be sorted together
       else
-        tree_->merge_new(ids, records, interrupt);
-    });
-  } else {  // the whole tree is built
-    if (stored > 0 && is_large)
-      load_partitioned(interrupt);  // more than may be sorted together
-    else
-      reload(interrupt);
-    note_packed();
+        reload(interrupt);
+      note_packed();
   }
 }
 
@@ -188,45 +199,43 @@ bool TreeStore::read_stored(std::int64_t id, std::vector<double>& record) {
   record.resize(static_cast<std::size_t>(format_.at.size));
   int slot = -1;
   const bool found = rows_->nodes().read_one(*number, [&](std::span<const std::byte> blob) {
-    read_stored_leaf(*number, blob, [&](const LeafView& leaf) {
-      slot = leaf.find(id);
-      if (slot >= 0) leaf.copy_record(slot, record.data());
-    });
+    if (!is_sound_leaf(*number, blob)) return;
+    const LeafView leaf(format_, blob);
+    slot = leaf.find(id);
+    if (slot >= 0) leaf.copy_record(slot, record.data());
   });
   if (!found) damaged(where + " of object " + std::to_string(id) + " is missing");
   if (slot < 0) damaged(where + " lacks object " + std::to_string(id));
   return true;
 }
 
-bool TreeStore::read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
-                                 const std::function<void(const LeafView&)>& use) const {
+bool TreeStore::is_sound_leaf(std::int64_t number, std::span<const std::byte> blob) const {
   if (const char* fault = cache_.fault(number, blob))
     damaged("node " + std::to_string(number) + " is damaged: " + fault);
-  if (blob[NodeFormat::level_at] != std::byte{0}) return false;
-  use(LeafView(format_, blob));
-  return true;
+  return blob[NodeFormat::level_at] == std::byte{0};
 }
 
-void TreeStore::read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
-                            const std::function<void(const Node&)>& dirty) {
+void TreeStore::read_leaves(Interrupt& interrupt, const UseLeaf& use) {
   std::int64_t done = 0;
   const auto dirty_up_to = [&](std::int64_t end) {
     for (std::int64_t next; (next = cache_.next_dirty(done, end)) != 0; done = next)
-      if (const auto node = *cache_.dirty_node(next); node && node->is_leaf()) dirty(*node);
+      if (const auto node = *cache_.dirty_node(next); node && node->is_leaf()) use(*node);
     done = std::max(done, end - 1);
   };
+  Node leaf;
   unsigned leaves = 0;
   rows_->nodes().read_all([&](std::int64_t number, std::span<const std::byte> blob) {
     if (++leaves % 16 == 0) interrupt.check();
     dirty_up_to(number);
-    if (!cache_.dirty_node(number)) read_stored_leaf(number, blob, stored);
+    if (cache_.dirty_node(number) || !is_sound_leaf(number, blob)) return;
+    decode_leaf(format_, blob, leaf);
+    use(leaf);
   });
   dirty_up_to(no_number);
 }
 
-void TreeStore::read_leaves(std::span<const NodeNumber> numbers, Interrupt& interrupt,
-                            const std::function<void(const LeafView&)>& stored,
-                            const std::function<void(const Node&)>& dirty) {
+void TreeStore::read_leaves(std::span<const NodeNumber> numbers, Interrupt& interrupt, const UseLeaf& use) {
+  Node leaf;
   unsigned leaves = 0;
   for (const NodeNumber number : numbers) {
     if (++leaves % 16 == 0) interrupt.check();
@@ -234,31 +243,33 @@ void TreeStore::read_leaves(std::span<const NodeNumber> numbers, Interrupt& inte
     bool is_leaf = false;
     if (unwritten) {
       is_leaf = *unwritten && (*unwritten)->is_leaf();
-      if (is_leaf) dirty(**unwritten);
+      if (is_leaf) use(**unwritten);
     } else {
-      rows_->nodes().read_one(
-          number, [&](std::span<const std::byte> blob) { is_leaf = read_stored_leaf(number, blob, stored); });
+      rows_->nodes().read_one(number, [&](std::span<const std::byte> blob) {
+        is_leaf = is_sound_leaf(number, blob);
+        if (is_leaf) decode_leaf(format_, blob, leaf);
+      });
+      if (is_leaf) use(leaf);
     }
     if (!is_leaf) damaged("leaf " + std::to_string(number) + " is missing");
   }
 }
 
-std::int64_t TreeStore::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
-                                  std::vector<double>& records) {
-  ids.clear();
-  records.clear();
+NodeNumber TreeStore::next_leaf(NodeNumber after, Node& leaf) {
   for (;;) {
-    std::int64_t number = no_number;
+    NodeNumber number = no_number;
     bool is_leaf = false;
     rows_->nodes().read_after(after, [&](std::int64_t stored, std::span<const std::byte> blob) {
       number = stored;
-      if (cache_.next_dirty(after, stored) == 0 && !cache_.dirty_node(stored))
-        is_leaf = read_stored_leaf(stored, blob, [&](const LeafView& leaf) { append(leaf, ids, records); });
+      if (cache_.next_dirty(after, stored) != 0 || cache_.dirty_node(stored)) return;
+      is_leaf = is_sound_leaf(stored, blob);
+      if (is_leaf) decode_leaf(format_, blob, leaf);
     });
-    if (const std::int64_t dirty = cache_.next_dirty(after, number)) number = dirty;
+    if (const NodeNumber dirty = cache_.next_dirty(after, number)) number = dirty;
     if (number == no_number) return 0;
-    if (const auto node = cache_.dirty_node(number); node && *node && (*node)->is_leaf()) {
-      append(**node, ids, records);
+    if (const auto node = cache_.dirty_node(number);
+        node && *node && (*node)->is_leaf() && (*node)->size() > 0) {
+      leaf = **node;
       is_leaf = true;
     }
     if (is_leaf) return number;

@@ -27,7 +27,7 @@
 
 namespace foresee {
 
-class LeafView;
+class ObjectSpill;
 
 class TreeStore final : private MemoryHolder {
  public:
@@ -74,16 +74,14 @@ class TreeStore final : private MemoryHolder {
   // --- reading
   /// The record of a stored object, read without the cache; false: no such object.
   bool read_stored(std::int64_t id, std::vector<double>& record);
+  using UseLeaf = std::function<void(const Node& leaf)>;
   /// Reads every leaf once, by ascending number, without pending objects: from memory if it is dirty, else
   /// from its row, checked.
-  void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
-                   const std::function<void(const Node&)>& dirty);
+  void read_leaves(Interrupt& interrupt, const UseLeaf& use);
   /// Reads only the leaves of these numbers, which ascend.
-  void read_leaves(std::span<const NodeNumber> numbers, Interrupt& interrupt,
-                   const std::function<void(const LeafView&)>& stored,
-                   const std::function<void(const Node&)>& dirty);
-  /// Reads the leaf after leaf `after` (0: the first one). Returns its number, or 0 at the end.
-  std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
+  void read_leaves(std::span<const NodeNumber> numbers, Interrupt& interrupt, const UseLeaf& use);
+  /// Reads the next leaf with objects after leaf `after` (0: the first one). Returns its number, or 0 at the end.
+  NodeNumber next_leaf(NodeNumber after, Node& leaf);
   /// Throws if the map, when written, has another count of objects.
   void require_as_many(std::size_t found);
   /// Returns body(), an operation of the tree. Where it finds that nodes contradict each other, this throws
@@ -105,12 +103,15 @@ class TreeStore final : private MemoryHolder {
   class Rebuild;
 
  private:
-  class PartitionedLoad;
+  /// How pending objects enter the tree: as a run beside the others, by a merge into its leaves, or with all others
+  /// in a tree that is built again.
+  enum class Placement : std::uint8_t { run, merge, load };
 
   void write_out() override { write_out_(); }
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
   [[noreturn]] void damaged(const std::string& what) const;
   void merge_records(Reason reason, Interrupt& interrupt);
+  Placement placement_of_pending(double stored, bool is_large, Reason reason, Interrupt& interrupt) const;
   /// The tree is loaded if a larger share of its objects has changed, unless arrive_in_place(). It differs between
   /// transactions: a hash of a record decides.
   double min_loaded(bool is_large) const;
@@ -130,9 +131,8 @@ class TreeStore final : private MemoryHolder {
   /// The pending objects as arrays, without a copy if they have no holes.
   template <class Use>
   auto with_pending(Use use) const;
-  /// Calls `use` with a sound leaf; false for a sound inner node.
-  bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
-                        const std::function<void(const LeafView&)>& use) const;
+  /// False for an inner node. Throws if the node is not sound.
+  bool is_sound_leaf(std::int64_t number, std::span<const std::byte> blob) const;
   /// Sorts the ids; throws if one is repeated.
   void require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt) const;
 
@@ -151,12 +151,16 @@ class TreeStore final : private MemoryHolder {
 };
 
 /// All objects again, from a source that can be read again. If they exceed the memory for sorting, it is read three
-/// times. Nothing is written before write().
+/// times, and they wait in a temporary file. Nothing is written to the table before write().
 class TreeStore::Replacement {
  public:
-  /// Throws if an id is there twice. `for_each`: calls its argument for every object, until it returns false.
-  Replacement(TreeStore& tree, const EachObject& for_each, Interrupt& interrupt);
+  Replacement(TreeStore& tree, Interrupt& interrupt);
   ~Replacement();
+
+  /// Throws if an id is there twice. `for_each`: calls its argument for every object, until it returns false.
+  void read(const EachObject& for_each);
+  /// read() of objects that exceed that memory. `newest`: as in TprTree::divide().
+  void partition(const EachObject& for_each, std::span<const double> newest);
 
   std::size_t objects() const { return objects_; }
   /// Replaces all objects, whatever is stored. Requires: in a change.
@@ -170,7 +174,9 @@ class TreeStore::Replacement {
   std::size_t objects_ = 0;
   std::vector<std::int64_t> ids_;
   std::vector<double> records_;
-  std::unique_ptr<PartitionedLoad> load_;  ///< of more objects than may be sorted together
+  // Of more objects than may be sorted together:
+  IdSum seen_;
+  std::unique_ptr<ObjectSpill> spill_;
 };
 
 /// Reads and checks every leaf when it is made, whether or not the tree refers to it; the contents of inner nodes

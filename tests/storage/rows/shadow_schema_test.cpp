@@ -133,9 +133,8 @@ TEST(ShadowSchema, NoStatementIsOpenAfterAnyCall) {
   commit(db, *store);
   store->read(5);
   store->read_version();
-  std::vector<std::int64_t> ids;
-  std::vector<double> records;
-  store->next_leaf(0, ids, records);
+  Node leaf;
+  store->next_leaf(0, leaf);
   contents(*store);
   for (sqlite3_stmt* s = sqlite3_next_stmt(db, nullptr); s; s = sqlite3_next_stmt(db, s))
     EXPECT_FALSE(sqlite3_stmt_busy(s)) << sqlite3_sql(s);

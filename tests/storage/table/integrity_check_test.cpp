@@ -47,7 +47,10 @@ TEST_F(Damage, EveryChangedByteOfALeafIsAnErrorOnEveryPath) {
       std::vector<std::int64_t> ids;
       std::vector<double> rows;
       expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->read_all(ids, rows, never); });
-      expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->next_leaf(0, ids, rows); });
+      expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] {
+        Node leaf;
+        store->next_leaf(0, leaf);
+      });
       expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->read(1); });
     }
     db.run("ROLLBACK TO untouched; RELEASE untouched");

@@ -82,10 +82,10 @@ TEST(Store, MergesPendingLeavesIntoTheStoredOnes) {
   EXPECT_EQ(all.size(), 221u);
   EXPECT_EQ(count_of(*store), 221);
   EXPECT_TRUE(std::ranges::count(all, std::pair<std::int64_t, double>(150, -150)));
-  std::vector<std::int64_t> ids, seen;
-  std::vector<double> records;
-  for (std::int64_t leaf = 0; (leaf = store->next_leaf(leaf, ids, records)) != 0;)
-    seen.insert(seen.end(), ids.begin(), ids.end());
+  std::vector<std::int64_t> seen;
+  Node leaf;
+  for (NodeNumber number = 0; (number = store->next_leaf(number, leaf)) != 0;)
+    seen.insert(seen.end(), leaf.keys.begin(), leaf.keys.end());
   EXPECT_EQ(seen.size(), 221u);
   commit(db, *store);
   EXPECT_EQ(contents(*store), all);
