@@ -82,6 +82,7 @@ void PairUpdate::follow_reports() {
   const bool counts = !state_.clock || (changed_.a.are_known && changed_.b.are_known);
   if (!state_.clock && !instants.empty()) state_.clock = instants[(instants.size() - 1) / 2];
   if (!state_.clock && any_object(tables_)) state_.clock = 0;  // zones, and no report yet
+  const double clock_before = state_.clock.value_or(0);
   std::int64_t early = 0;
   for (const double t : instants) {
     if (t > *state_.clock + *state_.ahead)
@@ -92,7 +93,9 @@ void PairUpdate::follow_reports() {
   const std::int64_t others = static_cast<std::int64_t>(instants.size()) - early;
   const std::int64_t before = state_.early_reports;
   if (counts) {
-    state_.early_score = std::max<std::int64_t>(0, state_.early_score + early - 2 * others);
+    // Reports that advance the clock show that it is alive, however seldom they come beside one fast clock.
+    const bool advances = state_.clock.value_or(0) > clock_before;
+    state_.early_score = advances ? 0 : std::max<std::int64_t>(0, state_.early_score + early - 2 * others);
     state_.early_reports += early;
     if (early <= others) return;
   }
@@ -108,7 +111,7 @@ void PairUpdate::follow_reports() {
 
 /// After a pause of the feed that is longer than `ahead`, every report is early. The clock follows objects whose early
 /// reports agree within `ahead`, if they are more than agree at any other time. It follows fewer once their reports are
-/// more than those others, and hardly any other report comes. Some fast clocks among many right ones are neither.
+/// more than those others, and no other report advances the clock. Some fast clocks among many right ones are neither.
 void PairUpdate::follow_early_reports() {
   constexpr std::int64_t min_score = 16;
   const std::vector<double> instants = report_times(true);

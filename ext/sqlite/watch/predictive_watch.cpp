@@ -1,6 +1,7 @@
 // The virtual table predictive_watch: SQLite's callbacks. Each one delegates its work to another file:
 //
 //   CREATE  declare_watch.h     read  WatchCursor     commands  watch_commands.cpp     COMMIT  pair_update.h
+#include <algorithm>
 #include <utility>
 
 #include "database/value_text.h"
@@ -107,7 +108,16 @@ int find_equality(const sqlite3_index_info& info, int column) {
   return -1;
 }
 
-int watch_best_index(sqlite3_vtab*, sqlite3_index_info* info) noexcept {
+/// The unit is that of a look-up by id in a watched table (table_plan.cpp). Each read of a watch first compares its
+/// state with the tables; so to read all pairs once costs less than to read those of each of a hundred objects.
+void estimate(sqlite3_index_info& info, bool of_one, double pairs) {
+  constexpr double start = 100, pair = 2, objects = 1000;
+  const double rows = of_one ? std::max(1.0, pairs / objects) : pairs;
+  info.estimatedRows = static_cast<sqlite3_int64>(rows);
+  info.estimatedCost = start + pair * rows;
+}
+
+int watch_best_index(sqlite3_vtab* base, sqlite3_index_info* info) noexcept {
   int plan = 0, arguments = 0;
   const int a = find_equality(*info, watch_a), b = find_equality(*info, watch_b);
   const bool has_both = a >= 0 && b >= 0, leaves_a = has_both && is_spare_list(*info, a, b),
@@ -127,9 +137,7 @@ int watch_best_index(sqlite3_vtab*, sqlite3_index_info* info) noexcept {
   if (reads(watch_t_end, watch_dt_end)) plan |= WatchPlan::times;
   if (reads(watch_t_cpa, watch_d_cpa)) plan |= WatchPlan::approach;
   info->idxNum = plan;
-  const bool of_one = arguments > 0;
-  info->estimatedRows = of_one ? 10 : 100000;
-  info->estimatedCost = of_one ? 30 : 200000;
+  estimate(*info, arguments > 0, table_of(base).likely_pairs);
   return SQLITE_OK;
 }
 

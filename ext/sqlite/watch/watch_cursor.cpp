@@ -112,6 +112,7 @@ bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const O
 }
 
 void WatchCursor::give(std::span<const ShownPair> pairs, const WatchState& state, const OpenTables& tables) {
+  if (!only_a_ && !only_b_) table_.likely_pairs = std::max(1.0, static_cast<double>(pairs.size()));
   if ((plan_ & (WatchPlan::times | WatchPlan::approach)) != 0) {
     std::vector<PairIds> ids;
     for (const ShownPair& pair : pairs) ids.push_back({pair.a, pair.b});

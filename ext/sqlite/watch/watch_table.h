@@ -44,6 +44,7 @@ struct WatchTable : sqlite3_vtab {
   QualifiedName name;
   /// Its names before in this transaction: a rollback to a savepoint may restore one.
   std::vector<std::string> old_names = {};
+  double likely_pairs = 1000;  ///< as many as were read last, for the planner
 };
 
 /// Query plan of a watch, as xBestIndex chooses it: bits for the given ids and for the columns read.

@@ -84,6 +84,17 @@ TEST_F(WatchAhead, ItFollowsFewerShipsAfterAPause) {
   EXPECT_GE(now(), 9047) << "a ship alone";
 }
 
+// Ships at anchor report every three minutes, the boat every two seconds.
+TEST_F(WatchAhead, AFastClockThatReportsOftenDoesNotOutweighTheOthers) {
+  make_fleet(21);
+  for (int s = 1; s <= 1200; ++s) {
+    if (s % 9 == 0) report(1 + s / 9 % 20, s);
+    if (s % 2 == 0) report(21, s < 600 ? s + 7200 : s * 1000.0);
+    ASSERT_LE(now(), s);
+  }
+  EXPECT_EQ(now(), 1197);
+}
+
 TEST_F(WatchAhead, OneWrongTimeMovesNothing) {
   make_fleet(3);
   for (int round = 1; round < 30; ++round) {

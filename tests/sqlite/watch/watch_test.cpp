@@ -259,5 +259,21 @@ TEST(WatchFile, TwoTablesOfOneWatchAreUpdatedTogether) {
   EXPECT_EQ(db.rows("SELECT fault FROM predictive_watches"), "NULL");
 }
 
+/// A look-up for each of many ships would read the state of the watch as often.
+TEST_F(Watch, IsReadOnceWhereItIsJoinedWithItsShips) {
+  db.exec(
+      "INSERT INTO ships(id, t, x, y) WITH RECURSIVE n(i) AS (SELECT 1000 UNION ALL SELECT i + 1 FROM n "
+      "WHERE i "
+      "< 4000) "
+      "SELECT i, 0, 1e6 + 50 * i, 0 FROM n");
+  const std::string plan = db.rows(
+      "EXPLAIN QUERY PLAN SELECT x.id, y.id, w.t FROM alerts w JOIN ships x ON x.id = w.a JOIN ships y ON "
+      "y.id = "
+      "w.b ORDER BY w.t LIMIT 20");
+  EXPECT_LT(plan.find("SCAN w"), plan.find(" x VIRTUAL")) << plan;
+  EXPECT_NE(db.rows("EXPLAIN QUERY PLAN SELECT * FROM alerts WHERE a = 2 OR b = 2").find("MULTI-INDEX OR"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace foresee
