@@ -14,28 +14,35 @@ int output_count(const TableFunction& function) {
   return static_cast<int>(function.outputs.size());
 }
 
+/// Comparisons of xBestIndex: the letter in idxStr, 0 for those that are left to SQLite; and how a statement writes
+/// those that give an input no value.
+struct Comparison {
+  int op;
+  char letter;
+  const char* written;
+};
+constexpr Comparison comparisons[] = {
+    {SQLITE_INDEX_CONSTRAINT_EQ, '=', nullptr},  {SQLITE_INDEX_CONSTRAINT_GT, '>', ">"},
+    {SQLITE_INDEX_CONSTRAINT_GE, 'G', ">="},     {SQLITE_INDEX_CONSTRAINT_LT, '<', "<"},
+    {SQLITE_INDEX_CONSTRAINT_LE, 'L', "<="},     {SQLITE_INDEX_CONSTRAINT_NE, 0, "<>"},
+    {SQLITE_INDEX_CONSTRAINT_LIKE, 0, "LIKE"},   {SQLITE_INDEX_CONSTRAINT_GLOB, 0, "GLOB"},
+    {SQLITE_INDEX_CONSTRAINT_ISNOT, 0, "IS NOT"}};
+
 char letter_of(int op) {
-  switch (op) {
-    case SQLITE_INDEX_CONSTRAINT_EQ:
-      return '=';
-    case SQLITE_INDEX_CONSTRAINT_GT:
-      return '>';
-    case SQLITE_INDEX_CONSTRAINT_GE:
-      return 'G';
-    case SQLITE_INDEX_CONSTRAINT_LT:
-      return '<';
-    case SQLITE_INDEX_CONSTRAINT_LE:
-      return 'L';
-    default:
-      return 0;
-  }
+  const auto found = std::ranges::find(comparisons, op, &Comparison::op);
+  return found == std::end(comparisons) ? char{0} : found->letter;
+}
+
+/// The second letter of a LIMIT or OFFSET constraint; 0 for other constraints.
+char limit_letter(int op) {
+  if (op == SQLITE_INDEX_CONSTRAINT_LIMIT) return 'n';
+  return op == SQLITE_INDEX_CONSTRAINT_OFFSET ? 'o' : 0;
 }
 
 int op_of(char letter) {
-  for (int op : {SQLITE_INDEX_CONSTRAINT_EQ, SQLITE_INDEX_CONSTRAINT_GT, SQLITE_INDEX_CONSTRAINT_GE,
-                 SQLITE_INDEX_CONSTRAINT_LT, SQLITE_INDEX_CONSTRAINT_LE})
-    if (letter_of(op) == letter) return op;
-  return 0;
+  const auto found =
+      letter ? std::ranges::find(comparisons, letter, &Comparison::letter) : std::end(comparisons);
+  return found == std::end(comparisons) ? 0 : found->op;
 }
 
 /// The result of one xBestIndex call, collected constraint by constraint.
@@ -73,24 +80,26 @@ bool leaves_list_to_sqlite(const TableFunction& function, sqlite3_index_info& in
 }
 
 /// `within <= 50` would compare the input with itself, after a call that has not received it.
-[[noreturn]] void refuse_comparison(const TableFunction& function, int input, char letter) {
+void refuse_comparison(const TableFunction& function, int input, int op) {
+  const auto found = std::ranges::find(comparisons, op, &Comparison::op);
+  if (found == std::end(comparisons) || !found->written) return;
   const std::string name = function.inputs[static_cast<std::size_t>(input)];
-  const char sign = letter == 'G' || letter == '>' ? '>' : '<';
-  throw Error(name + " is an input, not an output: write " + name + " = ..., not " + name + ' ' + sign +
-              (letter == 'G' || letter == 'L' ? "= ..." : " ..."));
+  throw Error(name + " is an input, not an output: write " + name + " = ..., not " + name + ' ' +
+              found->written + " ...");
 }
 
 /// Adds constraint i to the plan. An input is consumed; a condition on a hinted output is passed to the call
 /// and SQLite checks it again. SQLite alone checks any other.
 void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info& info, int i) {
   const auto& constraint = info.aConstraint[i];
-  const char letter = letter_of(constraint.op);
   const int input = constraint.iColumn - output_count(function);
+  const bool is_input = input >= 0 && !limit_letter(constraint.op);
+  if (is_input) refuse_comparison(function, input, constraint.op);
+  const char letter =
+      is_input && constraint.op == SQLITE_INDEX_CONSTRAINT_IS ? '=' : letter_of(constraint.op);
   if (!letter || constraint.iColumn < 0) return;
-  const bool is_input = input >= 0;
   if (is_input) {
     const std::uint32_t bit = 1u << input;
-    if (letter != '=') refuse_comparison(function, input, letter);
     // One side of an OR receives the arguments of a call twice, and SQLite omits the check of the first
     // sixteen constraints only.
     if ((plan.inputs_given & bit) || i >= 16) plan.inputs_compared |= bit;
@@ -156,7 +165,7 @@ void remember(EarlierPlans& earlier, const sqlite3_index_info& info, bool null_i
 /// not true, and lose every row. So no side may be planned if an input is a literal NULL, or comes from another table
 /// and may be NULL in some row. An input that is bound later counts as not NULL: the call refuses a NULL.
 void estimate(const TableFunction& function, const Connection& connection, const FunctionPlan& plan,
-              bool loses_rows, sqlite3_index_info& info) {
+              bool is_side, bool loses_rows, sqlite3_index_info& info) {
   const CallSizes sizes = call_sizes(function, connection, plan.written, plan.inputs_given);
   const bool by_first = plan.probed_by & 1,
              by_both = plan.compares_other_id || (plan.probed_by & (plan.probed_by - 1)) != 0;
@@ -166,6 +175,9 @@ void estimate(const TableFunction& function, const Connection& connection, const
   if (by_both) rows = 1;
   if (plan.inequalities > 0) rows /= 4;
   rows = std::max(1.0, rows);
+  // An input that is read, but not given, may be inside an OR: its sides receive it.
+  const std::uint64_t inputs_read = info.colUsed >> std::min(output_count(function), 63);
+  if (!is_side && (inputs_read & ~std::uint64_t{plan.inputs_given}) != 0) cost *= 1000;
   const bool fails = (plan.inputs_given & 1) == 0 && plan.equalities == 0;
   if (loses_rows || fails) cost = 1e50;
   info.estimatedCost = cost;
@@ -204,12 +216,6 @@ int take_order(const TableFunction& function, sqlite3_index_info& info) {
 }
 
 constexpr char no_column = 'A' - 1;
-
-/// The second letter of a LIMIT or OFFSET constraint; 0 for other constraints.
-char limit_letter(int op) {
-  if (op == SQLITE_INDEX_CONSTRAINT_LIMIT) return 'n';
-  return op == SQLITE_INDEX_CONSTRAINT_OFFSET ? 'o' : 0;
-}
 
 /// Whether the call itself leaves out the rows that do not satisfy a constraint.
 bool is_applied(const TableFunction& function, const sqlite3_index_info& info, int i) {
@@ -255,7 +261,8 @@ int plan_call(const TableFunction& function, const Connection& connection, Earli
   if (earlier.side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
   info.idxNum = take_order(function, info);
   if (info.idxNum != 0) take_row_limit(function, info, plan.arguments);
-  estimate(function, connection, plan, is_side && (earlier.null_inputs || !has_two_ids(function)), info);
+  const bool loses_rows = is_side && (earlier.null_inputs || !has_two_ids(function));
+  estimate(function, connection, plan, is_side, loses_rows, info);
   info.idxStr = sqlite3_mprintf("%016llx%s", info.colUsed, described(plan, output_count(function)).c_str());
   if (!info.idxStr) return SQLITE_NOMEM;
   info.needToFreeIdxStr = 1;

@@ -119,7 +119,8 @@ const TableFunction& predictive_window() {
                                          .estimate = estimate_window,
                                          .start = start,
                                          .probed = 1u << out_id,
-                                         .estimate_probe = estimate_window_of_one};
+                                         .estimate_probe = estimate_window_of_one,
+                                         .without_default = (0x3fu << in_x0) | 1u << in_mask | 1u << in_zone};
   return function;
 }
 

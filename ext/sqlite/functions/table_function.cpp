@@ -103,21 +103,37 @@ void step(FunctionCursor& cursor) {
               " out, or write two queries with UNION ALL");
 }
 
+/// An input inside an OR or an expression does not reach the call, and SQLite compares it with no value.
+void refuse_inputs_in_or(const TableFunction& function, std::uint64_t columns_read, std::uint32_t given) {
+  for (std::size_t input = 0; input < function.inputs.size(); ++input) {
+    const std::size_t column = function.outputs.size() + input;
+    const bool is_read = column < 63 && (columns_read >> column & 1) != 0;
+    if (!is_read || (given >> input & 1) != 0 || (function.without_default >> input & 1) == 0) continue;
+    const std::string name = function.inputs[input];
+    throw Error(name + " is an input: write " + name +
+                " = ... with AND; inside OR or an expression it does not reach the function, so write two "
+                "queries with "
+                "UNION");
+  }
+}
+
 /// Sorts the values into inputs, conditions on outputs, and limits; the cursor keeps copies of the inputs for
 /// xColumn. A NULL input counts as left out. False if a condition compares with NULL: no row can match. Throws
-/// Error if a NULL would lose every row (function_plan.h). The call reads the originals, because SQLite 3.53
-/// crashes in sqlite3_value_numeric_type() of a copy.
+/// Error if a NULL, or an input inside OR, would lose every row (function_plan.h). The call reads the originals,
+/// because SQLite 3.53 crashes in sqlite3_value_numeric_type() of a copy.
 bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const char* plan,
                     std::span<sqlite3_value*> values, Arguments& sorted) {
   cursor.inputs.clear();
   cursor.inputs.resize(table.function().inputs.size());
   sorted.inputs.resize(cursor.inputs.size());
+  std::uint32_t given_inputs = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     sqlite3_value* value = values[i];
     if (read_row_limit(plan, i, value, sorted.limit)) continue;
     const PlannedArgument planned = planned_argument(plan, i);
     const bool is_null = sqlite3_value_type(value) == SQLITE_NULL;
     const int input = planned.column - table.output_count();
+    if (input >= 0) given_inputs |= 1u << input;
     if (input < 0) {
       if (is_null) return false;
       sorted.conditions.push_back({planned.column, planned.op, value});
@@ -130,6 +146,7 @@ bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const ch
       sorted.inputs[static_cast<std::size_t>(input)] = value;
     }
   }
+  refuse_inputs_in_or(table.function(), sorted.columns_read, given_inputs);
   return true;
 }
 

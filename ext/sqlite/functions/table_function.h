@@ -50,6 +50,9 @@ struct TableFunction {
   /// The estimate of a call with such an equality. `by_first`: on the first output, else on another one.
   CallEstimate (*estimate_probe)(const CallSizes& sizes, bool by_first) = nullptr;
   std::vector<std::vector<int>> orders = {};  ///< in which rows can come: ascending by these outputs
+  /// Bit set: an input that has no value where it is left out. A statement that reads it there compares it, as one side
+  /// of an OR that SQLite keeps to itself, and would lose every row: it is refused.
+  std::uint32_t without_default = 0;
 };
 
 /// The function with its inputs in order, as messages show it: predictive_position(at, tbl). Of more than `inputs`

@@ -84,8 +84,46 @@ TEST_F(JoinPlanner, AnInputTakesNoInequality) {
   EXPECT_EQ(
       db.error_of("SELECT id FROM predictive_window WHERE h = 3 AND tbl = 'ships' AND x0 >= 0 AND x1 <= 9"),
       "predictive_window: " + refusal("x0", ">="));
+  EXPECT_EQ(db.error_of(join + "within <> 50"), "predictive_join: " + refusal("within", "<>"));
+  EXPECT_EQ(db.error_of(join + "within IS NOT 50"), "predictive_join: " + refusal("within", "IS NOT"));
+  EXPECT_EQ(db.error_of(join + "method LIKE '%ee'"), "predictive_join: " + refusal("method", "LIKE"));
+  EXPECT_EQ(db.error_of(join + "method GLOB '*ee'"), "predictive_join: " + refusal("method", "GLOB"));
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_join(3, 'ships') WHERE now IS NOT NULL AND dt < 9"),
             db.rows("SELECT count(*) FROM predictive_join(3, 'ships') WHERE dt < 9"));
+}
+
+TEST_F(JoinPlanner, IsGivesAnInputAValueAsEqualityDoes) {
+  const auto pairs = [this](const std::string& where) {
+    return db.rows("SELECT a, b FROM predictive_join(3, 'ships') WHERE " + where + " ORDER BY a, b");
+  };
+  EXPECT_EQ(pairs("within IS 2"), pairs("within = 2"));
+  EXPECT_NE(pairs("within IS 2"), pairs("within = 0"));
+  EXPECT_EQ(pairs("(within, now) IS (2, 1)"), pairs("within = 2 AND now = 1"));
+  EXPECT_EQ(db.rows("SELECT name FROM foresee_tables WHERE schema_name IS 'main' ORDER BY name"),
+            db.rows("SELECT name FROM foresee_tables('main') ORDER BY name"));
+}
+
+/// SQLite compares what is inside an OR after a call without it, unless it makes a call for each side.
+TEST_F(JoinPlanner, AnInputInsideAnOrLosesNoRow) {
+  const auto sides = [](const char* first, const char* second) {
+    return "SELECT a, b, within FROM predictive_join(3, 'ships') WHERE " + std::string(first) + second +
+           " ORDER BY a, b, within";
+  };
+  const std::string both_sides =
+      "SELECT a, b, within FROM predictive_join(3, 'ships', 2) WHERE a = 42 UNION "
+      "SELECT a, b, within FROM predictive_join(3, 'ships', 0) WHERE b = 7";
+  EXPECT_EQ(db.rows(sides("(a = 42 AND within = 2)", " OR (b = 7 AND within = 0)")),
+            db.rows(both_sides + " ORDER BY a, b, within"));
+  const std::string refused =
+      "predictive_window: x0 is an input: write x0 = ... with AND; inside OR or an expression it does not "
+      "reach the "
+      "function, so write two queries with UNION";
+  const std::string window = "SELECT id FROM predictive_window(3, 'ships') WHERE ";
+  EXPECT_EQ(db.error_of(window + "(x0 = 6 AND x1 = 20) OR (x0 = 50 AND x1 = 90)"), refused);
+  EXPECT_EQ(db.error_of(window + "x0 = 6 OR id = 1"), refused);
+  EXPECT_EQ(db.error_of(window + "+x0 = 6"), refused);
+  EXPECT_EQ(db.rows(window + "x0 = 6 AND (id = 1 OR id = 7) ORDER BY id"),
+            db.rows("SELECT id FROM predictive_window(3, 'ships', 6) WHERE id IN (1, 7) ORDER BY id"));
 }
 
 TEST_F(JoinPlanner, ProbesOneObjectAlsoWhereInputsAreBound) {
