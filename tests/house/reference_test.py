@@ -12,7 +12,8 @@ import make_reference  # noqa: E402
 
 FUNCTION = re.compile(r"^(?:predictive|geo|foresee|plan)_|_to_geo$")
 SECTIONS = ["Inputs", "Outputs", "Pitfalls", "Cost", "Errors"]
-COLUMNS = """SELECT m.name || '(' || coalesce(group_concat(x.name, ', ') FILTER (WHERE x.hidden = 1), '') || ') → '
+# The column `call` is the key of a call's rows, and no input (ext/sqlite/functions/table_function.h).
+COLUMNS = """SELECT m.name || '(' || coalesce(group_concat(x.name, ', ') FILTER (WHERE x.hidden = 1 AND x.name <> 'call'), '') || ') → '
   || group_concat(x.name, ', ') FILTER (WHERE x.hidden = 0) FROM pragma_module_list m, pragma_table_xinfo(m.name) x
   WHERE m.name GLOB 'predictive_*' OR m.name GLOB '*geo*' OR m.name GLOB 'foresee_*'
   OR m.name GLOB 'plan_*' GROUP BY m.name;"""

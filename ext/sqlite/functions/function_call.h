@@ -41,14 +41,18 @@ class UsedInputs {
 
   void keep(int input, Value value) { values_.emplace_back(input, std::move(value)); }
 
+  /// Nothing if no value is kept for the input.
+  Value find(int input) const {
+    for (const auto& [place, value] : values_)
+      if (place == input) return value;
+    return {};
+  }
   /// Leaves `context` at NULL if no value is kept for the input.
   void output(int input, sqlite3_context* context) const {
-    for (const auto& [place, value] : values_) {
-      if (place != input) continue;
-      if (const auto* number = std::get_if<double>(&value)) sqlite3_result_double(context, *number);
-      if (const auto* text = std::get_if<std::string>(&value))
-        sqlite3_result_text(context, text->data(), static_cast<int>(text->size()), SQLITE_TRANSIENT);
-    }
+    const Value value = find(input);
+    if (const auto* number = std::get_if<double>(&value)) sqlite3_result_double(context, *number);
+    if (const auto* text = std::get_if<std::string>(&value))
+      sqlite3_result_text(context, text->data(), static_cast<int>(text->size()), SQLITE_TRANSIENT);
   }
 
  private:

@@ -28,9 +28,11 @@ constexpr Comparison comparisons[] = {
     {SQLITE_INDEX_CONSTRAINT_LIKE, 0, "LIKE"},   {SQLITE_INDEX_CONSTRAINT_GLOB, 0, "GLOB"},
     {SQLITE_INDEX_CONSTRAINT_ISNOT, 0, "IS NOT"}};
 
-char letter_of(int op) {
-  const auto found = std::ranges::find(comparisons, op, &Comparison::op);
-  return found == std::end(comparisons) ? char{0} : found->letter;
+const Comparison& comparison_of(int op) {
+  static constexpr Comparison other = {-1, 0, nullptr};
+  for (const Comparison& one : comparisons)
+    if (one.op == op) return one;
+  return other;
 }
 
 /// The second letter of a LIMIT or OFFSET constraint; 0 for other constraints.
@@ -40,9 +42,9 @@ char limit_letter(int op) {
 }
 
 int op_of(char letter) {
-  const auto found =
-      letter ? std::ranges::find(comparisons, letter, &Comparison::letter) : std::end(comparisons);
-  return found == std::end(comparisons) ? 0 : found->op;
+  for (const Comparison& one : comparisons)
+    if (letter && one.letter == letter) return one.op;
+  return 0;
 }
 
 /// The result of one xBestIndex call, collected constraint by constraint.
@@ -81,11 +83,11 @@ bool leaves_list_to_sqlite(const TableFunction& function, sqlite3_index_info& in
 
 /// `within <= 50` would compare the input with itself, after a call that has not received it.
 void refuse_comparison(const TableFunction& function, int input, int op) {
-  const auto found = std::ranges::find(comparisons, op, &Comparison::op);
-  if (found == std::end(comparisons) || !found->written) return;
+  const char* const written = comparison_of(op).written;
+  if (!written) return;
   const std::string name = function.inputs[static_cast<std::size_t>(input)];
-  throw Error(name + " is an input, not an output: write " + name + " = ..., not " + name + ' ' +
-              found->written + " ...");
+  throw Error(name + " is an input, not an output: write " + name + " = ..., not " + name + ' ' + written +
+              " ...");
 }
 
 /// Adds constraint i to the plan. An input is consumed; a condition on a hinted output is passed to the call
@@ -94,9 +96,11 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   const auto& constraint = info.aConstraint[i];
   const int input = constraint.iColumn - output_count(function);
   const bool is_input = input >= 0 && !limit_letter(constraint.op);
+  if (is_input && static_cast<std::size_t>(input) == function.inputs.size())
+    throw Error("too many inputs: write at most " + usage(function));
   if (is_input) refuse_comparison(function, input, constraint.op);
   const char letter =
-      is_input && constraint.op == SQLITE_INDEX_CONSTRAINT_IS ? '=' : letter_of(constraint.op);
+      is_input && constraint.op == SQLITE_INDEX_CONSTRAINT_IS ? '=' : comparison_of(constraint.op).letter;
   if (!letter || constraint.iColumn < 0) return;
   if (is_input) {
     const std::uint32_t bit = 1u << input;
@@ -176,8 +180,7 @@ void estimate(const TableFunction& function, const Connection& connection, const
   if (plan.inequalities > 0) rows /= 4;
   rows = std::max(1.0, rows);
   // An input that is read, but not given, may be inside an OR: its sides receive it.
-  const std::uint64_t inputs_read = info.colUsed >> std::min(output_count(function), 63);
-  if (!is_side && (inputs_read & ~std::uint64_t{plan.inputs_given}) != 0) cost *= 1000;
+  if (!is_side && (inputs_read(function, info.colUsed) & ~plan.inputs_given) != 0) cost *= 1000;
   const bool fails = (plan.inputs_given & 1) == 0 && plan.equalities == 0;
   if (loses_rows || fails) cost = 1e50;
   info.estimatedCost = cost;

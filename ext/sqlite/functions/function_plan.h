@@ -12,6 +12,7 @@
 // hints (function_call.h).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -50,6 +51,11 @@ PlannedArgument planned_argument(const char* plan, std::size_t argument);
 bool read_row_limit(const char* plan, std::size_t argument, sqlite3_value* value, RowLimit& limit);
 /// One bit per column, set if the statement reads it; the last one for all further columns too.
 std::uint64_t planned_columns(const char* plan);
+/// One bit per input, set if the statement reads it.
+inline std::uint32_t inputs_read(const TableFunction& function, std::uint64_t columns_read) {
+  const std::uint64_t all = (std::uint64_t{1} << function.inputs.size()) - 1;
+  return static_cast<std::uint32_t>(columns_read >> std::min<std::size_t>(function.outputs.size(), 63) & all);
+}
 /// The outputs by which rows must ascend; empty: in any order.
 std::span<const int> planned_order(const TableFunction& function, int order);
 

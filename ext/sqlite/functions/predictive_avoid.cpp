@@ -9,10 +9,10 @@
 #include "index/tpr_tree/tpr_tree.h"
 #include "motion/plan/plan_legs.h"
 #include "query/avoid/avoid.h"
+#include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 #include "sqlite/plan_values.h"
-#include "sqlite/stored_table.h"
 #include "sqlite/table/column_vocabulary.h"
 #include "sqlite/table/degrees_columns.h"
 
@@ -265,7 +265,6 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   AvoidQuestion question;
   read_inputs(call, question);
   read_wanted_outputs(call, question);
-  const std::int64_t id = call.required_integer(in_id);
   const OpenTables tables = open_tables(call, question);
   if (question.on_globe && !question.how) question.how = Manoeuvre::speed;
   if (!question.now_given) {
@@ -275,7 +274,8 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   call.reads_back_as(in_now, question.now);
   call.reads_back_as(in_within, question.within);
   call.reads_back_as(in_touching, "part");
-  read_object(tables.a, id, interrupt, question);
+  read_object(tables.a, call.required_integer(in_id), interrupt, question);
+  if (!question.now_given) require_default_now(tables, question.record, question.now);
   std::vector<AvoidRow> rows = avoid(question, interrupt);
   if (const auto clear = call.only(out_clear))
     std::erase_if(rows, [&](const AvoidRow& row) { return *clear != (row.clear ? 1 : 0); });

@@ -1,10 +1,10 @@
 #include "sqlite/functions/searched_table.h"
 
+#include "base/number_text.h"
 #include "database/value_text.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/legs/leg_scene.h"
 #include "sqlite/names/open_table.h"
-#include "sqlite/stored_table.h"
 
 namespace foresee {
 
@@ -32,6 +32,16 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
   }
   call.reads_back_as(inputs.now, searched.now);
   return searched;
+}
+
+void require_default_now(const OpenTables& tables, std::span<const double> record, double now) {
+  const auto has_plans = [](const OpenTable& table) { return table.store->declaration().layout.has_plan; };
+  if (record.empty() || !(has_plans(tables.a) || (tables.b && has_plans(*tables.b)))) return;
+  const double own = value_or(record.data(), tables.a.store->format().at.t, 0);
+  if (own < now)
+    throw Error("the newest t is " + shown(now) +
+                ", perhaps the start of a plan later than that of the object, " + shown(own) +
+                ": write now = ..., the time of the manoeuvre");
 }
 
 }  // namespace foresee

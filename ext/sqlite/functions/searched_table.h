@@ -1,11 +1,14 @@
-// Table and time `now` of a search, as the inputs of predictive_window and predictive_nearest give them.
+// Table and time `now` of a search, as the inputs of predictive_window and predictive_nearest give them; and the
+// default of `now` in tables with plans.
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "geography/frame.h"
 #include "query/scene.h"
 #include "sqlite/functions/function_call.h"
+#include "sqlite/stored_table.h"
 
 namespace foresee {
 
@@ -30,5 +33,9 @@ struct SearchedTable {
 /// alone, in a scene, whatever the method.
 SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs,
                              const std::optional<SearchedObject>& only = {});
+
+/// In a table with plans the newest t is a start, perhaps in an hour: before it nothing would be examined. Throws Error
+/// if there are plans, and the object with this record has an earlier t than `now`, the default.
+void require_default_now(const OpenTables& tables, std::span<const double> record, double now);
 
 }  // namespace foresee

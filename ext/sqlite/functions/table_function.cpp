@@ -1,6 +1,9 @@
 // The sqlite3_module of every table-valued function.
 #include "sqlite/functions/table_function.h"
 
+#include <bit>
+
+#include "base/integer_of.h"
 #include "sqlite/callback.h"
 #include "sqlite/functions/function_plan.h"
 
@@ -56,9 +59,9 @@ int function_connect(sqlite3* db, void* aux, int, const char* const*, sqlite3_vt
     const auto* registration = static_cast<const Registration*>(aux);
     const TableFunction& function = registration->function;
     const std::string columns = "CREATE TABLE x(" + joined(function.outputs, "") + ", " +
-                                joined(function.inputs, " HIDDEN") + ", PRIMARY KEY(" +
+                                joined(function.inputs, " HIDDEN") + ", call HIDDEN, PRIMARY KEY(" +
                                 (function.key ? std::string(function.key) + ", " : "") +
-                                joined(function.inputs, "") + ")) WITHOUT ROWID";
+                                "call)) WITHOUT ROWID";
     const int rc = sqlite3_declare_vtab(db, columns.c_str());
     if (rc != SQLITE_OK) return rc;
     sqlite3_vtab_config(db, SQLITE_VTAB_INNOCUOUS);
@@ -105,16 +108,13 @@ void step(FunctionCursor& cursor) {
 
 /// An input inside an OR or an expression does not reach the call, and SQLite compares it with no value.
 void refuse_inputs_in_or(const TableFunction& function, std::uint64_t columns_read, std::uint32_t given) {
-  for (std::size_t input = 0; input < function.inputs.size(); ++input) {
-    const std::size_t column = function.outputs.size() + input;
-    const bool is_read = column < 63 && (columns_read >> column & 1) != 0;
-    if (!is_read || (given >> input & 1) != 0 || (function.without_default >> input & 1) == 0) continue;
-    const std::string name = function.inputs[input];
-    throw Error(name + " is an input: write " + name +
-                " = ... with AND; inside OR or an expression it does not reach the function, so write two "
-                "queries with "
-                "UNION");
-  }
+  const std::uint32_t lost = inputs_read(function, columns_read) & function.without_default & ~given;
+  if (lost == 0) return;
+  const std::string name = function.inputs[static_cast<std::size_t>(std::countr_zero(lost))];
+  throw Error(
+      name + " is an input: write " + name +
+      " = ... with AND; inside OR or an expression it does not reach the function, so write two queries with "
+      "UNION");
 }
 
 /// Sorts the values into inputs, conditions on outputs, and limits; the cursor keeps copies of the inputs for
@@ -174,11 +174,54 @@ int function_eof(sqlite3_vtab_cursor* cursor) noexcept {
   return !cursor_of(cursor).rows;
 }
 
+/// Bytes that are the same for calls with the same inputs, and only for those: the column `call`. Equal numbers are the
+/// same, and an input that was left out is the value that it has then.
+std::string inputs_as_bytes(const FunctionCursor& cursor) {
+  std::string all;
+  const auto add = [&all](char type, const void* bytes, std::size_t size) {
+    all += type + std::to_string(size) + ':';
+    if (size > 0) all.append(static_cast<const char*>(bytes), size);
+  };
+  const auto add_number = [&add](double number) {
+    number += 0.0;  // -0 is 0
+    add('n', &number, sizeof number);
+  };
+  for (std::size_t i = 0; i < cursor.inputs.size(); ++i) {
+    sqlite3_value* const input = cursor.inputs[i].get();
+    if (!input) {
+      const UsedInputs::Value used = cursor.used.find(static_cast<int>(i));
+      if (const auto* number = std::get_if<double>(&used))
+        add_number(*number);
+      else if (const auto* text = std::get_if<std::string>(&used))
+        add('t', text->data(), text->size());
+      else
+        add('-', nullptr, 0);
+      continue;
+    }
+    const int type = sqlite3_value_type(input);
+    const std::int64_t whole = sqlite3_value_int64(input);
+    if (type == SQLITE_FLOAT ||
+        (type == SQLITE_INTEGER && integer_of(sqlite3_value_double(input)) == whole)) {
+      add_number(sqlite3_value_double(input));
+    } else if (type == SQLITE_INTEGER) {
+      add('i', &whole, sizeof whole);
+    } else {
+      const void* const bytes = sqlite3_value_blob(input);
+      add(type == SQLITE_TEXT ? 't' : 'b', bytes, static_cast<std::size_t>(sqlite3_value_bytes(input)));
+    }
+  }
+  return all;
+}
+
 int function_column(sqlite3_vtab_cursor* base, sqlite3_context* context, int column) noexcept {
   return guarded_by_name(base->pVtab, [&] {
     const FunctionCursor& cursor = cursor_of(base);
     const int input = column - table_of(base->pVtab).output_count();
     if (input < 0) return cursor.rows->output(context, column);
+    if (static_cast<std::size_t>(input) == cursor.inputs.size()) {
+      const std::string bytes = inputs_as_bytes(cursor);
+      return sqlite3_result_blob64(context, bytes.data(), bytes.size(), SQLITE_TRANSIENT);
+    }
     const OwnedValue& given = cursor.inputs[static_cast<std::size_t>(input)];
     if (given) return sqlite3_result_value(context, given.get());
     cursor.used.output(input, context);

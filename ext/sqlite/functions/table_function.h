@@ -14,7 +14,8 @@
 // of start() or next() becomes the statement's error, prefixed by the function's name.
 //
 // The key is declared as the primary key of a WITHOUT ROWID table: by it SQLite drops the rows that `a = ? OR
-// b = ?` finds twice. The inputs are part of it, because rows of different calls are different rows.
+// b = ?` finds twice. A last hidden column, `call`, is part of it, because rows of different calls are different rows:
+// it holds all inputs. The inputs themselves are not, because SQLite 3.53 says of a key that every statement reads it.
 #pragma once
 
 #include <limits>

@@ -1,6 +1,7 @@
 // predictive_watches in SQL: every watch that the connection sees, with its declaration, clock and position.
 #include <algorithm>
 
+#include "base/number_text.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
@@ -53,6 +54,15 @@ void require_listed(const OpenTable& table, const std::string& watch) {
               watch + " and CREATE it again");
 }
 
+/// A clock that no report advances while many are too early: in a table with plans it does not follow them.
+std::string fault_of_clock(const WatchState& state, const std::string& watch) {
+  constexpr std::int64_t many = 16;
+  if (!state.ahead || !state.clock || state.early_score < many) return "";
+  return "its clock stands at " + shown(*state.clock) +
+         ", and reports are later by more than ahead: INSERT INTO " + watch + "(" + watch +
+         ", now) VALUES('advance', ...) with the present time";
+}
+
 ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool counts) {
   ListedWatch watch{name};
   try {
@@ -68,6 +78,8 @@ ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool c
     if (tables.b) require_listed(*tables.b, name.table);
     if (is_lost(connection, watch.state, tables))
       watch.fault = "not up to date: read by the join, and recomputed at the next commit";
+    else
+      watch.fault = fault_of_clock(watch.state, name.table);
   } catch (const StoreError& error) {
     const int code = error.code & 0xff;
     if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;

@@ -55,7 +55,9 @@ TEST_F(JoinErrors, QuoteTheWrongInput) {
 
 TEST_F(JoinErrors, RefuseExtraInputs) {
   EXPECT_EQ(error("predictive_join(1, 'ships', 0, NULL, 0, 'auto', 0, 'main', 1, 2, 3, 4, 'all', 9)"),
-            "too many arguments on predictive_join() - max 13");
+            "predictive_join: too many inputs: write at most predictive_join(h, tbl, within, other, now, "
+            "method, within_z, "
+            "schema, own_x0, own_x1, own_y0, own_y1, contacts)");
 }
 
 TEST_F(JoinErrors, NameBothTablesOfDifferentAxes) {

@@ -105,19 +105,15 @@ TEST_F(JoinPlanner, IsGivesAnInputAValueAsEqualityDoes) {
 
 /// SQLite compares what is inside an OR after a call without it, unless it makes a call for each side.
 TEST_F(JoinPlanner, AnInputInsideAnOrLosesNoRow) {
-  const auto sides = [](const char* first, const char* second) {
-    return "SELECT a, b, within FROM predictive_join(3, 'ships') WHERE " + std::string(first) + second +
-           " ORDER BY a, b, within";
-  };
-  const std::string both_sides =
-      "SELECT a, b, within FROM predictive_join(3, 'ships', 2) WHERE a = 42 UNION "
-      "SELECT a, b, within FROM predictive_join(3, 'ships', 0) WHERE b = 7";
-  EXPECT_EQ(db.rows(sides("(a = 42 AND within = 2)", " OR (b = 7 AND within = 0)")),
-            db.rows(both_sides + " ORDER BY a, b, within"));
+  const std::string join = "SELECT a, b, within FROM predictive_join(3, 'ships'";
+  EXPECT_EQ(db.rows(join + ") WHERE (a = 42 AND within = 2) OR (b = 7 AND within = 0) ORDER BY a, b, within"),
+            db.rows(join + ", 2) WHERE a = 42 UNION " + join + ", 0) WHERE b = 7 ORDER BY a, b, within"));
+  EXPECT_EQ(db.rows(join + ") WHERE (a = 42 AND within = 0) OR b = 42 OR a = 42 ORDER BY a, b"),
+            db.rows(join + ", 0) WHERE a = 42 OR b = 42 ORDER BY a, b"));
   const std::string refused =
       "predictive_window: x0 is an input: write x0 = ... with AND; inside OR or an expression it does not "
-      "reach the "
-      "function, so write two queries with UNION";
+      "reach "
+      "the function, so write two queries with UNION";
   const std::string window = "SELECT id FROM predictive_window(3, 'ships') WHERE ";
   EXPECT_EQ(db.error_of(window + "(x0 = 6 AND x1 = 20) OR (x0 = 50 AND x1 = 90)"), refused);
   EXPECT_EQ(db.error_of(window + "x0 = 6 OR id = 1"), refused);

@@ -98,7 +98,7 @@ TEST_F(TableFunctionTest, SaysWhatIsMissingOrWrong) {
             "countdown: label must be a name in quotes, or NULL to leave it out, not 2: write "
             "countdown(start, step, label)");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(1, 1, 'x', 4)"),
-            "too many arguments on countdown() - max 3");
+            "countdown: too many inputs: write at most countdown(start, step, label)");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(4, 1, 'fall')"), "countdown: fell at 1");
 }
 

@@ -95,6 +95,26 @@ TEST_F(WatchAhead, AFastClockThatReportsOftenDoesNotOutweighTheOthers) {
   EXPECT_EQ(now(), 1197);
 }
 
+// The t of a plan is its start, which may be planned for later, so the clock does not follow.
+TEST_F(WatchAhead, AClockThatStandsInATableWithPlansIsAFault) {
+  db.exec(
+      "CREATE VIRTUAL TABLE ferries USING moving_objects(id, t, x, y, plan);"
+      "INSERT INTO ferries(id, t, x, y) VALUES (1, 0, 0, 0), (2, 0, 9, 0);"
+      "CREATE VIRTUAL TABLE alerts USING predictive_watch(ferries, horizon = 100, ahead = 60)");
+  const auto report = [this](int t) { db.exec("UPDATE ferries SET t = " + std::to_string(t)); };
+  report(30);
+  const std::string state = "SELECT now, fault FROM predictive_watches";
+  EXPECT_EQ(db.rows(state), "30.0|NULL");
+  for (int i = 0; i < 10; ++i) report(9000 + i);
+  EXPECT_EQ(db.rows(state),
+            "30.0|its clock stands at 30, and reports are later by more than ahead: INSERT INTO "
+            "alerts(alerts, now) "
+            "VALUES('advance', ...) with the present time");
+  db.exec("INSERT INTO alerts(alerts, now) VALUES('advance', 9009)");
+  report(9010);
+  EXPECT_EQ(db.rows(state), "9010.0|NULL");
+}
+
 TEST_F(WatchAhead, OneWrongTimeMovesNothing) {
   make_fleet(3);
   for (int round = 1; round < 30; ++round) {

@@ -188,6 +188,13 @@ void finish(const AggregateRules& rules, sqlite3_context* context) {
       return std::tie(a.leg.t, a.leg.until, a.leg.x, a.leg.v, a.leg.a) <
              std::tie(b.leg.t, b.leg.until, b.leg.x, b.leg.v, b.leg.a);
     });
+    // Feeds deliver twice: a row that is there again says nothing new.
+    const auto is_same = [](const PlanRow& a, const PlanRow& b) {
+      return std::tie(a.leg.t, a.leg.until, a.leg.x, a.leg.v, a.leg.a, a.is_gap, a.lasts_to_next) ==
+             std::tie(b.leg.t, b.leg.until, b.leg.x, b.leg.v, b.leg.a, b.is_gap, b.lasts_to_next);
+    };
+    collected->rows.erase(std::unique(collected->rows.begin(), collected->rows.end(), is_same),
+                          collected->rows.end());
     const Plan plan =
         rules.kind == PlanKind::knots ? plan_of_points(*collected) : plan_of_legs(*collected, rules.kind);
     if (leg_count(plan) == 0) return;

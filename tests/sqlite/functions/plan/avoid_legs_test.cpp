@@ -202,5 +202,26 @@ TEST_F(AvoidInLegs, NamesTheFirstDelayThatItTakes) {
             "1");
 }
 
+/// The newest t is then the start of another plan, and a contact before it would not be examined.
+TEST_F(AvoidInLegs, ALaterPlanOfAnotherObjectNeedsNow) {
+  db.exec(
+      "CREATE VIRTUAL TABLE bots USING moving_objects(id, x, y, plan, r); INSERT INTO bots(id, plan, r) "
+      "VALUES"
+      "  (1, 'LINESTRING M(0 0 0, 40 0 20, 40 0 inf)', 1), (2, 'LINESTRING M(20 -20 0, 20 20 20, 20 20 "
+      "inf)', 1)");
+  const std::string query =
+                        "SELECT clear, round(k_from, 2), round(k_to, 2) FROM predictive_avoid(60, 'bots', 1, "
+                        "1, 'wait', 0, 30",
+                    ranges = "0|0.0|2.12\n1|2.12|30.0";
+  EXPECT_EQ(db.rows(query + ")"), ranges);
+  db.exec("INSERT INTO bots(id, plan, r) VALUES (3, 'LINESTRING M(500 500 3600, 600 500 3700)', 1)");
+  EXPECT_EQ(
+      db.error_of(query + ")"),
+      "predictive_avoid: the newest t is 3600, perhaps the start of a plan later than that of the object, 0: "
+      "write now = ..., the time of the manoeuvre");
+  EXPECT_EQ(db.rows(query + ", 0)"), ranges);
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(60, 'bots', 3, 1, 'wait', 0, 30)"), "");
+}
+
 }  // namespace
 }  // namespace foresee::testing

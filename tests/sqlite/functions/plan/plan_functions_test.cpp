@@ -46,6 +46,9 @@ TEST_F(PlanFunctions, PointsInAnyOrderAreOnePlan) {
                     "* FROM w ORDER BY t))"),
             "1");
   EXPECT_EQ(legs("(SELECT plan_points(t, x, y) FROM w)"), "1|0.0|5.0|0.0|2.0\n2|5.0|9.0|10.0|0.0");
+  EXPECT_EQ(legs("(SELECT plan_points(t, x, y) FROM (SELECT * FROM w UNION ALL SELECT * FROM w))"),
+            legs("(SELECT plan_points(t, x, y) FROM w)"))
+      << "what is delivered twice counts once";
   EXPECT_EQ(legs("(SELECT plan_points(t, x, y, 7) FROM w)", "z, vz"), "7.0|0.0\n7.0|0.0");
   EXPECT_EQ(db.rows("SELECT plan_points(t, x) IS NULL FROM w WHERE 0"), "1");
   EXPECT_EQ(db.rows("SELECT plan_points(t, x) IS NULL FROM (SELECT NULL AS t, NULL AS x)"), "1");
@@ -193,8 +196,10 @@ TEST_F(PlanFunctions, SayWhichNumberIsWrong) {
   EXPECT_EQ(error("plan_points(1, 2, 'east')"), "plan_points: at t = 1: y must be a number, not 'east'");
   EXPECT_EQ(error("plan_points(1, 2)"),
             "plan_points: one knot at t = 1: a leg needs two; leave it out, or write a plain row");
+  EXPECT_EQ(error("plan_points(1, x) FROM (SELECT 1 AS x UNION ALL SELECT 2)"),
+            "plan_points: t is 1 in two rows, at (1) and at (2): times must rise; leave one out");
   EXPECT_EQ(error("plan_points(t, t) FROM (SELECT 1 AS t UNION ALL SELECT 1)"),
-            "plan_points: t is 1 in two rows, at (1) and at (1): times must rise; leave one out");
+            "plan_points: one knot at t = 1: a leg needs two; leave it out, or write a plain row");
   EXPECT_EQ(
       error("plan_points(1, x, 7) FROM (SELECT NULL AS x UNION ALL SELECT -2)"),
       "plan_points: t is 1 in two rows, at (-2, 7) and without a position: times must rise; leave one out");
@@ -208,8 +213,8 @@ TEST_F(PlanFunctions, SayWhichNumberIsWrong) {
   EXPECT_EQ(error("plan_uniform(1, 2, 1, NULL)"),
             "plan_uniform: at t = 1: a number of the leg is NULL: write 0, or leave the row out");
   EXPECT_EQ(
-      error("plan_uniform(t, NULL, 1, 1) FROM (SELECT 1 AS t UNION ALL SELECT 1)"),
-      "plan_uniform: t is 1 in two rows, at (1) and at (1): times must rise; write until, or leave one out");
+      error("plan_uniform(1, NULL, x, 1) FROM (SELECT 1 AS x UNION ALL SELECT 2)"),
+      "plan_uniform: t is 1 in two rows, at (1) and at (2): times must rise; write until, or leave one out");
   EXPECT_EQ(error("plan_accelerated(t, t + 2, 1, 1, 1) FROM (SELECT 1 AS t UNION ALL SELECT 2)"),
             "plan_accelerated: leg 2 starts at 2, before leg 1 ends at 3");
   EXPECT_EQ(error("plan_uniform(9e999, NULL, 1, 1)"), "plan_uniform: t is infinite: write a finite number");
