@@ -3,11 +3,11 @@
     python3 modules.py ext tests        # prints one line a violation; status 1 if there is any
 
 The order: sqlite -> query -> index -> contact -> shape -> motion -> numbers -> base. A module may include modules to its
-right and no others, with exceptions: geography may include shape, motion and base; format these, geography and the page and tree
-interface of index; database base alone; storage these, format and database. Only sqlite may include storage. SQLite's headers are
-for database, storage and sqlite alone. Modules inside a module have an order too; files directly in a module may include them and be included. No headers include each
-other in a circle. Every folder of tests/ is a module of ext/, except for those of TESTS_OF_NO_MODULE. A test that is named after
-a file stands in that file's module.
+right and no others, with exceptions: geography may include shape, motion and base; format these, geography and the page and
+tree interface of index; database base alone; storage what format may, format and database. Only sqlite may include storage.
+SQLite's headers are for database, storage and sqlite alone. Modules inside a module have an order too; files directly in a
+module may include them and be included. No headers include each other in a circle. Every folder of tests/ is a module of ext/,
+except for those of TESTS_OF_NO_MODULE. A test that is named after a file stands in that file's module.
 """
 import re
 import sys

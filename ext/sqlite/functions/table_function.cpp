@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "base/integer_of.h"
+#include "database/value_text.h"
 #include "sqlite/callback.h"
 #include "sqlite/functions/function_plan.h"
 
@@ -178,36 +179,44 @@ int function_eof(sqlite3_vtab_cursor* cursor) noexcept {
 /// same, and an input that was left out is the value that it has then.
 std::string inputs_as_bytes(const FunctionCursor& cursor) {
   std::string all;
-  const auto add = [&all](char type, const void* bytes, std::size_t size) {
-    all += type + std::to_string(size) + ':';
-    if (size > 0) all.append(static_cast<const char*>(bytes), size);
+  const auto add = [&all](char type, std::string_view bytes) {
+    all += type + std::to_string(bytes.size()) + ':';
+    all += bytes;
   };
-  const auto add_number = [&add](double number) {
-    number += 0.0;  // -0 is 0
-    add('n', &number, sizeof number);
+  const auto add_bits = [&add](char type, auto number) {
+    add(type, {reinterpret_cast<const char*>(&number), sizeof number});
   };
+  const auto add_number = [&add_bits](double number) { add_bits('n', number + 0.0); };  // -0 is 0
   for (std::size_t i = 0; i < cursor.inputs.size(); ++i) {
     sqlite3_value* const input = cursor.inputs[i].get();
-    if (!input) {
-      const UsedInputs::Value used = cursor.used.find(static_cast<int>(i));
-      if (const auto* number = std::get_if<double>(&used))
-        add_number(*number);
-      else if (const auto* text = std::get_if<std::string>(&used))
-        add('t', text->data(), text->size());
-      else
-        add('-', nullptr, 0);
-      continue;
-    }
-    const int type = sqlite3_value_type(input);
-    const std::int64_t whole = sqlite3_value_int64(input);
-    if (type == SQLITE_FLOAT ||
-        (type == SQLITE_INTEGER && integer_of(sqlite3_value_double(input)) == whole)) {
-      add_number(sqlite3_value_double(input));
-    } else if (type == SQLITE_INTEGER) {
-      add('i', &whole, sizeof whole);
-    } else {
-      const void* const bytes = sqlite3_value_blob(input);
-      add(type == SQLITE_TEXT ? 't' : 'b', bytes, static_cast<std::size_t>(sqlite3_value_bytes(input)));
+    const UsedInputs::Value used = input ? UsedInputs::Value{} : cursor.used.find(static_cast<int>(i));
+    switch (input ? sqlite3_value_type(input) : SQLITE_NULL) {
+      case SQLITE_NULL:
+        if (const auto* number = std::get_if<double>(&used))
+          add_number(*number);
+        else if (const auto* text = std::get_if<std::string>(&used))
+          add('t', *text);
+        else
+          add('-', {});
+        break;
+      case SQLITE_INTEGER:
+        if (integer_of(sqlite3_value_double(input)) != sqlite3_value_int64(input)) {
+          add_bits('i', sqlite3_value_int64(input));
+          break;
+        }
+        [[fallthrough]];
+      case SQLITE_FLOAT:
+        add_number(sqlite3_value_double(input));
+        break;
+      case SQLITE_TEXT:
+        add('t', text_of(input));
+        break;
+      case SQLITE_BLOB: {
+        const auto* const bytes = static_cast<const char*>(sqlite3_value_blob(input));
+        const auto size = static_cast<std::size_t>(sqlite3_value_bytes(input));
+        if (!bytes && size > 0) throw std::bad_alloc();
+        add('b', {bytes, size});
+      }
     }
   }
   return all;

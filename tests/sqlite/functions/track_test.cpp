@@ -77,6 +77,19 @@ TEST_F(UsedInputsTest, ReadBackAsGivenWhereTheyWere) {
             "2");
 }
 
+// A text is the same whatever the encoding of the database, and whether it was given or left out.
+TEST(UsedInputs, AreTheSameCallInUtf16) {
+  Database db;
+  db.exec(
+      "PRAGMA encoding = 'UTF-16le'; CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, r);"
+      "INSERT INTO ships WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 4000) "
+      "SELECT i, 3 * i, 0, 2 FROM n");
+  const std::string sides =
+      "SELECT a, b FROM predictive_join(5) WHERE (a = 7 AND tbl = 'ships') OR a = 7 OR b = 7";
+  EXPECT_NE(db.rows("EXPLAIN QUERY PLAN " + sides).find("MULTI-INDEX OR"), std::string::npos);
+  EXPECT_EQ(db.rows(sides + " ORDER BY a"), "6|7\n7|8");
+}
+
 TEST_F(UsedInputsTest, LoseNoRowAndRepeatNone) {
   const std::string all = db.rows("SELECT a, b FROM predictive_join(20)");
   EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(20) WHERE a = 1 OR t < 100"), all);
