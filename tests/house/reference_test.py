@@ -1,4 +1,4 @@
-"""docs/reference/: the generated pages are current, every function has a page with its signature, and all pages have one skeleton."""
+"""docs/reference/ and the man page: generated pages are current, every function is there with its signature, all pages have one skeleton."""
 import re
 import sys
 import unittest
@@ -61,6 +61,15 @@ class Functions(unittest.TestCase):
             name = row.partition("(")[0]
             if name != "predictive_watch":  # a table of its own: CREATE VIRTUAL TABLE declares it
                 self.assertIn(row, " ".join(self.pages[name].split()))
+
+    def test_the_man_page_has_the_signatures_of_the_module(self):
+        page = (ROOT / "ext/hosts/man/foresee.3.in").read_text()
+        for row in said(COLUMNS):
+            signature, _, outputs = row.partition(" → ")
+            entry = re.search(rf"^\.B {re.escape(signature)}\n(.*?)^\.TP", page, re.M | re.S)
+            self.assertIsNotNone(entry, f"the man page has no entry {signature}")
+            if not signature.startswith("predictive_watches("):
+                self.assertTrue(entry.group(1).endswith(f"\n{outputs}.\n"), f"{signature} returns {outputs}")
 
     def test_pages_have_one_skeleton_and_start_with_an_example(self):
         for name, text in self.functions().items():
