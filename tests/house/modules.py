@@ -31,7 +31,7 @@ INSIDE = {
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
     "shape": ["mesh", "outline"],
     "query": ["avoid", "watch", "join", "tile", "sweep", "window", "nearest", "position", "legs"],
-    "storage": ["table", "tree", "nodes", "journal", "rows"],
+    "storage": ["table", "tree", "nodes", "rows"],
     "sqlite": ["watch", "functions", "names", "table"],
 }
 # Folders of tests/ that are of no one module, and files that tests read.

@@ -56,7 +56,7 @@ class ModuleGuard(unittest.TestCase):
         self.passes("storage/table/store.h", '#include "storage/nodes/node_cache.h"\n#include "database/statement.h"')
         self.passes("query/scene.h", '#include "query/join/join.h"')
         self.passes("query/join/join.h", '#include "query/scene.h"')
-        self.catches("storage/nodes/node_history.h", '#include "storage/table/store.h"', "storage/nodes may include journal, rows")
+        self.catches("storage/nodes/node_history.h", '#include "storage/table/store.h"', "storage/nodes may include rows")
         self.catches("query/window/window.h", '#include "query/join/join.h"', "query/window may include nearest, position")
         self.catches("query/window/window.h", '#include "query/annex/join.h"', "query/annex has no place")
 

@@ -23,8 +23,8 @@
 #include <utility>
 #include <vector>
 
+#include "database/memory_budget.h"
 #include "format/chunk_blob.h"
-#include "storage/nodes/memory_budget.h"
 #include "storage/nodes/node_slots.h"
 
 namespace foresee {

@@ -16,8 +16,8 @@
 #include <optional>
 
 #include "base/error.h"
-#include "storage/journal/journal.h"
-#include "storage/nodes/id_filter.h"
+#include "database/id_filter.h"
+#include "database/journal.h"
 #include "storage/nodes/placed_ids.h"
 #include "storage/rows/tree_rows.h"
 

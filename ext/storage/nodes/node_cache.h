@@ -17,10 +17,10 @@
 #include <optional>
 #include <vector>
 
+#include "database/memory_budget.h"
 #include "format/node_format.h"
 #include "storage/nodes/id_map.h"
 #include "storage/nodes/leaf_hints.h"
-#include "storage/nodes/memory_budget.h"
 #include "storage/nodes/node_slots.h"
 #include "storage/nodes/pending_objects.h"
 

@@ -14,8 +14,8 @@
 
 #include <span>
 
-#include "storage/journal/journal.h"
-#include "storage/rows/id_hash_map.h"
+#include "database/id_hash_map.h"
+#include "database/journal.h"
 
 namespace foresee {
 

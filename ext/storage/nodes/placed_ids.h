@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "base/repeatable_choice.h"
+#include "database/id_hash_map.h"
 #include "format/id_block.h"
-#include "storage/rows/id_hash_map.h"
 
 namespace foresee {
 

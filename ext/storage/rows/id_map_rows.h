@@ -20,7 +20,7 @@
 #include "database/shadow_tables.h"
 #include "database/statement.h"
 #include "format/id_block.h"
-#include "storage/rows/id_hash_map.h"
+#include "database/id_hash_map.h"
 
 namespace foresee {
 

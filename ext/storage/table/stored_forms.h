@@ -16,8 +16,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "database/journal.h"
 #include "shape/shared_form.h"
-#include "storage/journal/journal.h"
 #include "storage/rows/shape_rows.h"
 
 namespace foresee {

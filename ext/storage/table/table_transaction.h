@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "database/sqlite_api.h"
-#include "storage/journal/version.h"
+#include "storage/table/version.h"
 
 namespace foresee {
 

@@ -7,11 +7,11 @@
 #include <algorithm>
 
 #include "base/interrupt_steps.h"
+#include "base/record_sample.h"
 #include "database/sqlite_api.h"
 #include "format/inner_node.h"
 #include "format/leaf_node.h"
 #include "storage/nodes/object_spill.h"
-#include "storage/tree/record_sample.h"
 #include "storage/tree/tree_store.h"
 
 namespace foresee {

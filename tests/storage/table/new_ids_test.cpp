@@ -1,4 +1,4 @@
-// After a large load: look-ups of stored ids and of new ids (nodes/id_filter.h).
+// After a large load: look-ups of stored ids and of new ids (database/id_filter.h).
 #include "storage/table/partitioned_table.h"
 
 namespace foresee {

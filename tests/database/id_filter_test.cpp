@@ -1,4 +1,4 @@
-#include "storage/nodes/id_filter.h"
+#include "database/id_filter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Hash map of ids: what was set is found, and what was cleared is gone.
-#include "storage/rows/id_hash_map.h"
+#include "database/id_hash_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Memory budget: one limit for all tables of a connection.
-#include "storage/nodes/memory_budget.h"
+#include "database/memory_budget.h"
 
 #include "index/tpr_tree/tpr_tree.h"
 #include "storage/database.h"

@@ -23,7 +23,7 @@
 #include <atomic>
 #include <optional>
 
-#include "storage/journal/journal.h"
+#include "database/journal.h"
 
 namespace foresee {
 

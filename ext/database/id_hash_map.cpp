@@ -1,4 +1,4 @@
-#include "storage/rows/id_hash_map.h"
+#include "database/id_hash_map.h"
 
 #include <algorithm>
 #include <utility>

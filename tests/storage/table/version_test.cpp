@@ -1,5 +1,5 @@
 // Version: equal only for equal contents, and as it was after every rollback.
-#include "storage/journal/version.h"
+#include "storage/table/version.h"
 
 #include <gtest/gtest.h>
 

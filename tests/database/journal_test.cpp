@@ -1,5 +1,5 @@
 // Journal: after a rewind every participant has the state of the mark, however marks are set and forgotten.
-#include "storage/journal/journal.h"
+#include "database/journal.h"
 
 #include <gtest/gtest.h>
 

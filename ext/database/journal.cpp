@@ -1,4 +1,4 @@
-#include "storage/journal/journal.h"
+#include "database/journal.h"
 
 #include <algorithm>
 

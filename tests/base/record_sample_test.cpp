@@ -1,5 +1,5 @@
 // Sample of records: represents all of them, also if they repeat periodically.
-#include "storage/tree/record_sample.h"
+#include "base/record_sample.h"
 
 #include <gtest/gtest.h>
 
