@@ -28,16 +28,21 @@ void MapRows::damaged(std::int64_t row, const char* what) const {
                                             std::to_string(row) + ": " + what);
 }
 
-IdBlock MapRows::row_of(Statement::Run& run) const {
+void MapRows::add_row(Statement::Run& run, IdBlock& block) const {
   const std::int64_t id = number_after(std::nullopt, run, {table_, map_.c_str()});
-  IdBlock block(IdBlock::base_of(id));
   if (run.is_blob(1)) {
     if (id != block.base()) damaged(id, "a block starts at a multiple of 64");
     if (const char* fault = block.decode(run.blob(1))) damaged(id, fault);
-  } else {
-    if (!run.is_integer(1) || run.integer(1) < 1) damaged(id, "a leaf's number is a positive integer");
-    block.set(id, run.integer(1));
+    return;
   }
+  if (!run.is_integer(1) || run.integer(1) < 1) damaged(id, "a leaf's number is a positive integer");
+  if (block.leaf_of(id) != 0) damaged(id, "an id is in two rows");
+  block.set(id, run.integer(1));
+}
+
+IdBlock MapRows::row_of(Statement::Run& run) const {
+  IdBlock block(IdBlock::base_of(run.integer(0)));
+  add_row(run, block);
   return block;
 }
 
@@ -50,15 +55,12 @@ IdBlock MapRows::row_after(std::optional<std::int64_t>& last, Statement::Run& ru
   return block;
 }
 
-IdBlock MapRows::read_block(std::int64_t base, std::vector<std::int64_t>* rows) {
-  IdBlock block(base);
+IdBlock MapRows::find(std::int64_t id) {
+  IdBlock block(IdBlock::base_of(id));
   Statement::Run run(between_);
   run.bind(1, block.base());
   run.bind(2, block.last());
-  for (std::optional<std::int64_t> last; run.step();) {
-    row_after(last, run).for_each([&](std::int64_t id, std::int64_t leaf) { block.set(id, leaf); });
-    if (rows) rows->push_back(run.integer(0));
-  }
+  while (run.step()) add_row(run, block);
   return block;
 }
 
@@ -128,25 +130,59 @@ bool MapRows::is_empty() {
   return !Statement::Run(any_).step();
 }
 
+// --- writing
+
 void MapRows::write(std::span<const IdHashMap::Entry> changes) {
+  constexpr std::size_t at_once = 64;
   const std::optional<std::int64_t> largest = read_largest_id();
+  std::vector<ChangedBlock> blocks;
+  blocks.reserve(std::min(at_once, changes.size()));
   while (!changes.empty()) {
-    const std::int64_t base = IdBlock::base_of(changes[0].id);
-    std::size_t count = 1;
-    while (count < changes.size() && IdBlock::base_of(changes[count].id) == base) ++count;
-    write_block(changes.first(count), !largest || *largest < base);
-    changes = changes.subspan(count);
+    std::size_t may_be_stored = 0;
+    for (blocks.clear(); !changes.empty() && blocks.size() < at_once;) {
+      const IdBlock block(IdBlock::base_of(changes[0].id));
+      std::size_t count = 1;
+      while (count < changes.size() && changes[count].id <= block.last()) ++count;
+      blocks.push_back({block, changes.first(count)});
+      may_be_stored += largest && block.base() <= *largest;
+      changes = changes.subspan(count);
+    }
+    read_blocks(std::span(blocks).first(may_be_stored));
+    for (ChangedBlock& changed : blocks) write_block(changed);
   }
 }
 
-void MapRows::write_block(std::span<const IdHashMap::Entry> changes, bool is_new) {
-  std::vector<std::int64_t> stored;
-  IdBlock block(IdBlock::base_of(changes[0].id));
-  if (!is_new) block = read_block(block.base(), &stored);
-  for (const IdHashMap::Entry& change : changes) block.set(change.id, change.value);
-  const bool has_others =
-      std::any_of(stored.begin(), stored.end(), [&](std::int64_t row) { return row != block.base(); });
-  if (has_others || (block.count() == 0 && !stored.empty())) {
+// The next row of a scan costs a fifth of a look-up. So rows of other blocks are skipped, but not many in vain.
+void MapRows::read_blocks(std::span<ChangedBlock> blocks) {
+  constexpr int max_skipped = 4;
+  int may_skip = max_skipped;
+  for (auto next = blocks.begin(); next != blocks.end();) {
+    Statement::Run run(between_);
+    run.bind(1, next->block.base());
+    run.bind(2, blocks.back().block.last());
+    for (int skipped = 0; skipped <= may_skip;) {
+      if (!run.step()) return;
+      const std::int64_t id = run.integer(0);
+      while (next != blocks.end() && next->block.last() < id) ++next;
+      if (next == blocks.end()) return;
+      if (id < next->block.base()) {
+        ++skipped;
+        continue;
+      }
+      if (skipped > 0) may_skip = max_skipped;
+      skipped = 0;
+      add_row(run, next->block);
+      next->is_stored = true;
+      next->has_others |= id != next->block.base();
+    }
+    may_skip /= 2;
+  }
+}
+
+void MapRows::write_block(ChangedBlock& changed) {
+  IdBlock& block = changed.block;
+  for (const IdHashMap::Entry& change : changed.changes) block.set(change.id, change.value);
+  if (changed.has_others || (block.count() == 0 && changed.is_stored)) {
     Statement::Run run(erase_between_);
     run.bind(1, block.base());
     run.bind(2, block.last());

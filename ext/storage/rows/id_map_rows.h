@@ -9,7 +9,8 @@
 // that it changes to blocks, so such a table is migrated gradually; no id is in rows of both kinds.
 //
 // Rows may be damaged: SQLITE_CORRUPT_VTAB for a blob that is not a block, a number that cannot be a leaf, or
-// an id in two rows. Cost: find() is one look-up for 64 ids; write() is a look-up and a write per block.
+// an id in two rows. Cost: find() is one look-up for 64 ids. write() takes a write per block, and reads each by a scan
+// if most blocks change, else by a look-up.
 #pragma once
 
 #include <limits>
@@ -17,10 +18,10 @@
 #include <span>
 #include <vector>
 
+#include "database/id_hash_map.h"
 #include "database/shadow_tables.h"
 #include "database/statement.h"
 #include "format/id_block.h"
-#include "database/id_hash_map.h"
 
 namespace foresee {
 
@@ -45,7 +46,7 @@ class MapRows {
   explicit MapRows(const ShadowTables& tables, const std::string& prefix = "");
 
   /// The block of `id`.
-  IdBlock find(std::int64_t id) { return read_block(IdBlock::base_of(id), nullptr); }
+  IdBlock find(std::int64_t id);
   std::optional<std::int64_t> find_leaf(std::int64_t id);
   std::optional<std::int64_t> read_largest_id() { return read_end(IdOrder::descending); }
   /// From the smallest id to the largest; nothing without ids.
@@ -71,14 +72,23 @@ class MapRows {
  private:
   /// The first id in this order.
   std::optional<std::int64_t> read_end(IdOrder order);
+  /// A block that changes, and what is stored of it.
+  struct ChangedBlock {
+    IdBlock block;
+    std::span<const IdHashMap::Entry> changes;
+    bool is_stored = false;
+    bool has_others = false;  ///< rows of version 0.1
+  };
+
+  /// Adds the current row of `run`, which is of this block, to it.
+  void add_row(Statement::Run& run, IdBlock& block) const;
   /// The current row of `run`.
   IdBlock row_of(Statement::Run& run) const;
   /// row_of() `run`. Throws unless its ids are larger than `last`, which becomes the last id of this row.
   IdBlock row_after(std::optional<std::int64_t>& last, Statement::Run& run) const;
-  /// Reads the block with this base; appends the numbers of its rows to `rows`, unless it is null.
-  IdBlock read_block(std::int64_t base, std::vector<std::int64_t>* rows);
-  /// Applies `changes`, all in one block, to that block; `is_new`: nothing of it is stored yet.
-  void write_block(std::span<const IdHashMap::Entry> changes, bool is_new);
+  /// Reads what is stored of these blocks, which ascend.
+  void read_blocks(std::span<ChangedBlock> blocks);
+  void write_block(ChangedBlock& changed);
   [[noreturn]] void damaged(std::int64_t row, const char* what) const;
 
   std::string table_, map_;  ///< the table; the suffix of its map

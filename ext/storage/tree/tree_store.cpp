@@ -105,7 +105,7 @@ void TreeStore::merge_pending(Reason reason, Interrupt& interrupt) {
   reporting_damage([&] {
     const std::vector<std::int64_t> erased = pending_.erased_ids();
     cache_.trust_leaves_of(pending_);
-    constexpr std::size_t many = 1 << 14;
+    constexpr std::size_t many = 1 << 10;
     if (reason == Reason::commit && pending_.count() + erased.size() >= many) cache_.start_commit();
     const std::size_t max_leaves =
         share_.budget().max_waiting() / format_.node_size / 2;  // each as it was and as it becomes
@@ -235,23 +235,12 @@ void TreeStore::read_leaves(Interrupt& interrupt, const UseLeaf& use) {
 }
 
 void TreeStore::read_leaves(std::span<const NodeNumber> numbers, Interrupt& interrupt, const UseLeaf& use) {
-  Node leaf;
   unsigned leaves = 0;
   for (const NodeNumber number : numbers) {
     if (++leaves % 16 == 0) interrupt.check();
-    const auto unwritten = cache_.dirty_node(number);
-    bool is_leaf = false;
-    if (unwritten) {
-      is_leaf = *unwritten && (*unwritten)->is_leaf();
-      if (is_leaf) use(**unwritten);
-    } else {
-      rows_->nodes().read_one(number, [&](std::span<const std::byte> blob) {
-        is_leaf = is_sound_leaf(number, blob);
-        if (is_leaf) decode_leaf(format_, blob, leaf);
-      });
-      if (is_leaf) use(leaf);
-    }
-    if (!is_leaf) damaged("leaf " + std::to_string(number) + " is missing");
+    const std::shared_ptr<const Node> leaf = cache_.read(number);
+    if (!leaf->is_leaf()) damaged("node " + std::to_string(number) + " is no leaf");
+    use(*leaf);
   }
 }
 

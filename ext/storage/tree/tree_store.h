@@ -78,7 +78,7 @@ class TreeStore final : private MemoryHolder {
   /// Reads every leaf once, by ascending number, without pending objects: from memory if it is dirty, else
   /// from its row, checked.
   void read_leaves(Interrupt& interrupt, const UseLeaf& use);
-  /// Reads only the leaves of these numbers, which ascend.
+  /// Reads only the leaves of these numbers, through the cache.
   void read_leaves(std::span<const NodeNumber> numbers, Interrupt& interrupt, const UseLeaf& use);
   /// Reads the next leaf with objects after leaf `after` (0: the first one). Returns its number, or 0 at the end.
   NodeNumber next_leaf(NodeNumber after, Node& leaf);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "base/repeatable_choice.h"
@@ -62,20 +63,24 @@ class RunMerge {
     bool is_all() const { return run.front().level > 1; }
   };
 
-  /// Packs the objects that have come to a partition, with its loose leaves or with all of it.
+  /// Packs the objects that have come to a partition, with its newest loose leaves or with all of it.
   void pack(NodeNumber number, const Visit& visit) {
     interrupt_.check();
     const auto partition = state_.pages.read(number);
     Remainder& objects = packing_;
     objects.clear();
     Packed packed{number, visit.parent, {}, {}};
-    for (std::size_t slot = 0; slot < partition->size(); ++slot)
-      if (is_loose(*partition, slot, number)) take_leaf(*partition, slot, packed, objects);
-    const std::size_t main = (partition->size() - packed.old.size()) * state_.packed_size();
-    const auto loose = static_cast<double>(objects.ids.size() + visit.objects.size());
-    const bool is_due = loose > max_loose_in(number) * static_cast<double>(main);
-    for (std::size_t slot = 0; is_due && slot < partition->size(); ++slot)
-      if (!is_loose(*partition, slot, number)) take_leaf(*partition, slot, packed, objects);
+    const std::size_t added = visit.objects.size(), main = count_main_leaves(*partition, number);
+    const auto of_leaves = [&](std::size_t leaves) {
+      return static_cast<double>(leaves * state_.packed_size());
+    };
+    const std::size_t loose = partition->size() - main;
+    const bool is_due =
+        of_leaves(loose) + static_cast<double>(added) > max_loose_in(number) * of_leaves(main);
+    const std::size_t kept =
+        is_due ? 0 : main + loose - leaves_of_newest_runs(loose, state_.leaves_for(added));
+    const std::vector<std::size_t> slots = by_number(*partition);
+    for (std::size_t i = kept; i < slots.size(); ++i) take_leaf(*partition, slots[i], packed, objects);
     objects.add(batch_, visit.objects);
     packed.run = pack_objects(objects, packed.old, is_due);
     const bool fits =
@@ -85,8 +90,29 @@ class RunMerge {
     state_.pages.make_room();
   }
 
-  static bool is_loose(const Node& partition, std::size_t slot, NodeNumber number) {
-    return partition.keys[slot] > number;
+  /// A loose leaf has a larger number than its partition.
+  static std::size_t count_main_leaves(const Node& partition, NodeNumber number) {
+    return static_cast<std::size_t>(std::count_if(partition.keys.begin(), partition.keys.end(),
+                                                  [=](NodeNumber leaf) { return leaf < number; }));
+  }
+
+  /// The main leaves, then the loose ones, oldest first: a run takes the numbers of the newest leaves, then larger
+  /// ones.
+  static std::vector<std::size_t> by_number(const Node& partition) {
+    std::vector<std::size_t> slots(partition.size());
+    std::iota(slots.begin(), slots.end(), std::size_t{0});
+    std::sort(slots.begin(), slots.end(),
+              [&](std::size_t a, std::size_t b) { return partition.keys[a] < partition.keys[b]; });
+    return slots;
+  }
+
+  /// How many of the loose leaves are packed together with a batch that takes `added` leaves. As a binary counter
+  /// carries: the runs have 1, 2, 4 … batches, and a batch takes in the newest ones, up to the first size that is
+  /// missing. So an object is packed again as often as the number of its batches doubles.
+  static std::size_t leaves_of_newest_runs(std::size_t loose, std::size_t added) {
+    const std::size_t batches = loose / added;
+    const std::size_t carried = (batches ^ (batches + 1)) >> 1;
+    return std::min(loose, carried * added);
   }
 
   void take_leaf(const Node& partition, std::size_t slot, Packed& packed, Remainder& objects) {
