@@ -41,18 +41,22 @@ bool all_finite(const Vector& v) {
 OnGlobe::Motion motion_of(const Flight& flight, const Horizontal& here) {
   const Course& given = *flight.fix.course;
   const Direction course = unit_direction(given.degrees);
-  const double curvature = course.sine * course.sine / (here.across + flight.height) +
-                           course.cosine * course.cosine / (here.along + flight.height);
   const int exponent = exponent_of(std::max(std::abs(given.speed), std::abs(flight.climb)));
   const int square = exponent_of(given.speed);
   const double speed = std::ldexp(given.speed, -exponent), climb = std::ldexp(flight.climb, -exponent);
   const double s = std::ldexp(given.speed, -square);
   OnGlobe::Motion motion{};
+  const double turn_east = course.sine / (here.across + flight.height),
+               turn_north = course.cosine / (here.along + flight.height);  // of the vertical, per metre
+  const double curvature = course.sine * course.sine / (here.across + flight.height) +
+                           course.cosine * course.cosine / (here.along + flight.height);
   for (std::size_t i = 0; i < 3; ++i) {
     const double v =
         speed * (course.sine * here.east[i] + course.cosine * here.north[i]) + climb * here.up[i];
+    const double of_climb = climb * speed * (turn_east * here.east[i] + turn_north * here.north[i]);
     motion.v[i] = std::ldexp(v, exponent) + 0.0;
-    motion.a[i] = std::ldexp(-s * s * curvature * here.up[i], 2 * square) + 0.0;
+    motion.a[i] =
+        std::ldexp(-s * s * curvature * here.up[i], 2 * square) + std::ldexp(of_climb, 2 * exponent) + 0.0;
   }
   if (!all_finite(motion.v) || !all_finite(motion.a))
     throw Error("speed, climb are " + shown(given.speed) + ", " + shown(flight.climb) +

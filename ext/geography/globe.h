@@ -7,9 +7,10 @@
 // Geocentric coordinates are metres; x points to latitude 0, longitude 0, z to the north pole. The Earth's
 // curvature becomes an acceleration towards its inside: speed squared times the curvature in the direction of
 // the course. That is sin^2 / (N + h) + cos^2 / (M + h), with the radii of curvature N across the meridian
-// and M along it (Euler's theorem). A ship on a straight course then leaves its geodesic by 0.001 m after 6
-// km, 0.19 m after 36 km, 7 m after 120 km. Distances are chords: 6 km are too short by a relative 4e-8.
-// Because no axis points up, only points and balls can be used.
+// and M along it (Euler's theorem). What climbs needs an acceleration along its course too: climb times speed
+// times that curvature, because its velocity upward turns with the vertical. A ship on a straight course then
+// leaves its geodesic by 0.001 m after 6 km, 0.19 m after 36 km, 7 m after 120 km. Distances are chords: 6 km
+// are too short by a relative 4e-8. Because no axis points up, only points and balls can be used.
 #pragma once
 
 #include <array>

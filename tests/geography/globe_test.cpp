@@ -57,13 +57,14 @@ TEST(Globe, AStraightCourseIsCloseToItsGeodesic) {
 }
 
 /// The cells of the table of degrees.md whose rows start with a number of minutes or hours.
-std::vector<std::array<std::string, 4>> drift_of_the_page() {
+std::vector<std::array<std::string, 5>> drift_of_the_page() {
   std::ifstream page(FORESEE_SOURCE_DIR "/docs/reference/degrees.md");
-  const std::regex row(R"(\| (\d+ (?:minutes?|hours?)) \| ([^|]+) \| ([^|]+) \| ([^|]+) \|)");
-  std::vector<std::array<std::string, 4>> rows;
+  const std::regex row(R"(\| (\d+ (?:minutes?|hours?)) \| ([^|]+) \| ([^|]+) \| ([^|]+) \| ([^|]+) \|)");
+  std::vector<std::array<std::string, 5>> rows;
   std::smatch cells;
   for (std::string line; std::getline(page, line);)
-    if (std::regex_match(line, cells, row)) rows.push_back({cells[1], cells[2], cells[3], cells[4]});
+    if (std::regex_match(line, cells, row))
+      rows.push_back({cells[1], cells[2], cells[3], cells[4], cells[5]});
   return rows;
 }
 
@@ -77,19 +78,32 @@ std::pair<double, double> printed(const std::string& text) {
   return {value * scale, std::max(last, std::pow(10, std::floor(std::log10(value)) - 1)) / 2 * scale};
 }
 
-/// The largest distance of some straight paths from their geodesics after `t`, and the largest height.
-std::pair<double, double> drift(double speed, double t) {
+/// The length on the ground of a path with this speed at its height, which starts at 0 and grows at `climb`.
+double length_on_ground(const LatLon& place, double course, double speed, double climb, double t) {
+  if (climb == 0) return speed * t;
+  const double sine = std::sin(course / double(radian)), lat = std::sin(place.lat / double(radian));
+  const double e2 = 1 - static_cast<double>(axis_b * axis_b / (axis_a * axis_a)), flat = 1 - e2 * lat * lat;
+  const double across = static_cast<double>(axis_a) / std::sqrt(flat), along = across * (1 - e2) / flat;
+  const double radius = 1 / (sine * sine / across + (1 - sine * sine) / along);
+  return speed * radius / climb * std::log1p(climb * t / radius);
+}
+
+/// The largest distance of some straight paths from their geodesics after `t`, and the largest error of the height.
+std::pair<double, double> drift(double speed, double climb, double t) {
   Random random(4);
   double distance = 0, height = 0;
   for (int i = 0; i < 40; ++i) {
     const LatLon place{random.in(-85, 85), random.in(-180, 180)};
     const double course = random.in(0, 360);
-    const OnGlobe point = to_globe({{place, Course{speed, course}}});
+    const OnGlobe point = to_globe({{place, Course{speed, course}}, 0, climb});
     std::array<double, 3> then;
     for (std::size_t j = 0; j < 3; ++j)
       then[j] = point.x[j] + t * point.motion->v[j] + t * t / 2 * point.motion->a[j];
-    distance = std::max(distance, off(then, on_ellipsoid(walked(place, course, speed * t).place)));
-    height = std::max(height, from_globe({then, {}}).height);
+    const LatLon there = walked(place, course, length_on_ground(place, course, speed, climb, t)).place;
+    const Real lat = there.lat / radian, lon = there.lon / radian;
+    const Point up{std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
+    distance = std::max(distance, off(then, sum(on_ellipsoid(there), climb * t, up)));
+    height = std::max(height, from_globe({then, {}}).height - climb * t);
   }
   return {distance, height};
 }
@@ -97,11 +111,12 @@ std::pair<double, double> drift(double speed, double t) {
 TEST(Globe, APathLeavesItsGeodesicAsThePageSays) {
   const auto rows = drift_of_the_page();
   ASSERT_EQ(rows.size(), 5U);
-  for (const auto& [after, ship, flight, height] : rows) {
+  for (const auto& [after, ship, flight, height, climbing] : rows) {
     const double t = std::stod(after) * (after.find("hour") == std::string::npos ? 60 : 3600);
-    const auto [flight_drift, flight_height] = drift(250, t);
-    const std::pair<std::string, double> cells[] = {
-        {ship, drift(20 * 1852.0 / 3600, t).first}, {flight, flight_drift}, {height, flight_height}};
+    const auto [flight_drift, flight_height] = drift(250, 0, t);
+    std::vector<std::pair<std::string, double>> cells = {
+        {ship, drift(20 * 1852.0 / 3600, 0, t).first}, {flight, flight_drift}, {height, flight_height}};
+    if (climbing != "–") cells.emplace_back(climbing, drift(250, 10, t).first);
     for (const auto& [text, measured] : cells) {
       const auto [value, half_a_unit] = printed(text);
       EXPECT_NEAR(measured, value, half_a_unit) << after << ": " << text;
