@@ -29,6 +29,8 @@ void require_axes(const Plan& plan, int axes) {
   std::string message = std::to_string(plan.axes) + (plan.axes == 1 ? " axis" : " axes") +
                         ", and the table has " + std::to_string(axes) + ": write " + example_on(axes);
   if (plan.axes > axes) message += std::string(", or declare ") + (plan.axes == 3 ? "z" : "y");
+  if (plan.axes == 2 && axes == 3 && plan.kind != PlanKind::knots)
+    message += ", or give the legs of plan_rows a z and a vz";
   throw Error(message);
 }
 

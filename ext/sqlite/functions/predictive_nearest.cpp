@@ -54,7 +54,8 @@ double degrees_input(const FunctionCall& call, int input, const std::string& tab
   if (!given)
     throw Error(table + " has lat, lon, and " + name + " is missing; write WHERE lat = ... AND lon = ...");
   if (std::abs(*given) <= limit) return *given;
-  throw Error(name + " is " + shown(*given) + ", beyond " + shown(limit) + "; write degrees");
+  throw Error(name + " is " + shown(*given) + ", beyond " + shown(limit) + "; write " +
+              (input == in_lon ? shown(std::remainder(*given, 360)) : "degrees"));
 }
 
 /// z is metres above the ellipsoid, 0 if it is not given.

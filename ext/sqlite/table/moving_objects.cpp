@@ -159,8 +159,10 @@ int table_rollback(sqlite3_vtab* base) noexcept {
 }
 
 int table_rollback_to(sqlite3_vtab* base, int level) noexcept {
-  abort_scans(table_of(base));
-  return store_step<&Store::rollback_to>(base, level);
+  MovingObjectsTable& table = table_of(base);
+  // A statement that fails on another table rolls back to its start, which changes nothing here.
+  if (table.has_store() && table.store().rollback_to(level)) abort_scans(table);
+  return SQLITE_OK;
 }
 
 int table_rename(sqlite3_vtab* base, const char* new_name) noexcept {

@@ -25,6 +25,7 @@ void TableCursor::clear() {
   report_of_ = nullptr;
   source_ = Source::list;
   walk_.reset();
+  with_plan_.reset();
   handle_ = aborted_ = false;
 }
 
@@ -33,11 +34,13 @@ void TableCursor::filter(const TablePlan& plan, sqlite3_value** arguments) {
   table_.start_statement();
   switch (plan.kind) {
     case TablePlan::scan:
-      return start_scan();
+      start_scan();
+      break;
     case TablePlan::one_object:
       return seek_object(arguments[0]);
     case TablePlan::ids:
-      return seek_range(plan, arguments);
+      seek_range(plan, arguments);
+      break;
     case TablePlan::handle:
       require_handle_word(arguments[0]);
       table_.store();  // throws for a table that cannot be read
@@ -45,6 +48,8 @@ void TableCursor::filter(const TablePlan& plan, sqlite3_value** arguments) {
       ids_.push_back(0);
       return;
   }
+  with_plan_ = plan.with_plan;
+  skip_unwanted();
 }
 
 void TableCursor::seek_object(sqlite3_value* value) {
@@ -130,6 +135,18 @@ void TableCursor::throw_aborted() const {
 }
 
 void TableCursor::next() {
+  advance();
+  skip_unwanted();
+}
+
+void TableCursor::skip_unwanted() {
+  if (!with_plan_) return;
+  const Offsets& at = table_.store().format().at;
+  for (unsigned skipped = 0; !at_end() && has_plan(at, record()) != *with_plan_; advance())
+    if (++skipped % 1024 == 0) table_.connection->interrupt().check();
+}
+
+void TableCursor::advance() {
   if (aborted_) throw_aborted();
   ++position_;
   report_of_ = nullptr;
@@ -161,13 +178,16 @@ void TableCursor::read_record() const {
 }
 
 /// Moves to the first id at or after the position whose object still exists, and reads it.
-void TableCursor::seek_existing() {
+void TableCursor::seek_existing() try {
   for (; position_ < ids_.size(); ++position_) {
     if (auto record = table_.store().read(ids_[position_])) {
       records_ = std::move(*record);
       return;
     }
   }
+} catch (const StoreError& error) {
+  if (error.code != SQLITE_ERROR) throw;
+  throw_aborted();  // no shadow table has this name: SQLite has rolled back a RENAME, and makes no callback for that
 }
 
 void TableCursor::keep_ids() {

@@ -82,6 +82,24 @@ TablePlan plan_of_ids(sqlite3_index_info& info) {
   return plan;
 }
 
+/// For plan IS NULL and plan IS NOT NULL: SQLite does not check it again.
+std::optional<bool> plans_wanted(const MovingObjectsTable& table, sqlite3_index_info& info) {
+  const int column = table.plan_column();
+  if (column < 0) return std::nullopt;
+  int arguments = 0;
+  for (int i = 0; i < info.nConstraint; ++i) arguments += info.aConstraintUsage[i].argvIndex != 0;
+  for (int i = 0; i < info.nConstraint; ++i) {
+    const IndexConstraint& constraint = info.aConstraint[i];
+    const bool is_null = constraint.op == SQLITE_INDEX_CONSTRAINT_ISNULL;
+    if (!constraint.usable || constraint.iColumn != column) continue;
+    if (!is_null && constraint.op != SQLITE_INDEX_CONSTRAINT_ISNOTNULL) continue;
+    info.aConstraintUsage[i].argvIndex = arguments + 1;
+    info.aConstraintUsage[i].omit = 1;
+    return !is_null;
+  }
+  return std::nullopt;
+}
+
 /// Number of ids between the literal bounds of the statement, if ids count from 1; `objects` if the bounds
 /// exclude every id.
 double ids_between_bounds(sqlite3_index_info& info, double objects) {
@@ -159,7 +177,8 @@ int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
   }
   constexpr double start = 50, object = 4;  // so that a look-up costs less than any scan
   const auto objects = static_cast<double>(table.likely_objects());
-  const TablePlan plan = plan_of_ids(*info);
+  TablePlan plan = plan_of_ids(*info);
+  plan.with_plan = plans_wanted(table, *info);
   info->idxNum = plan.number();
   info->orderByConsumed = plan.order ? 1 : 0;
   info->estimatedRows = static_cast<sqlite3_int64>(likely_rows(*info, objects));

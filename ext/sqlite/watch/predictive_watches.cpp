@@ -38,9 +38,14 @@ struct ListedWatch {
 /// Whether the next commit must recompute the watch. Changes of an open transaction are not a reason.
 bool is_lost(Connection& connection, const WatchState& state, const OpenTables& tables) {
   if (is_up_to_date(connection, state, tables)) return false;
+  const auto has_followed = [](const OpenTable& table, const std::optional<std::int64_t>& stamp) {
+    return stamp && table.store->stamp_at_begin() == stamp;
+  };
+  if (state.must_rebuild || !has_followed(tables.a, state.stamp)) return true;
+  if (tables.b && !has_followed(*tables.b, state.other_stamp)) return true;
   const JoinedTables sources = sources_of(connection, tables);
   const ChangedSides changed = changed_sides(sources, state);
-  if (state.must_rebuild || !changed.a.are_known || !changed.b.are_known) return true;
+  if (!changed.a.are_known || !changed.b.are_known) return false;
   // Objects without a clock: it is lost, unless this transaction has added them.
   return changed.a.ids.empty() && changed.b.ids.empty() && !state.clock && any_object(sources);
 }

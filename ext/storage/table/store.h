@@ -55,7 +55,7 @@ class Store final : public TableWriter {
   void rollback() { transaction_.rollback(); }
   void savepoint(int level) { transaction_.savepoint(level); }
   void release(int level) { transaction_.release(level); }
-  void rollback_to(int level) noexcept { transaction_.rollback_to(level); }
+  bool rollback_to(int level) noexcept { return transaction_.rollback_to(level); }
   void rename(const std::string& new_table);
   void drop();
   /// True if the table was dropped, or its creation was rolled back: then every callback does nothing.

@@ -121,13 +121,15 @@ void TableTransaction::release(int level) {
 
 // SQLite has rolled the rows back already, and calls no further table once one fails. So this does not fail: a table
 // that cannot follow is torn; one that cannot read the stamp is in doubt until it is used.
-void TableTransaction::rollback_to(int level) noexcept {
-  if (own_statements_ > 0 || gone_ || !journal_.is_open()) return;
+bool TableTransaction::rollback_to(int level) noexcept {
+  if (own_statements_ > 0) return false;
+  if (gone_ || !journal_.is_open()) return true;
+  bool went_back = true;
   const std::size_t first = savepoints_before(level);
   const bool is_marked = first < savepoints_.size() && savepoints_[first].level == level;
   try {
     if (is_marked || first > 0) {
-      if (first < savepoints_.size()) restore(savepoints_[first]);
+      went_back = first < savepoints_.size() && restore(savepoints_[first]);
     } else if (level < 0 || !version_.written_here()) {  // -1: the savepoint that has opened the transaction
       undo();
     } else {
@@ -140,16 +142,19 @@ void TableTransaction::rollback_to(int level) noexcept {
     torn_ |= !in_doubt_;
   }
   if (is_marked || first > 0) give_up_savepoints(is_marked ? first + 1 : first);
+  return went_back;
 }
 
-void TableTransaction::restore(const Savepoint& savepoint) {
+bool TableTransaction::restore(const Savepoint& savepoint) {
   const bool was_torn = std::exchange(torn_, true);  // until it is done
-  if (!journal_.is_whole()) return;
-  if (journal_.rewind(savepoint.mark) || was_torn) {
+  if (!journal_.is_whole()) return true;
+  const bool went_back = journal_.rewind(savepoint.mark) || was_torn;
+  if (went_back) {
     table_.use_name(name_.get());
     version_.note_change();
   }
   torn_ = false;
+  return went_back;
 }
 
 // --- the table itself

@@ -83,7 +83,8 @@ class TableTransaction {
   void rollback();
   void savepoint(int level);
   void release(int level);
-  void rollback_to(int level) noexcept;
+  /// Returns whether the contents in memory may have gone back: false if nothing has changed since that savepoint.
+  bool rollback_to(int level) noexcept;
   /// The shadow tables have this name now. Requires: in own statements.
   void rename(const std::string& new_name);
   /// Throws SQLITE_LOCKED if changes would be lost with this object, although SQLite may roll back to a savepoint that
@@ -104,7 +105,7 @@ class TableTransaction {
   void settle();
   void settle_doubt();
   void end(Journal::Ended how);
-  void restore(const Savepoint& savepoint);
+  bool restore(const Savepoint& savepoint);  ///< returns as rollback_to()
   /// restart(), but closes a table that this transaction has created.
   void undo();
   std::size_t savepoints_before(int level) const noexcept;

@@ -87,7 +87,10 @@ void TableWriter::for_each_change(const std::function<void(std::int64_t, std::sp
 }
 
 std::optional<std::int64_t> TableWriter::stamp_before_changes() {
-  if (!changes_.are_complete()) return std::nullopt;
+  return changes_.are_complete() ? stamp_at_begin() : std::nullopt;
+}
+
+std::optional<std::int64_t> TableWriter::stamp_at_begin() {
   return version().written_here() ? version().before_first_change() : shadow_rows().read_stamp();
 }
 

@@ -41,6 +41,8 @@ class TableWriter : public TableReader {
   /// The stamp before all changes of for_each_change(); nothing if these are unknown (after 'rebuild', or if they are
   /// too many for ObjectChanges).
   std::optional<std::int64_t> stamp_before_changes();
+  /// The stamp before all changes of this transaction, known or not.
+  std::optional<std::int64_t> stamp_at_begin();
 
  protected:
   using TableReader::TableReader;

@@ -136,7 +136,7 @@ TEST_F(DegreesFunctions, RefuseACoordinateOfTheOtherKind) {
   EXPECT_EQ(error(nearest + "'ships' AND lat = 91 AND lon = 7"),
             "predictive_nearest: lat is 91, beyond 90; write degrees");
   EXPECT_EQ(error(nearest + "'ships' AND lat = 1 AND lon = 181"),
-            "predictive_nearest: lon is 181, beyond 180; write degrees");
+            "predictive_nearest: lon is 181, beyond 180; write -179");
   EXPECT_EQ(error(nearest + "'ships' AND lat = 7.9 AND lon = 53.9"),
             "predictive_nearest: lat, lon are 6545 km from the origin '53.9 7.9' of ships; write a place "
             "within 1500 km");

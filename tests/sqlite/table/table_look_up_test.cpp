@@ -1,4 +1,4 @@
-// Statements that look up objects by id, row after row, while the table changes between their rows.
+// Statements that look up objects by id, row after row, while the table changes between their rows, or by plan IS NULL.
 #include <functional>
 #include <random>
 
@@ -170,6 +170,44 @@ TEST_F(TableLookUp, RandomStatementsAgreeWithAnOrdinaryTable) {
   }
   EXPECT_EQ(db.rows("SELECT id, x FROM ships ORDER BY id"), db.rows("SELECT id, x FROM model ORDER BY id"));
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
+}
+
+/// The table itself answers IS NULL, in scans, by ids and beside other conditions; any other test reads the plans.
+TEST(TableLookUps, ObjectsWithoutAPlanAreFoundByIsNull) {
+  Database db;
+  db.exec("CREATE VIRTUAL TABLE robots USING moving_objects(id, t, x, y, plan)");
+  const std::string stops = "'LINESTRING M(0 0 0, 10 0 5, 10 0 9, 10 20 29)'";
+  for (int id = 1; id <= 300; ++id)
+    db.exec("INSERT INTO robots(id, plan, t, x, y) VALUES (" + std::to_string(id) + ", " +
+            (id % 3 == 0 ? stops + ", NULL, NULL, NULL)" : "NULL, 0, 1, 2)"));
+  for (const char* rest : {"", " AND id > 100", " AND id BETWEEN 5 AND 90", " AND x > 0",
+                           " AND id IN (3, 4, 6)", " AND id = 9"}) {
+    const std::string where = std::string(rest) + " ORDER BY id";
+    for (const auto& [test, same] :
+         {std::pair("plan IS NULL", "+plan IS NULL"), std::pair("plan NOTNULL", "+plan NOTNULL"),
+          std::pair("NOT plan IS NULL", "length(plan) > 0")})
+      EXPECT_EQ(db.rows(std::string("SELECT id, x FROM robots WHERE ") + test + where),
+                db.rows(std::string("SELECT id, x FROM robots WHERE ") + same + where))
+          << test << where;
+  }
+  EXPECT_EQ(db.rows("SELECT count(*), sum(plan IS NULL) FROM robots"), "300|200");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM robots WHERE plan IS NULL OR id = 3"), "201");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM robots WHERE rowid IS NULL"), "0");
+  EXPECT_EQ(
+      db.rows("WITH n(i) AS (VALUES (3), (4), (999)) SELECT i, r.id FROM n LEFT JOIN robots r ON r.id = i "
+              "WHERE r.plan IS NULL"),
+      "4|4\n999|NULL");
+  EXPECT_EQ(
+      db.rows(
+          "WITH n(i) AS (VALUES (3), (4)) SELECT i, count(r.id) FROM n LEFT JOIN robots r ON r.id = i AND "
+          "r.plan IS NULL GROUP BY i"),
+      "3|0\n4|1");
+  db.exec("DELETE FROM robots WHERE plan IS NULL");
+  EXPECT_EQ(db.rows("SELECT count(*), count(plan) FROM robots"), "100|100");
+  db.exec("UPDATE robots SET plan = NULL, t = 0, x = 0, y = 0 WHERE plan IS NOT NULL AND id < 10");
+  EXPECT_EQ(
+      db.rows("SELECT group_concat(id) FROM (SELECT id FROM robots WHERE plan IS NULL ORDER BY id DESC)"),
+      "9,6,3");
 }
 
 }  // namespace

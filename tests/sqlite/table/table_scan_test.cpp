@@ -209,6 +209,47 @@ TEST_F(TableScanWrites, ARollbackDuringAScanEndsIt) {
   EXPECT_EQ(db.rows("SELECT sum(x) FROM ships"), "62625.0");
 }
 
+/// A statement that fails on another table, or a savepoint in which this table has not changed, ends no scan of it.
+TEST_F(TableScanWrites, ARollbackThatChangesNothingHereLeavesTheScanAlone) {
+  db.exec(
+      "CREATE TABLE seen(id INTEGER PRIMARY KEY); INSERT INTO seen VALUES(1);"
+      "CREATE VIRTUAL TABLE boats USING moving_objects(id, x)");
+  for (const char* query : {"SELECT id, x FROM ships", "SELECT id FROM ships ORDER BY id"})
+    for (const char* sql : {"INSERT INTO seen VALUES(7), (1)", "INSERT INTO boats VALUES(1, 1), (2, 'x')",
+                            "SAVEPOINT s; ROLLBACK TO s; RELEASE s",
+                            "SAVEPOINT s; INSERT INTO boats VALUES(1, 1); ROLLBACK TO s; RELEASE s"}) {
+      db.exec("BEGIN; UPDATE ships SET x = x + 1 WHERE id = 3");
+      sqlite3_stmt* statement = nullptr;
+      sqlite3_prepare_v2(db.handle(), query, -1, &statement, nullptr);
+      EXPECT_EQ(sqlite3_step(statement), SQLITE_ROW);
+      db.error_of(sql);
+      int rows = 1;
+      while (sqlite3_step(statement) == SQLITE_ROW) ++rows;
+      EXPECT_EQ(sqlite3_finalize(statement), SQLITE_OK) << sql;
+      EXPECT_EQ(rows, 500) << query << ": " << sql;
+      db.exec("ROLLBACK");
+    }
+}
+
+/// SQLite rolls a RENAME back without a callback, and the old name is the right one again.
+TEST_F(TableScanWrites, ARolledBackRenameEndsTheScan) {
+  for (const char* rollback : {"ROLLBACK TO s", "ROLLBACK"}) {
+    db.exec("BEGIN; SAVEPOINT s");
+    sqlite3_stmt* statement = nullptr;
+    sqlite3_prepare_v2(db.handle(), "SELECT id, x FROM ships", -1, &statement, nullptr);
+    EXPECT_EQ(sqlite3_step(statement), SQLITE_ROW);
+    db.exec("ALTER TABLE ships RENAME TO boats");
+    db.exec(rollback);
+    int rc;
+    while ((rc = sqlite3_step(statement)) == SQLITE_ROW) {
+    }
+    EXPECT_EQ(rc & 0xff, SQLITE_ABORT) << rollback;
+    sqlite3_finalize(statement);
+    db.error_of("ROLLBACK");
+    EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "500");
+  }
+}
+
 TEST_F(TableScanWrites, StatementsThatReadAndWriteTheTable) {
   db.exec("UPDATE ships SET x = x + 1");
   EXPECT_EQ(db.rows("SELECT count(*), sum(x) FROM ships"), "500|63125.0");

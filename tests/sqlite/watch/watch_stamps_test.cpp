@@ -52,8 +52,14 @@ TEST_F(WatchStamps, ARenamedWatchIsUpToDate) {
 TEST_F(WatchStamps, ChangesOfAnOpenTransactionAreNoFault) {
   db.exec("BEGIN; UPDATE ships SET x = 2 WHERE id = 1");
   EXPECT_EQ(faults(), "");
+  db.exec("SAVEPOINT s; INSERT INTO ships(ships) VALUES('rebuild')");
+  EXPECT_EQ(faults(), "");
+  EXPECT_EQ(db.rows("SELECT a, b, t FROM alerts"), "1|2|49.0");
+  db.exec("ROLLBACK TO s");
+  EXPECT_EQ(faults(), "");
   db.exec("COMMIT");
   EXPECT_EQ(faults(), "");
+  EXPECT_EQ(db.rows("SELECT a, b, t FROM alerts"), "1|2|49.0");
 }
 
 TEST_F(WatchStamps, AReaderWhoseChangesAreTrimmedGetsAnError) {
