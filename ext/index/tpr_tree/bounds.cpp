@@ -27,6 +27,14 @@ struct CarriedFace {
   }
 };
 
+/// These bounds, with no end beyond largest_bound.
+template <int D>
+Bounds<D> limited(const Bounds<D>& ends) {
+  const auto lower = [](const Vec<D>& end) { return lower_end<D>(end, Vec<D>::zero()); };
+  return {lower(ends.x_lower),   -lower(-ends.x_upper), lower(ends.v_lower),
+          -lower(-ends.v_upper), lower(ends.a_lower),   -lower(-ends.a_upper)};
+}
+
 }  // namespace
 
 template <int D>
@@ -37,13 +45,17 @@ Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double e
   const double absolute_pad = pad > 0 ? smallest_pad : 0;
   const Vec<D> x_pad =
       (motion.x.abs() + by_velocity.abs() + by_acceleration.abs() + reach_of(extents)) * pad + absolute_pad;
-  const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + absolute_pad, none = Vec<D>::zero();
-  return {lower_end<D>(centre + extents.lower, x_pad),
-          upper_end<D>(centre + extents.upper, x_pad),
-          lower_end<D>(velocity, v_pad),
-          upper_end<D>(velocity, v_pad),
-          lower_end<D>(motion.a, none),
-          upper_end<D>(motion.a, none)};
+  const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + absolute_pad;
+  const Bounds<D> ends{centre + extents.lower - x_pad,
+                       -(-(centre + extents.upper) - x_pad),
+                       velocity - v_pad,
+                       -(-velocity - v_pad),
+                       motion.a,
+                       motion.a};
+  // One sum shows the size of all ends, and passes infinity and NaN on.
+  const Vec<D> sizes =
+      ends.x_lower.abs() + ends.x_upper.abs() + ends.v_lower.abs() + ends.v_upper.abs() + motion.a.abs();
+  return (sizes <= largest_bound).all() ? ends : limited(ends);
 }
 
 template <int D>
