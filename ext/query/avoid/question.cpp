@@ -110,8 +110,10 @@ void require_resume(const AvoidQuestion& question) {
 void require_no_meshes(const AvoidQuestion& question) {
   const auto require = [](const std::string& name, const Layout& layout) {
     if (layout.shape == Shape::mesh)
-      throw Error("predictive_avoid does not answer for meshes, which " + name +
-                  " has: declare hz beside shape for prisms, or query a table with r around each");
+      throw Error(name +
+                  " has meshes, which it does not examine: declare hz beside shape for prisms, or query a "
+                  "table with r "
+                  "around each");
   };
   require(question.own_scene->name, question.own_scene->layout);
   if (question.also) require(question.also->name, question.also->layout());

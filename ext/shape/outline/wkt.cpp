@@ -34,6 +34,10 @@ class OutlineReader : WktLexer {
         fail(std::string(mesh) +
              " is a mesh, as tables with x, y, z and without hz have: leave hz out, or write POLYGON or "
              "MULTIPOLYGON");
+    if (rest().starts_with('{'))
+      fail(
+          "expected POLYGON or MULTIPOLYGON, found JSON: read it with json_each, as in "
+          "zones_from_geojson.md");
     expected("POLYGON or MULTIPOLYGON");
   }
 
