@@ -5,7 +5,6 @@
 // visit new ones.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -61,14 +60,6 @@ struct MovingObjectsTable : sqlite3_vtab {
   int first_auxiliary_column() const { return 1 + static_cast<int>(declaration().columns.size()); }
   int command_column() const {
     return first_auxiliary_column() + static_cast<int>(declaration().auxiliaries.size());
-  }
-
-  /// -1: the table does not declare `plan`.
-  int plan_column() const {
-    const auto& columns = declaration().columns;
-    const auto plan =
-        std::find_if(columns.begin(), columns.end(), [](const MotionColumn& one) { return one.is_plan; });
-    return plan == columns.end() ? -1 : first_motion_column + static_cast<int>(plan - columns.begin());
   }
 
   /// In a table in degrees x, y, vx, vy follow the command column (hidden_columns()): their places in a record.

@@ -25,8 +25,7 @@ void TableCursor::clear() {
   report_of_ = nullptr;
   source_ = Source::list;
   walk_.reset();
-  with_plan_.reset();
-  handle_ = aborted_ = false;
+  handle_ = aborted_ = without_plan_ = false;
 }
 
 void TableCursor::filter(const TablePlan& plan, sqlite3_value** arguments) {
@@ -48,8 +47,8 @@ void TableCursor::filter(const TablePlan& plan, sqlite3_value** arguments) {
       ids_.push_back(0);
       return;
   }
-  with_plan_ = plan.with_plan;
-  skip_unwanted();
+  without_plan_ = plan.without_plan;
+  skip_plans();
 }
 
 void TableCursor::seek_object(sqlite3_value* value) {
@@ -136,13 +135,13 @@ void TableCursor::throw_aborted() const {
 
 void TableCursor::next() {
   advance();
-  skip_unwanted();
+  skip_plans();
 }
 
-void TableCursor::skip_unwanted() {
-  if (!with_plan_) return;
+void TableCursor::skip_plans() {
+  if (!without_plan_) return;
   const Offsets& at = table_.store().format().at;
-  for (unsigned skipped = 0; !at_end() && has_plan(at, record()) != *with_plan_; advance())
+  for (unsigned skipped = 0; !at_end() && has_plan(at, record()); advance())
     if (++skipped % 1024 == 0) table_.connection->interrupt().check();
 }
 

@@ -39,7 +39,7 @@ class TableCursor : public sqlite3_vtab_cursor {
 
   void clear();
   void advance();
-  void skip_unwanted();
+  void skip_plans();
   void seek_object(sqlite3_value* id);
   void seek_range(const TablePlan& plan, sqlite3_value** arguments);
   void require_handle_word(sqlite3_value* word) const;
@@ -69,12 +69,12 @@ class TableCursor : public sqlite3_vtab_cursor {
   std::int64_t leaf_ = 0;
   std::size_t found_ = 0;  ///< objects in all leaves so far
   std::optional<IdWalk> walk_;
-  std::optional<bool> with_plan_;  ///< as in TablePlan
   mutable StatementReadState statement_state_;
   mutable Flight report_ = {};                 ///< of the current row, in a table in degrees
   mutable const double* report_of_ = nullptr;  ///< … if this is its record
   mutable RisingIds rising_;
-  bool handle_ = false;  ///< the only row has the table's number
+  bool handle_ = false;        ///< the only row has the table's number
+  bool without_plan_ = false;  ///< as in TablePlan
   bool aborted_ = false;
 };
 

@@ -82,22 +82,32 @@ TablePlan plan_of_ids(sqlite3_index_info& info) {
   return plan;
 }
 
-/// For plan IS NULL and plan IS NOT NULL: SQLite does not check it again.
-std::optional<bool> plans_wanted(const MovingObjectsTable& table, sqlite3_index_info& info) {
-  const int column = table.plan_column();
-  if (column < 0) return std::nullopt;
-  int arguments = 0;
-  for (int i = 0; i < info.nConstraint; ++i) arguments += info.aConstraintUsage[i].argvIndex != 0;
+/// False for the rowid and the hidden columns too.
+bool is_plan(const MovingObjectsTable& table, int column) {
+  const auto& columns = table.declaration().columns;
+  const auto motion = static_cast<std::size_t>(column - MovingObjectsTable::first_motion_column);
+  return column >= MovingObjectsTable::first_motion_column && motion < columns.size() &&
+         columns[motion].is_plan;
+}
+
+int count_arguments(const sqlite3_index_info& info) {
+  const std::span usages(info.aConstraintUsage, static_cast<std::size_t>(info.nConstraint));
+  return static_cast<int>(
+      std::count_if(usages.begin(), usages.end(), [](const auto& usage) { return usage.argvIndex != 0; }));
+}
+
+/// For plan IS NULL: the scan tests it, and SQLite need not. IS NOT NULL is left to SQLite: as a condition of ON, 3.40
+/// offers it to the left table of a LEFT JOIN too, whose rows it must not remove.
+bool wants_no_plan(const MovingObjectsTable& table, sqlite3_index_info& info) {
   for (int i = 0; i < info.nConstraint; ++i) {
     const IndexConstraint& constraint = info.aConstraint[i];
-    const bool is_null = constraint.op == SQLITE_INDEX_CONSTRAINT_ISNULL;
-    if (!constraint.usable || constraint.iColumn != column) continue;
-    if (!is_null && constraint.op != SQLITE_INDEX_CONSTRAINT_ISNOTNULL) continue;
-    info.aConstraintUsage[i].argvIndex = arguments + 1;
+    if (!constraint.usable || constraint.op != SQLITE_INDEX_CONSTRAINT_ISNULL) continue;
+    if (!is_plan(table, constraint.iColumn)) continue;
+    info.aConstraintUsage[i].argvIndex = count_arguments(info) + 1;
     info.aConstraintUsage[i].omit = 1;
-    return !is_null;
+    return true;
   }
-  return std::nullopt;
+  return false;
 }
 
 /// Number of ids between the literal bounds of the statement, if ids count from 1; `objects` if the bounds
@@ -129,8 +139,7 @@ bool may_need_another_table(sqlite3_index_info& info, int i) {
 /// the estimate as that of this table alone, and could read it first.
 double likely_rows(sqlite3_index_info& info, double objects) {
   double rows = objects;
-  int arguments = 0;  // those of bounds of the id come first
-  for (int i = 0; i < info.nConstraint; ++i) arguments += info.aConstraintUsage[i].argvIndex != 0;
+  int arguments = count_arguments(info);  // of bounds of the id, and of a test for NULL
   for (int i = 0; i < info.nConstraint; ++i) {
     const IndexConstraint& constraint = info.aConstraint[i];
     if (!constraint.usable) continue;
@@ -178,7 +187,7 @@ int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
   constexpr double start = 50, object = 4;  // so that a look-up costs less than any scan
   const auto objects = static_cast<double>(table.likely_objects());
   TablePlan plan = plan_of_ids(*info);
-  plan.with_plan = plans_wanted(table, *info);
+  plan.without_plan = wants_no_plan(table, *info);
   info->idxNum = plan.number();
   info->orderByConsumed = plan.order ? 1 : 0;
   info->estimatedRows = static_cast<sqlite3_int64>(likely_rows(*info, objects));

@@ -7,8 +7,8 @@
 // - `handle` has one row with the table's number, the key of Connection::find. Its argument is 'foresee-handle'.
 // - `ids` has at least the objects whose ids satisfy the bounds, its arguments; with an order, by their ids.
 //
-// `scan` and `ids` may have only the objects with a plan, or only those without. To convert a plan for IS NULL would
-// take as long as to read a thousand rows.
+// `scan` and `ids` may have only the objects without a plan, for IS NULL: to convert a plan would take as long as to
+// read a thousand rows.
 //
 // Table-valued functions use `handle` to find a table by name: `WHERE "ships" MATCH 'foresee-handle'`.
 #pragma once
@@ -25,25 +25,24 @@ struct TablePlan {
   Kind kind = scan;
   bool has_first = false, has_last = false;  ///< of ids: a lower bound, an upper one, in this order
   std::optional<IdOrder> order = {};         ///< of ids: the query relies on it
-  std::optional<bool> with_plan = {};        ///< only objects that have a plan, or that have none
+  bool without_plan = false;                 ///< only objects without a plan
 
   /// SQLite's idxNum.
   int number() const {
     return kind | (has_first ? first_bit : 0) | (has_last ? last_bit : 0) | (order ? order_bit : 0) |
-           (order == IdOrder::descending ? descending_bit : 0) | (with_plan ? by_plan_bit : 0) |
-           (with_plan == true ? with_plan_bit : 0);
+           (order == IdOrder::descending ? descending_bit : 0) | (without_plan ? without_plan_bit : 0);
   }
   static TablePlan of(int number) {
     TablePlan plan{static_cast<Kind>(number & kind_bits), (number & first_bit) != 0,
                    (number & last_bit) != 0};
     if (number & order_bit) plan.order = number & descending_bit ? IdOrder::descending : IdOrder::ascending;
-    if (number & by_plan_bit) plan.with_plan = (number & with_plan_bit) != 0;
+    plan.without_plan = (number & without_plan_bit) != 0;
     return plan;
   }
 
  private:
   static constexpr int kind_bits = 3, first_bit = 4, last_bit = 8, order_bit = 16, descending_bit = 32,
-                       by_plan_bit = 64, with_plan_bit = 128;
+                       without_plan_bit = 64;
 };
 
 constexpr const char* handle_word = "foresee-handle";

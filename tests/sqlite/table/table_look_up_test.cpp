@@ -193,15 +193,20 @@ TEST(TableLookUps, ObjectsWithoutAPlanAreFoundByIsNull) {
   EXPECT_EQ(db.rows("SELECT count(*), sum(plan IS NULL) FROM robots"), "300|200");
   EXPECT_EQ(db.rows("SELECT count(*) FROM robots WHERE plan IS NULL OR id = 3"), "201");
   EXPECT_EQ(db.rows("SELECT count(*) FROM robots WHERE rowid IS NULL"), "0");
-  EXPECT_EQ(
-      db.rows("WITH n(i) AS (VALUES (3), (4), (999)) SELECT i, r.id FROM n LEFT JOIN robots r ON r.id = i "
-              "WHERE r.plan IS NULL"),
-      "4|4\n999|NULL");
-  EXPECT_EQ(
-      db.rows(
-          "WITH n(i) AS (VALUES (3), (4)) SELECT i, count(r.id) FROM n LEFT JOIN robots r ON r.id = i AND "
-          "r.plan IS NULL GROUP BY i"),
-      "3|0\n4|1");
+  // Conditions of ON and of WHERE, on either side of a join, as of an ordinary table.
+  db.exec(
+      "CREATE TABLE copies AS SELECT id, x, plan FROM robots; CREATE TABLE n(i); INSERT INTO n VALUES (3), "
+      "(4), (999)");
+  for (const char* join : {"n LEFT JOIN % t", "% t LEFT JOIN n", "n JOIN % t"})
+    for (const char* on : {"t.id = i", "t.id = i AND t.plan IS NULL", "t.id = i AND t.plan IS NOT NULL"})
+      for (const char* where : {"1", "t.plan IS NULL", "t.plan IS NOT NULL", "t.plan IS NULL OR i = 3"}) {
+        const auto rows_of = [&](const std::string& table) {
+          std::string from = join;
+          from.replace(from.find('%'), 1, table);
+          return db.rows("SELECT i, t.id FROM " + from + " ON " + on + " WHERE " + where + " ORDER BY 1, 2");
+        };
+        EXPECT_EQ(rows_of("robots"), rows_of("copies")) << join << " ON " << on << " WHERE " << where;
+      }
   db.exec("DELETE FROM robots WHERE plan IS NULL");
   EXPECT_EQ(db.rows("SELECT count(*), count(plan) FROM robots"), "100|100");
   db.exec("UPDATE robots SET plan = NULL, t = 0, x = 0, y = 0 WHERE plan IS NOT NULL AND id < 10");
