@@ -41,15 +41,15 @@ bool all_finite(const Vector& v) {
 OnGlobe::Motion motion_of(const Flight& flight, const Horizontal& here) {
   const Course& given = *flight.fix.course;
   const Direction course = unit_direction(given.degrees);
+  const double across = here.across + flight.height, along = here.along + flight.height;
+  const double curvature = course.sine * course.sine / across + course.cosine * course.cosine / along;
+  // Turn of the vertical per metre of the course.
+  const double turn_east = course.sine / across, turn_north = course.cosine / along;
   const int exponent = exponent_of(std::max(std::abs(given.speed), std::abs(flight.climb)));
   const int square = exponent_of(given.speed);
   const double speed = std::ldexp(given.speed, -exponent), climb = std::ldexp(flight.climb, -exponent);
   const double s = std::ldexp(given.speed, -square);
   OnGlobe::Motion motion{};
-  const double turn_east = course.sine / (here.across + flight.height),
-               turn_north = course.cosine / (here.along + flight.height);  // of the vertical, per metre
-  const double curvature = course.sine * course.sine / (here.across + flight.height) +
-                           course.cosine * course.cosine / (here.along + flight.height);
   for (std::size_t i = 0; i < 3; ++i) {
     const double v =
         speed * (course.sine * here.east[i] + course.cosine * here.north[i]) + climb * here.up[i];

@@ -124,6 +124,38 @@ TEST(Globe, APathLeavesItsGeodesicAsThePageSays) {
   }
 }
 
+/// How far apart two paths are after `t`: that of a report of the age `age`, and that of a new report from its place.
+double apart_after_a_new_report(double speed, double age, double t) {
+  Random random(5);
+  double largest = 0;
+  for (int i = 0; i < 40; ++i) {
+    const LatLon place{random.in(-85, 85), random.in(-180, 180)};
+    const OnGlobe old = to_globe({{place, Course{speed, random.in(0, 360)}}});
+    const auto at = [](const OnGlobe& point, double time) {
+      OnGlobe then = point;
+      for (std::size_t j = 0; j < 3; ++j) {
+        then.x[j] += time * point.motion->v[j] + time * time / 2 * point.motion->a[j];
+        then.motion->v[j] += time * point.motion->a[j];
+      }
+      return then;
+    };
+    const OnGlobe proven = at(old, age + t), stored = at(to_globe(from_globe(at(old, age))), t);
+    largest = std::max(largest, off(proven.x, {stored.x[0], stored.x[1], stored.x[2]}));
+  }
+  return largest;
+}
+
+/// The figures of predictive_avoid.md, "Writing the change back".
+TEST(Globe, AFreshReportLeavesTheProvenPathAsThePageSays) {
+  const double radius = 6371e3, knots = 1852.0 / 3600;
+  for (const auto& [speed, figure] : {std::pair(250.0, 95.0), std::pair(20 * knots, 7e-3)}) {
+    const double apart = apart_after_a_new_report(speed, 600, 900);
+    EXPECT_NEAR(apart, figure, figure / 14) << speed;
+    EXPECT_NEAR(apart, std::pow(speed, 3) * 600 * 900 * 900 / (2 * radius * radius), apart / 30) << speed;
+    EXPECT_LT(apart_after_a_new_report(speed, 0, 900), 1e-6) << speed;
+  }
+}
+
 TEST(Globe, LeadsBackToTheReport) {
   Random random(3);
   for (int i = 0; i < 3000; ++i) {

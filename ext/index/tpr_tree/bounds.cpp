@@ -46,6 +46,7 @@ Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double e
   const Vec<D> x_pad =
       (motion.x.abs() + by_velocity.abs() + by_acceleration.abs() + reach_of(extents)) * pad + absolute_pad;
   const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + absolute_pad;
+  // As lower_end() and upper_end() compute them.
   const Bounds<D> ends{centre + extents.lower - x_pad,
                        -(-(centre + extents.upper) - x_pad),
                        velocity - v_pad,

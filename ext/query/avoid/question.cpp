@@ -110,10 +110,9 @@ void require_resume(const AvoidQuestion& question) {
 void require_no_meshes(const AvoidQuestion& question) {
   const auto require = [](const std::string& name, const Layout& layout) {
     if (layout.shape == Shape::mesh)
-      throw Error(name +
-                  " has meshes, which it does not examine: declare hz beside shape for prisms, or query a "
-                  "table with r "
-                  "around each");
+      throw Error(
+          "meshes of " + name +
+          " are not examined: declare hz beside shape for prisms, or query a table with r around each");
   };
   require(question.own_scene->name, question.own_scene->layout);
   if (question.also) require(question.also->name, question.also->layout());

@@ -36,8 +36,8 @@ class OutlineReader : WktLexer {
              "MULTIPOLYGON");
     if (rest().starts_with('{'))
       fail(
-          "expected POLYGON or MULTIPOLYGON, found JSON: read it with json_each, as in "
-          "zones_from_geojson.md");
+          "expected POLYGON or MULTIPOLYGON, found JSON: read it with json_each and write its corners as "
+          "text");
     expected("POLYGON or MULTIPOLYGON");
   }
 

@@ -152,7 +152,8 @@ void MapRows::write(std::span<const IdHashMap::Entry> changes) {
   }
 }
 
-// The next row of a scan costs a fifth of a look-up. So rows of other blocks are skipped, but not many in vain.
+// The next row of a scan costs a fifth of a look-up. So a few rows of other blocks are skipped to reach the next block.
+// Where they are too many it is looked up, and fewer are skipped from then on, until skipping succeeds again.
 void MapRows::read_blocks(std::span<ChangedBlock> blocks) {
   constexpr int max_skipped = 4;
   int may_skip = max_skipped;

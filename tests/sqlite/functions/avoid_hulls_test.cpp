@@ -108,10 +108,10 @@ TEST_F(AvoidHulls, AreInterrupted) {
 
 TEST_F(AvoidHulls, OfTrianglesInSpaceAreRefused) {
   db.exec("CREATE VIRTUAL TABLE rocks USING moving_objects(id, x, y, z, vx, vy, vz, shape)");
-  EXPECT_EQ(
-      db.error_of("SELECT * FROM predictive_avoid(60, 'rocks', 1)"),
-      "predictive_avoid: rocks has meshes, which it does not examine: declare hz beside shape for prisms, "
-      "or query a table with r around each");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(60, 'rocks', 1)"),
+            "predictive_avoid: meshes of rocks are not examined: declare hz beside shape for prisms, or "
+            "query a table "
+            "with r around each");
 }
 
 /// At now the position is rounded, and touches the hull around it, which the stored row just left. A ship

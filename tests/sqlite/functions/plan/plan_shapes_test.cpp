@@ -181,7 +181,7 @@ TEST_P(PlanShapes, AWaitThatIsClearMeetsNoOther) {
     EXPECT_TRUE(
         db.error_of("SELECT * FROM predictive_avoid WHERE h = 60 AND tbl = 'robots' AND id = 1 AND how "
                     "= 'wait' AND lo = 0 AND hi = 90 AND now = 0")
-            .starts_with("predictive_avoid: robots has meshes"));
+            .starts_with("predictive_avoid: meshes of robots are not examined"));
     return;
   }
   int clear = 0;
