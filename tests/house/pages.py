@@ -28,14 +28,16 @@ ELSEWHERE = ("build/", "FOLDER/", "AIS_2022_01_03.csv", "sqlite3.c", "sqlite3.h"
 
 
 def files_of(root):
-    """All files that pages may speak of, as paths from the root; folders end with a slash."""
+    """All files that pages may speak of, as paths from the root; folders end with a slash.
+
+    A folder counts if it holds a file: git leaves moved files' empty folders behind, and a fresh clone has none.
+    """
     root = Path(root)
-    found = {path.name for path in root.iterdir() if path.is_file()}
-    for folder in FOLDERS:
-        for path in (root / folder).rglob("*"):
-            if "__pycache__" not in path.parts:
-                found.add(path.relative_to(root).as_posix() + ("/" if path.is_dir() else ""))
-    return found | {folder + "/" for folder in FOLDERS}
+    files = [path for folder in FOLDERS for path in (root / folder).rglob("*") if path.is_file()]
+    found = {path.relative_to(root) for path in files if "__pycache__" not in path.parts}
+    folders = {folder for path in found for folder in path.parents if folder.name}
+    return ({path.name for path in root.iterdir() if path.is_file()} | {path.as_posix() for path in found} |
+            {folder.as_posix() + "/" for folder in folders})
 
 
 def is_there(name, files):
