@@ -21,6 +21,12 @@ class Database {
   void require_ok(int code) {
     if (code != SQLITE_OK) throw Error(sqlite3_errmsg(db_));
   }
+  /// Pages that this connection has written to the file or to the WAL since the last call.
+  int pages_written() {
+    int pages = 0, unused = 0;
+    require_ok(sqlite3_db_status(db_, SQLITE_DBSTATUS_CACHE_WRITE, &pages, &unused, 1));
+    return pages;
+  }
   sqlite3* handle() { return db_; }
 
  private:

@@ -32,7 +32,7 @@
 //              within = 926. Each second of reports is a commit; after ten minutes, when nearly all of them
 //              have reported, two are timed: the watch beside join + compare, and the rows of pairs that it
 //              writes for a report. Then the clock alone, a second at a time for 600 s: 'advance' beside all
-//              rows of predictive_join at each.
+//              rows of predictive_join at each, and beside a commit of as many pages of an ordinary table.
 //              (--quick: ten seconds, ten more, and 60 s of the clock.)
 //
 // Fails if two sides that must agree hold other pairs.

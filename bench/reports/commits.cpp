@@ -14,13 +14,6 @@ struct Commits {
   std::vector<double> pages;
 };
 
-/// Pages that this connection has written to the file or to the WAL since the last call.
-int pages_written(Database& db) {
-  int pages = 0, unused = 0;
-  db.require_ok(sqlite3_db_status(db.handle(), SQLITE_DBSTATUS_CACHE_WRITE, &pages, &unused, 1));
-  return pages;
-}
-
 /// The WAL is written into the file between commits and is not measured: that is SQLite's work, equal for all
 /// tables.
 Commits commit_one_by_one(Table& table, const Writes& writes, Medium medium) {
@@ -29,9 +22,9 @@ Commits commit_one_by_one(Table& table, const Writes& writes, Medium medium) {
   Commits commits;
   for (std::size_t i = 0; i < writes.size(); ++i) {
     if (medium == Medium::wal && i % commits_a_checkpoint == 0) table.db().run("PRAGMA wal_checkpoint");
-    pages_written(table.db());
+    table.db().pages_written();
     commits.seconds.push_back(seconds_of([&] { table.update_alone(writes, i); }));
-    commits.pages.push_back(pages_written(table.db()));
+    commits.pages.push_back(table.db().pages_written());
   }
   return commits;
 }

@@ -21,7 +21,7 @@ namespace {
 /// ownership of a tile, and a grid space. Throws Error as require_valid() does.
 JoinQuestion prepared(JoinQuestion question, Interrupt& interrupt) {
   require_valid(question);
-  question.helpers = std::min(question.helpers, max_helpers());
+  question.helpers = useful_helpers(question.helpers);
   question = with_kinds(in_tile(without_inert(std::move(question)), interrupt));
   // Straight paths of two objects meet once at most.
   if (!has_plans(question) && !has_bent_paths(question)) question.all_contacts = false;

@@ -22,8 +22,11 @@ constexpr std::size_t bytes_ahead = 3 * bytes_enough;  // of a partition
 
 }  // namespace
 
-std::size_t max_helpers() {
-  return std::max<std::size_t>(16, 2 * std::size_t{std::thread::hardware_concurrency()});
+std::size_t useful_helpers(std::size_t wanted) {
+  constexpr std::size_t some = 16;
+  // To count the processors takes a file of the system, and as long as a whole join of few objects.
+  if (wanted <= some) return wanted;
+  return std::min(wanted, std::max(some, 2 * std::size_t{std::thread::hardware_concurrency()}));
 }
 
 struct SlabHelpers::Shared {

@@ -99,8 +99,9 @@ class SlabBatch {
   std::size_t chunk_ = 0, rows_read_ = 0, touching_read_ = 0;  // position of the reader
 };
 
-/// More helper threads only wait for processors: 16, or twice the machine's processors if that is more.
-std::size_t max_helpers();
+/// Of the wanted helper threads at most 16, or twice the machine's processors if that is more: others would only wait
+/// for a processor.
+std::size_t useful_helpers(std::size_t wanted);
 
 class SlabHelpers {
  public:
