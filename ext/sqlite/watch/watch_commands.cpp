@@ -15,8 +15,10 @@ double time_of(const WatchTable& table, sqlite3_value* now) {
   const int type = sqlite3_value_numeric_type(now);
   const double time = sqlite3_value_double(now);
   if ((type == SQLITE_INTEGER || type == SQLITE_FLOAT) && std::isfinite(time)) return time;
-  throw Error(table.name.table + ": 'advance' needs a time, as in INSERT INTO " + table.name.table + "(" +
-              table.name.table + ", now) VALUES('advance', 1260.0); not " + shown(now));
+  const std::string advance =
+      "INSERT INTO " + table.name.table + "(" + table.name.table + ", now) VALUES('advance', ";
+  throw Error(table.name.table + ": 'advance' needs a time, as in " + advance +
+              as_unixepoch(now).value_or("1260.0") + "); not " + shown(now));
 }
 
 std::vector<ShownPair> joined_pairs(Connection& connection, const OpenTables& tables,

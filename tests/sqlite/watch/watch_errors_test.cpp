@@ -29,6 +29,9 @@ TEST_F(WatchErrors, MeaninglessStatementsGiveErrorsThatSayWhatToWrite) {
     starts(clock,
            "alerts: the clock moves by a command; write INSERT INTO alerts(alerts, now) VALUES('advance', 9");
   starts("INSERT INTO alerts(alerts) VALUES('advance')", "alerts: 'advance' needs a time");
+  starts("INSERT INTO alerts(alerts, now) VALUES('advance', '2026-11-30')",
+         "alerts: 'advance' needs a time, as in INSERT INTO alerts(alerts, now) VALUES('advance', "
+         "unixepoch('2026-11-30'))");
   starts("INSERT INTO alerts(alerts) VALUES('retreat')", "alerts: no command 'retreat'; known: 'advance'");
   const std::string create = "CREATE VIRTUAL TABLE w USING predictive_watch";
   starts(create, "w: no table is named");
