@@ -16,7 +16,10 @@ constexpr int out_a = join_outputs["a"], out_b = join_outputs["b"], out_t = join
 
 class JoinRows final : public FunctionRows {
  public:
-  JoinRows(JoinQuestion question, Interrupt& interrupt) : join_(std::move(question), interrupt) {}
+  JoinRows(JoinQuestion question, Interrupt& interrupt)
+      : has_starts_(question.wants.contact || question.all_contacts),
+        has_ends_(question.wants.ends || question.all_contacts),
+        join_(std::move(question), interrupt) {}
 
   bool next() override {
     if (++row_ >= batch_.size()) {
@@ -30,11 +33,17 @@ class JoinRows final : public FunctionRows {
     const JoinRow& row = batch_[row_];
     if (output <= out_b)
       sqlite3_result_int64(context, output == out_a ? row.a : row.b);
-    else
+    else if (is_computed(output))
       sqlite3_result_double(context, time_or_distance(row, output));
   }
 
  private:
+  /// FULL JOIN of SQLite 3.40 compares the whole key, also times that the statement does not read. Those are NULL: they
+  /// may differ between two calls.
+  bool is_computed(int output) const {
+    if (output == out_t || output == out_dt) return has_starts_;
+    return has_ends_ || (output != out_t_end && output != out_dt_end);
+  }
   static double time_or_distance(const JoinRow& row, int output) {
     switch (output) {
       case out_t:
@@ -54,6 +63,7 @@ class JoinRows final : public FunctionRows {
     }
   }
 
+  bool has_starts_, has_ends_;
   Join join_;
   std::span<const JoinRow> batch_;
   std::size_t row_ = 0;

@@ -23,7 +23,10 @@ constexpr int in_h = window_inputs["h"], in_tbl = window_inputs["tbl"], in_x0 = 
 
 class WindowRows final : public FunctionRows {
  public:
-  WindowRows(WindowQuestion question, Interrupt& interrupt) : window_(std::move(question), interrupt) {}
+  WindowRows(WindowQuestion question, Interrupt& interrupt)
+      : has_starts_(question.wants.starts || question.all_contacts),
+        has_ends_(question.wants.ends || question.all_contacts),
+        window_(std::move(question), interrupt) {}
 
   bool next() override {
     if (++row_ >= batch_.size()) {
@@ -36,6 +39,8 @@ class WindowRows final : public FunctionRows {
   void output(sqlite3_context* context, int output) const override {
     const WindowRow& row = batch_[row_];
     const ContactTimes& contact = row.contact;
+    const bool is_end = output == out_t_end || output == out_dt_end;
+    if (output != out_id && !(is_end ? has_ends_ : has_starts_)) return;  // as in JoinRows
     switch (output) {
       case out_id:
         return sqlite3_result_int64(context, row.id);
@@ -51,6 +56,7 @@ class WindowRows final : public FunctionRows {
   }
 
  private:
+  bool has_starts_, has_ends_;
   Window window_;
   std::span<const WindowRow> batch_;
   std::size_t row_ = 0;

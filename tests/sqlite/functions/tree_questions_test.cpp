@@ -197,5 +197,35 @@ TEST(TreeQuestions, NowAfterTheNewestRowIsGone) {
   EXPECT_EQ(db.rows("SELECT id, t FROM predictive_window(5, 'ships', 0) ORDER BY id"), "1|20.0\n2|20.0");
 }
 
+// Each row of the left table is a query by the tree. The rows that no such query has found are those of a query of all:
+// SQLite compares the whole key, of which the statement may read a part.
+TEST(TreeQuestions, FullJoinGivesEachRowOnce) {
+  if (sqlite3_libversion_number() < 3039000) GTEST_SKIP() << "SQLite has no FULL JOIN";
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE objects USING moving_objects(id, x, y, vx, vy, r);"
+      "WITH RECURSIVE n(i) AS (VALUES (1) UNION ALL SELECT i + 1 FROM n WHERE i < 150) INSERT INTO objects "
+      "SELECT i, i * 37 % 101 * 0.3, i * 53 % 97 * 0.3, i % 7 - 3, i % 5 - 2, 0.1 + i % 11 * 0.1 FROM n;"
+      "CREATE TABLE others(id INTEGER PRIMARY KEY);"
+      "INSERT INTO others SELECT id FROM objects WHERE id % 3 > 0");
+  const std::string in_window = "predictive_window(9, 'objects', 5, 25, 0, 20)",
+                    pairs = "predictive_join(3, 'objects')";
+  for (const auto& [from, id, outputs] :
+       {std::tuple{in_window, "id", std::vector{"id, w.id", "id, w.t", "id, w.t_end", "id, w.dt_end"}},
+        std::tuple{pairs, "a", std::vector{"a, w.a", "a, w.b", "b, w.t", "b, w.t_end"}},
+        std::tuple{pairs, "b", std::vector{"a, w.a", "a, w.b", "a, w.t_end"}}}) {
+    db.exec("DROP TABLE IF EXISTS copy; CREATE TEMP TABLE copy AS SELECT * FROM " + from);
+    EXPECT_NE(db.rows("SELECT id FROM others EXCEPT SELECT " + std::string(id) + " FROM copy"), "");
+    EXPECT_NE(db.rows("SELECT " + std::string(id) + " FROM copy EXCEPT SELECT id FROM others"), "");
+    for (const char* output : outputs) {
+      const auto joined = [&](const std::string& right) {
+        return db.rows(std::string("SELECT o.id, w.") + output + " FROM others o FULL JOIN " + right +
+                       " w ON w." + id + " = o.id ORDER BY 1, 2, 3");
+      };
+      EXPECT_EQ(joined(from), joined("copy")) << from << " on " << id << ": " << output;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace foresee::testing
