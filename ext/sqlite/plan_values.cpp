@@ -99,7 +99,7 @@ void require_places(const Plan& plan) {
   if (plan.kind != PlanKind::knots)
     throw Error(
         "a blob of legs with velocities: with lat, lon a plan has knots; "
-        "write plan_points(t, lon, lat), or a MULTILINESTRING M if it has gaps");
+        "write plan_points(t, lon, lat)");
 }
 
 Knot knot_on_plane(const Plan& plan, std::size_t knot, const Frame& frame) {

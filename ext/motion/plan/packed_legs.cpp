@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "base/error.h"
@@ -61,6 +62,15 @@ class Reader {
     if (!std::isfinite(value)) refuse();
     return value;
   }
+  /// Skips a knot whose `numbers` numbers are all NaN, between two others; false if the next one is another.
+  bool takes_separator(std::size_t numbers) {
+    const std::size_t end = at_ + 8 * numbers;
+    if (at_ == header_size || end >= bytes_.size()) return false;
+    for (std::size_t at = at_; at < end; at += 8)
+      if (!std::isnan(number_at(at))) return false;
+    at_ = end;
+    return true;
+  }
   /// Infinite only as the last time of the plan, behind which `more` numbers follow.
   double time(std::size_t more) {
     const double value = number();
@@ -75,10 +85,14 @@ class Reader {
   }
 
  private:
+  double number_at(std::size_t at) const {
+    double value;
+    std::memcpy(&value, &bytes_[at], sizeof value);
+    return value;
+  }
   double number() {
     step_();
-    double value;
-    std::memcpy(&value, &bytes_[at_], sizeof value);
+    const double value = number_at(at_);
     at_ += sizeof value;
     return value;
   }
@@ -122,24 +136,24 @@ PlanKind checked_kind(std::span<const std::byte> blob) {
 }  // namespace
 
 std::vector<std::byte> encode_plan(const Plan& plan, Interrupt& interrupt) {
-  if (plan.kind == PlanKind::knots && plan.parts() == 1) {
-    Writer writer(plan.kind, plan.axes, plan.knots.size(), interrupt);
-    for (const Knot& knot : plan.knots) {
-      writer.put(knot.t);
-      writer.put(knot.x);
-    }
-    return writer.finish();
+  const bool has_knots = plan.kind == PlanKind::knots;
+  const std::size_t items = has_knots ? plan.knots.size() + plan.parts() - 1 : plan.legs.size();
+  Writer writer(plan.kind, plan.axes, items, interrupt);
+  const auto put_knot = [&writer](const Knot& knot) {
+    writer.put(knot.t);
+    writer.put(knot.x);
+  };
+  for (std::size_t part = 0; has_knots && part < plan.parts(); ++part) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if (part > 0) put_knot({nan, {nan, nan, nan}});
+    for (std::size_t i = plan.part_starts[part]; i < plan.part_end(part); ++i) put_knot(plan.knots[i]);
   }
-  const PlanKind kind = plan.kind == PlanKind::accelerated ? plan.kind : PlanKind::uniform;
-  const std::vector<Leg> own = plan.kind == PlanKind::knots ? legs_of(plan) : std::vector<Leg>();
-  const std::vector<Leg>& legs = plan.kind == PlanKind::knots ? own : plan.legs;
-  Writer writer(kind, plan.axes, legs.size(), interrupt);
-  for (const Leg& leg : legs) {
+  for (const Leg& leg : plan.legs) {
     writer.put(leg.t);
     writer.put(leg.until);
     writer.put(leg.x);
     writer.put(leg.v);
-    if (kind == PlanKind::accelerated) writer.put(leg.a);
+    if (plan.kind == PlanKind::accelerated) writer.put(leg.a);
   }
   return writer.finish();
 }
@@ -156,6 +170,7 @@ Plan decode_plan(std::span<const std::byte> blob, Interrupt& interrupt) {
   if (plan.kind == PlanKind::knots) {
     plan.knots.reserve(items);
     while (!reader.at_end()) {
+      if (reader.takes_separator(per_item)) plan.part_starts.push_back(plan.knots.size());
       const double t = reader.time(axes);
       plan.knots.push_back({t, reader.vector()});
     }

@@ -4,13 +4,12 @@
 //   decode_plan(blob, interrupt) == plan                       // every number bit for bit
 //
 //   bytes 0 to 7     'p' 'l' 1 axes kind 0 0 0
-//   then             kind 0: per knot t, x…            one part; the last t may be infinite
+//   then             kind 0: per knot t, x…            between two parts a knot whose numbers are all NaN
 //                    kind 1: per leg t, until, x…, v…
 //                    kind 2: per leg t, until, x…, v…, a…
 //
-// A plan of knots with several parts has no blob of kind 0: encode_plan() writes its legs, as kind 1. The until of
-// the last leg may be infinite. decode_plan() throws Error with the byte for a number that is not finite, and by
-// check_plan() for legs that overlap; it accepts any number of legs. Cost: some ns per number.
+// The last t or until may be infinite. decode_plan() throws Error with the byte for another number that is not finite,
+// and by check_plan() for legs that overlap; it accepts any number of legs. Cost: some ns per number.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +21,7 @@
 
 namespace foresee {
 
-/// Throws Error if no double holds the velocity of a leg. Requires: check_plan() accepts the plan.
+/// Requires: check_plan() accepts the plan.
 std::vector<std::byte> encode_plan(const Plan& plan, Interrupt& interrupt);
 
 Plan decode_plan(std::span<const std::byte> blob, Interrupt& interrupt);

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "base/error.h"
-#include "motion/plan/plan_legs.h"
 #include "never_interrupt.h"
 #include "scenes.h"
 
@@ -71,14 +70,24 @@ TEST(PackedLegs, HaveTheDocumentedBytes) {
   EXPECT_EQ(std::memcmp(blob.data(), expected, sizeof expected), 0);
 }
 
-TEST(PackedLegs, OfSeveralPartsAreUniformLegs) {
-  const Plan plan{.kind = PlanKind::knots,
-                  .axes = 2,
-                  .knots = {{0, {0, 0}}, {1, {1, 3}}, {5, {7, 7}}, {6, {7, 8}}},
-                  .part_starts = {0, 2}};
-  const Plan read = decode_plan(encode_plan(plan, never), never);
-  EXPECT_EQ(read.kind, PlanKind::uniform);
-  EXPECT_EQ(read.legs, legs_of(plan));
+TEST(PackedLegs, HaveNoNumbersBetweenTwoParts) {
+  const Plan plan{
+      .kind = PlanKind::knots,
+      .axes = 2,
+      .knots = {{0, {0, 0}}, {1, {1, 3}}, {5, {7, 7}}, {6, {7, 8}}, {6, {0, 0}}, {no_end, {0, 0}}},
+      .part_starts = {0, 2, 4}};
+  const std::vector<std::byte> blob = encode_plan(plan, never);
+  EXPECT_EQ(blob.size(), 8 + 24 * 8u);
+  EXPECT_EQ(decode_plan(blob, never), plan);
+  for (std::size_t knot :
+       {0, 1, 3, 4, 6, 7}) {  // a separator at either end, next to another one, behind one knot
+    std::vector<std::byte> other = blob;
+    for (std::size_t i = 0; i < 3; ++i) put(other, 8 + 24 * knot + 8 * i, std::nan(""));
+    EXPECT_NE(refusal_of_blob(other), "") << knot;
+  }
+  std::vector<std::byte> half = blob;
+  put(half, 8 + 24 * 2 + 16, 7);
+  EXPECT_EQ(refusal_of_blob(half), "byte 56: not a finite number");
 }
 
 TEST(PackedLegs, SayWhatIsWrong) {

@@ -74,6 +74,14 @@ TEST_F(PlanDegrees, TheFirstKnotChoosesTheOrigin) {
   EXPECT_EQ(db.rows("SELECT lat, lon, plan FROM here"), "53.96|7.87|NULL");
 }
 
+TEST_F(PlanDegrees, PointsMayHaveGaps) {
+  db.exec(
+      "INSERT INTO ships(id, plan) SELECT 9, plan_points(column1, column2, column3) FROM (VALUES (0, 8, 54), "
+      "(60, 8.01, 54), (61, NULL, NULL), (600, 8.1, 54), (660, 8.2, 54.25))");
+  EXPECT_EQ(db.rows("SELECT plan FROM ships WHERE id = 9"),
+            "MULTILINESTRING M((8 54 0, 8.01 54 60), (8.1 54 600, 8.2 54.25 660))");
+}
+
 TEST_F(PlanDegrees, Errors) {
   const std::string of = "ships.plan of row 7: ";
   EXPECT_EQ(error_of("'LINESTRING M(8 54 0, 54 98 9)'"),
@@ -85,7 +93,7 @@ TEST_F(PlanDegrees, Errors) {
             of + "at character 6");
   EXPECT_EQ(error_of("(SELECT plan_uniform(0, 9, 8, 54, 1, 1))"),
             of + "a blob of legs with velocities: with lat, lon a plan has knots; write plan_points(t, lon, "
-                 "lat), or a MULTILINESTRING M if it has gaps");
+                 "lat)");
   const std::string plan = "'LINESTRING M(8 54 0, 8 55 9)'";
   EXPECT_EQ(db.error_of("INSERT INTO ships(id, lat, plan) VALUES (7, 55, " + plan + ")"),
             "ships.lat of row 7 is 55: its plan starts with lat = 54; leave lat out, or set plan to NULL");
