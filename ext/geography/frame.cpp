@@ -109,8 +109,10 @@ Fix rounded(const Fix& fix) {
   Fix result{{degrees(fix.place.lat), degrees(fix.place.lon)}, {}};
   if (result.place.lon <= -180) result.place.lon = 180;
   if (!fix.course) return result;
+  // Some kilometres from the origin, lengths across the direction to it have lost three digits.
+  const double speed_error = error + 4e-13 * fix.course->speed;
   // An object that moves is not shown at rest.
-  const double speed = short_decimal(fix.course->speed, 1e9, error);
+  const double speed = short_decimal(fix.course->speed, 1e9, speed_error);
   const double course = short_decimal(fix.course->degrees, 1e6, course_error);
   result.course = Course{speed == 0 ? fix.course->speed : speed, course >= 360 ? 0 : course};
   return result;

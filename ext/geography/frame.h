@@ -80,8 +80,9 @@ struct Frame {
   }
 };
 
-/// A place or speed within 2e-12 of a number with 9 decimals becomes that number, a course within 2e-11 of one with 6:
-/// reports with few decimals are read back as they were written. A longitude is in (-180, 180], a course in [0, 360).
+/// Reports with few decimals are read back as they were written. A place within 2e-12 of a number with 9 decimals
+/// becomes that number. So does a speed, within 2e-12 and 4e-13 of itself, and a course within 2e-11 of one with 6. A
+/// longitude is in (-180, 180], a course in [0, 360).
 /// On the globe a height within 3e-8 m (far above it, 4e-15 of itself) of a number with 6 decimals becomes that number.
 Fix rounded(const Fix& fix);
 

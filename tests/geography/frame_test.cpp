@@ -71,11 +71,14 @@ TEST(Frames, LeadBackToTheReport) {
 /// Reports have few decimals: these come back as they were, also due north and on the 180th meridian.
 TEST(Frames, ReadReportsBackAsTheyWereWritten) {
   Random random(2);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     const LatLon origin{std::round(random.in(-700, 700)) / 10, std::round(random.in(-1799, 1799)) / 10};
-    const LatLon place{std::round((origin.lat + random.in(-1, 1)) * 1e5) / 1e5,
-                       std::round((origin.lon + random.in(-1, 1)) * 1e5) / 1e5};
-    const Course course{std::round(random.in(1, 300)) / 10, std::round(random.in(0, 3599)) / 10};
+    const double degrees = i % 3 == 0 ? 1 : 0.05;  // some kilometres from the origin digits are lost
+    const LatLon place{std::round((origin.lat + random.in(-degrees, degrees)) * 1e5) / 1e5,
+                       std::round((origin.lon + random.in(-degrees, degrees)) * 1e5) / 1e5};
+    const double speed = random.in(1, 300), fast = random.in(1, 2000);
+    const Course course{i % 5 == 0 ? std::round(fast * 1e9) / 1e9 : std::round(speed) / 10,
+                        std::round(random.in(0, 3599)) / 10};
     if (std::abs(place.lon) > 180) continue;
     const Frame frame = degrees_about(origin, SpeedUnit::knots);
     const Fix back = frame.shown(frame.to_metres({{place, i % 4 == 0 ? Course{12.5, 0} : course}})).fix;
