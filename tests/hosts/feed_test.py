@@ -86,12 +86,14 @@ class StandardInput(Live):
     def test_bad_lines_are_named_and_end_nothing(self):
         good = [made_up_report(i, 3) for i in range(3)]
         text = csv_of(good).splitlines()
-        text[2:2] = ["1,2", "x,1641168000,53,7,5,5", "4,then,53,7,5,5", "4,1641168000,95,7,5,5", "4,1641168000,53,7,-5,5", "4,1641168000,91,181,5,5"]
+        text[2:2] = ["1,2", "x,1641168000,53,7,5,5", "4,then,53,7,5,5", "4,1641168000,95,7,5,5", "4,1641168000,53,7,-5,5", "4,1641168000,91,181,5,5",
+                     "4,nan,53,7,5,5"]
         errors = self.feed("\n".join(text))
         for number, message in ((3, "2 values, and the header has 6 columns"), (4, "the ship's number is 'x', not a number"),
-                                (5, "the time is 'then'"), (6, "the latitude is 95, not within 90 degrees"), (7, "the speed is -5, less than 0")):
+                                (5, "the time is 'then'"), (6, "the latitude is 95, not within 90 degrees"), (7, "the speed is -5, less than 0"),
+                                (9, "the time (t) is missing")):
             self.assertTrue(any(f"line {number}: {message}" in line for line in errors), (number, message, errors))
-        self.assertEqual(totals(errors), (10, 3, 0, 1, 5))
+        self.assertEqual(totals(errors), (11, 3, 0, 1, 6))
         self.assert_holds(good)
 
     def test_hostile_lines_are_bad_lines(self):

@@ -40,6 +40,11 @@ class Refused(Fleet):
         self.assertIn("a.db has (id, t, x, y, vx, vy, r)", said)
         self.assertIn("b.db has (id, x, y, r)", said)
 
+    def test_plans_in_degrees(self):
+        trips = "id, lat, lon, plan, origin = '54 8'", []
+        self.assertIn("a.db: ships has plans in degrees, which several shards cannot join: write them in metres, by geo_to_plane, or",
+                      self.plan(self.shard("a.db", ships=trips), self.shard("b.db", ships=trips)))
+
     def test_frames_that_differ(self):
         def shard(name, table="ships", *options):
             columns = "id, lat, lon, r" if "frame" not in "".join(options) else "id, x, y, r"

@@ -96,7 +96,7 @@ def shortened(value):
 
 def seconds(value):
     """Unix seconds of a time: seconds, milli-, micro- or nanoseconds, ISO 8601, DMA's day/month/year, or fourteen digits. Without a
-    zone it is UTC."""
+    zone it is UTC. None without one."""
     text = str(value).strip()
     digits = re.fullmatch(r"((?:19|20)\d{6})T?(\d{6})(Z?)", text)
     if digits:
@@ -107,6 +107,8 @@ def seconds(value):
             result = number("the time", value)
         except BadReport:
             raise BadReport(f"the time is {shortened(value)}, {NO_TIME}") from None
+        if result is None:
+            return None
         for units in (1e9, 1e6, 1e3):
             if abs(result) > 1e8 * units:
                 return result / units

@@ -124,6 +124,9 @@ def declaration(shards, table, carried):
             if column not in plus:
                 raise Refusal(f"{shard['path']}: {table} has no column +{column}")
     columns = columns_of(first)[0]
+    if len(shards) > 1 and "lat" in columns and "plan" in columns:
+        raise Refusal(f"{having[0]['path']}: {table} has plans in degrees, which several shards cannot join: write them in metres,"
+                      " by geo_to_plane, or all rows into one file")
     if on_globe(having[0], table):
         return [axis for column in columns for axis in ON_THE_GLOBE.get(column, (column,))]
     return [ON_THE_PLANE[column] if "lat" in columns and column in ON_THE_PLANE else column for column in columns]
