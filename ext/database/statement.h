@@ -34,6 +34,21 @@ void execute(sqlite3* db, const std::string& sql);
 /// Throws the connection's last error as StoreError.
 [[noreturn]] void throw_sqlite_error(sqlite3* db, int code);
 
+/// Keeps last_insert_rowid() from showing the rows that own statements insert, while it exists.
+class KeptInsertRowid {
+ public:
+  explicit KeptInsertRowid(sqlite3* db) : db_(db), rowid_(sqlite3_last_insert_rowid(db)) {}
+  ~KeptInsertRowid() {
+    if (sqlite3_last_insert_rowid(db_) != rowid_) sqlite3_set_last_insert_rowid(db_, rowid_);
+  }
+  KeptInsertRowid(const KeptInsertRowid&) = delete;
+  KeptInsertRowid& operator=(const KeptInsertRowid&) = delete;
+
+ private:
+  sqlite3* db_;
+  sqlite3_int64 rowid_;
+};
+
 class Statement {
  public:
   /// A shadow table may have been replaced by a virtual table, which would run any code. A statement fails on

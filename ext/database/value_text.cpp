@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <new>
-#include <string_view>
 
 #include "base/integer_of.h"
 #include "base/number_text.h"
@@ -12,15 +11,6 @@ namespace foresee {
 
 namespace {
 
-/// The first `limit` bytes at most, cut off between characters.
-std::string_view prefix(std::string_view text, std::size_t limit) {
-  const auto is_inside_character = [&](std::size_t i) {
-    return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
-  };
-  while (limit > 0 && limit < text.size() && is_inside_character(limit)) --limit;
-  return text.substr(0, limit);
-}
-
 /// SQLite returns a null pointer for NULL, and for any value without memory.
 std::string_view text_or_no_memory(int type, const unsigned char* text, int size) {
   if (text != nullptr) return {reinterpret_cast<const char*>(text), static_cast<std::size_t>(size)};
@@ -29,6 +19,14 @@ std::string_view text_or_no_memory(int type, const unsigned char* text, int size
 }
 
 }  // namespace
+
+std::string_view cut_off(std::string_view text, std::size_t limit) {
+  const auto is_inside_character = [&](std::size_t i) {
+    return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
+  };
+  while (limit > 0 && limit < text.size() && is_inside_character(limit)) --limit;
+  return text.substr(0, limit);
+}
 
 // The order matters: the type before the conversion, the size after it.
 std::string text_of(sqlite3_value* value) {
@@ -40,7 +38,7 @@ std::string text_of(sqlite3_value* value) {
 std::string text_of(sqlite3_stmt* row, int column, std::size_t limit) {
   const int type = sqlite3_column_type(row, column);
   const unsigned char* text = sqlite3_column_text(row, column);
-  return std::string(prefix(text_or_no_memory(type, text, sqlite3_column_bytes(row, column)), limit));
+  return std::string(cut_off(text_or_no_memory(type, text, sqlite3_column_bytes(row, column)), limit));
 }
 
 bool is_null_or_empty(sqlite3_value* value) {
@@ -67,7 +65,7 @@ std::string shown(sqlite3_value* value) {
     default: {
       const std::string text = without_nul(text_of(value));
       if (text.size() <= limit) return std::string("'").append(text).append("'");
-      return std::string("'").append(prefix(text, limit)).append("...'");
+      return std::string("'").append(cut_off(text, limit)).append("...'");
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "database/sqlite_api.h"
 
@@ -23,6 +24,9 @@ bool is_null_or_empty(sqlite3_value* value);
 
 /// True for an integer that no double equals, such as 2^53 + 1, and for the text of one.
 bool is_inexact(sqlite3_value* value);
+
+/// The first `limit` bytes at most, cut off between characters.
+std::string_view cut_off(std::string_view text, std::size_t limit);
 
 /// For messages, which a NUL would end: replaces each NUL by \0.
 std::string without_nul(std::string text);

@@ -100,7 +100,7 @@ void require_frame_of_watches(MovingObjectsTable& table, const std::optional<Lat
 std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   if (!is_null(row.command)) {
     run_command(table, row.command);
-    return 0;
+    return sqlite3_last_insert_rowid(table.connection->db());  // which SQLite sets to this
   }
   // `INSERT INTO ships(rowid, ...)` sets the id by its alias.
   std::optional<std::int64_t> id = table.reader.id(row.id);

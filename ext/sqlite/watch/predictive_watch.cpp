@@ -198,7 +198,7 @@ int watch_update(sqlite3_vtab* base, int count, sqlite3_value** arguments, sqlit
     sqlite3_value *const command = arguments[2 + watch_command], *const now = arguments[2 + watch_now];
     if (!inserts || sqlite3_value_type(command) == SQLITE_NULL) refuse_row(table, inserts, command, now);
     run_watch_command(table, command, now);
-    *rowid = 0;
+    *rowid = sqlite3_last_insert_rowid(table.connection->db());  // which SQLite sets to this
   });
 }
 

@@ -66,9 +66,11 @@ void WatchCursor::filter(int plan, sqlite3_value** arguments) {
 
 /// The stored pairs, without those of changed objects.
 std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSides& changed) const {
-  const auto id_of = [](const auto& id) { return id ? std::span(&*id, 1) : std::span<const std::int64_t>(); };
-  const auto pairs = only_a_   ? rows.stored_pairs_of(id_of(only_a_), {})
-                     : only_b_ ? rows.stored_pairs_of({}, id_of(only_b_))
+  const auto one_id = [](const auto& id) {
+    return id ? std::span(&*id, 1) : std::span<const std::int64_t>();
+  };
+  const auto pairs = only_a_   ? rows.stored_pairs_of(one_id(only_a_), {})
+                     : only_b_ ? rows.stored_pairs_of({}, one_id(only_b_))
                                : rows.pairs();
   std::vector<ShownPair> kept;
   for (const WatchedPair& pair : pairs)

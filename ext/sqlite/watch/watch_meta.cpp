@@ -38,6 +38,13 @@ class MetaValues {
 
   bool has(const char* key) const { return values_.contains(key); }
 
+  /// The first words of a text in brackets; "" for another value.
+  std::string reason(const char* key) const {
+    constexpr std::size_t limit = 50;
+    const MetaValue& value = found(key);
+    if (value.type != SQLITE_TEXT) return "";
+    return " (" + without_nul(std::string(cut_off(value.text, limit))) + ")";
+  }
   std::optional<std::string> text(const char* key) const {
     const MetaValue& value = declared(key);
     if (value.type == SQLITE_NULL) return std::nullopt;
@@ -108,6 +115,9 @@ class MetaValues {
 // waiting pairs that are due before they start, and a new watch has `key_tables` (pair_keys.h).
 constexpr std::int64_t newest_format = 3;
 
+/// No watch counts as far; from a damaged file a larger count would overflow.
+constexpr std::int64_t max_count = std::int64_t{1} << 53;
+
 const char* early_key(std::int64_t format) {
   return format == 1 ? "early" : "early_reports";
 }
@@ -152,9 +162,9 @@ void require_clock_in_range(const MetaValues& values, const WatchState& state, H
 WatchState WatchRows::read_state() {
   const MetaValues values(meta_, name_.table);
   if (values.has("damaged"))
-    throw StoreError(SQLITE_CORRUPT_VTAB, name_.table +
-                                              ": a commit could not write all of its changes: DROP TABLE " +
-                                              name_.table + " and CREATE it again");
+    throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": a commit could not write all of its changes" +
+                                              values.reason("damaged") + ": DROP TABLE " + name_.table +
+                                              " and CREATE it again");
   WatchState state;
   state.format = values.required_whole("format", 1);
   if (state.format > newest_format)
@@ -170,14 +180,14 @@ WatchState WatchRows::read_state() {
   state.known_to = values.number("known_to", -infinity).value_or(-infinity);
   state.last_advance = values.number("step", 0, infinity).value_or(0);
   state.look_ahead_length = values.number("further", 0, infinity).value_or(0);
-  state.found_waiting = values.whole("waited", 0).value_or(0);
-  state.dropped_waiting = values.whole("dropped", 0).value_or(0);
-  state.seq = values.required_whole("seq", 0);
-  state.early_reports = values.required_whole(early_key(state.format), 0);
+  state.found_waiting = values.whole("waited", 0, max_count).value_or(0);
+  state.dropped_waiting = values.whole("dropped", 0, max_count).value_or(0);
+  state.seq = values.required_whole("seq", 0, max_count);
+  state.early_reports = values.required_whole(early_key(state.format), 0, max_count);
   constexpr auto min_integer = std::numeric_limits<std::int64_t>::min();
   state.stamp = values.whole("stamp", min_integer);
   state.other_stamp = values.whole("other_stamp", min_integer);
-  state.early_score = values.whole("early_score", 0).value_or(0);
+  state.early_score = values.whole("early_score", 0, max_count).value_or(0);
   state.created = values.whole("created", min_integer);
   use_pairs(values.whole("key_tables", 0, 1).value_or(0) != 0);
   keys_.forget();
@@ -255,8 +265,8 @@ void WatchRows::write_must_rebuild(bool must_rebuild) {
   write_meta("anew", std::optional(std::int64_t{must_rebuild}));
 }
 
-void WatchRows::write_damaged() {
-  write_meta("damaged", std::optional(std::int64_t{1}));
+void WatchRows::write_damaged(std::string_view reason) {
+  write_meta("damaged", std::optional(reason));
 }
 
 }  // namespace foresee

@@ -45,7 +45,8 @@ class WatchRows final : public WatchStorage {
   void write_requested_clock(std::optional<double> time);
   void write_must_rebuild(bool must_rebuild);
   /// From now on read_state() reports damage.
-  void write_damaged();
+  /// `reason`: why the watch could not be updated.
+  void write_damaged(std::string_view reason);
   void write_tables(const WatchDeclaration& declaration);
 
   // --- _pair and its keys; requires: read_state() was called

@@ -16,7 +16,9 @@ bool is_of_watch(const StoreError& error) {
 
 /// Marks the watch as damaged after an update that failed half way. The rows that it wrote look as if their changes
 /// were logged, so a later update would not log them.
-void mark_damaged(WatchRows& rows) try { rows.write_damaged(); } catch (const StoreError& error) {
+void mark_damaged(WatchRows& rows, const char* reason) try {
+  rows.write_damaged(reason);
+} catch (const StoreError& error) {
   if (!is_of_watch(error)) throw;  // _meta is damaged too, which a reader detects
 }
 
@@ -71,7 +73,7 @@ void Watches::update(const QualifiedName& watch, PairUpdate::Log log) {
   try {
     if (const auto after = update.run(log)) rows->write_state(*after, before);
   } catch (const StoreError& error) {
-    if (is_of_watch(error) && update.has_written()) mark_damaged(*rows);
+    if (is_of_watch(error) && update.has_written()) mark_damaged(*rows, error.what());
     throw;
   }
 }

@@ -63,17 +63,4 @@ OpenTables watched_tables(Connection& connection, const std::string& schema,
 /// The watches of a connection. Requires: register_predictive_watch has run.
 Watches& watches_of(Connection& connection);
 
-/// Restores last_insert_rowid, because the rows that a watch writes are not the user's.
-class KeptInsertRowid {
- public:
-  explicit KeptInsertRowid(sqlite3* db) : db_(db), rowid_(sqlite3_last_insert_rowid(db)) {}
-  ~KeptInsertRowid() { sqlite3_set_last_insert_rowid(db_, rowid_); }
-  KeptInsertRowid(const KeptInsertRowid&) = delete;
-  KeptInsertRowid& operator=(const KeptInsertRowid&) = delete;
-
- private:
-  sqlite3* db_;
-  sqlite3_int64 rowid_;
-};
-
 }  // namespace foresee

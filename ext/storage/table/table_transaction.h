@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "database/sqlite_api.h"
+#include "database/statement.h"
 #include "storage/table/version.h"
 
 namespace foresee {
@@ -127,26 +127,26 @@ class TableTransaction {
 
 /// Own SQL statements inside a callback. SQLite may call the table back for them: while this object exists
 /// their savepoints are ignored, and a complete rollback (after a disk error) is deferred until it ends.
-/// last_insert_rowid() does not show them. Nests; costs two calls of SQLite.
+/// Nests; costs two calls of SQLite.
 class TableTransaction::OwnStatements {
  public:
-  explicit OwnStatements(TableTransaction& transaction)
-      : transaction_(transaction), rowid_(sqlite3_last_insert_rowid(transaction.db_)) {
+  explicit OwnStatements(TableTransaction& transaction) : transaction_(transaction), kept_(transaction.db_) {
     ++transaction_.own_statements_;
   }
   ~OwnStatements() {
-    sqlite3* const db = transaction_.db_;
-    if (sqlite3_last_insert_rowid(db) != rowid_) sqlite3_set_last_insert_rowid(db, rowid_);
     if (--transaction_.own_statements_ > 0 || !transaction_.rolled_back_) return;
     transaction_.rolled_back_ = false;
-    transaction_.rollback();
+    try {
+      transaction_.rollback();
+    } catch (...) {  // without memory after a rolled-back RENAME: the next rollback uses the old name again
+    }
   }
   OwnStatements(const OwnStatements&) = delete;
   OwnStatements& operator=(const OwnStatements&) = delete;
 
  private:
   TableTransaction& transaction_;
-  sqlite3_int64 rowid_;
+  KeptInsertRowid kept_;
 };
 
 /// One change, including its own statements. Unless it is done(), its end restores all state in memory. If rows

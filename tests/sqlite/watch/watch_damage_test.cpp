@@ -156,7 +156,8 @@ TEST(DamagedWatches, AFullLogIsReportedToEveryReader) {
   db.exec("UPDATE ships SET x = 60 WHERE id = 3");  // two, and the second is refused
   db.exec("DROP TRIGGER full");
   const std::string fault =
-      "alerts: a commit could not write all of its changes: DROP TABLE alerts and CREATE it again";
+      "alerts: a commit could not write all of its changes (integer overflow): DROP TABLE alerts and CREATE "
+      "it again";
   const auto expect_fault = [&](Database& reader) {
     EXPECT_EQ(reader.rows("SELECT fault FROM predictive_watches"), fault);
     for (const std::string sql : {"SELECT * FROM alerts", "SELECT * FROM predictive_changes('alerts', 1)",

@@ -112,6 +112,11 @@ TEST_F(Watch, AnIdMayChangeAndReplaceAnother) {
 TEST_F(Watch, ItsOwnWritesAreNoRowsOfTheUser) {
   db.exec("INSERT INTO ships VALUES (77, 0, 40, 0, 0, 0, 10)");
   EXPECT_EQ(db.rows("SELECT last_insert_rowid()"), "77");
+  for (const char* command : {"alerts(alerts, now) VALUES('advance', 1)", "alerts(alerts) VALUES('rebuild')",
+                              "ships(ships) VALUES('optimize')"}) {
+    db.exec(std::string("INSERT INTO ") + command);
+    EXPECT_EQ(db.rows("SELECT last_insert_rowid()"), "77") << command;
+  }
 }
 
 TEST_F(Watch, ItsPairsAndChangesAreOrdinaryRows) {
