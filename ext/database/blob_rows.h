@@ -13,6 +13,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <type_traits>
 
 #include "database/ascending_rows.h"
 #include "database/shadow_tables.h"
@@ -51,13 +52,18 @@ class BlobRows {
     read(run.blob(0));
     return true;
   }
-  /// Calls read(number, blob) for every row from `first` to `last`, numbers ascending.
+  /// Calls read(number, blob) for every row from `first` to `last`, numbers ascending; one that returns false ends it.
   template <class Read>
   void read(std::int64_t first, std::int64_t last, Read read) {
     Statement::Run run(from_);
     run.bind(1, first);
-    for (std::optional<std::int64_t> number; number != last && run.step(); read(*number, run.blob(1)))
+    for (std::optional<std::int64_t> number; number != last && run.step();) {
       if (number = number_after(number, run, rows()); *number > last) return;
+      if constexpr (std::is_void_v<decltype(read(*number, run.blob(1)))>)
+        read(*number, run.blob(1));
+      else if (!read(*number, run.blob(1)))
+        return;
+    }
   }
   template <class Read>
   void read_all(Read each) {

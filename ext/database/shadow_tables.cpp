@@ -16,6 +16,10 @@ bool is_one_of(std::string_view suffix, std::span<const char* const> suffixes) {
   return false;
 }
 
+void throw_damaged(const QualifiedName& name, const std::string& what) {
+  throw StoreError(SQLITE_CORRUPT_VTAB, name.table + ": " + what);
+}
+
 ShadowTables::ShadowTables(sqlite3* db, QualifiedName name, std::vector<ShadowTable> tables)
     : db_(db),
       name_(std::move(name)),

@@ -27,6 +27,9 @@ struct QualifiedName {
   std::string table;
 };
 
+/// SQLITE_CORRUPT_VTAB as StoreError: the rows of this table are damaged.
+[[noreturn]] void throw_damaged(const QualifiedName& name, const std::string& what);
+
 /// The table `<name>_<suffix>`, with the text of CREATE TABLE after its name.
 struct ShadowTable {
   std::string suffix;

@@ -53,7 +53,7 @@ std::unique_ptr<Candidates> leg_candidates(const JoinQuestion& question, const H
                                            Interrupt& interrupt) {
   return make_leg_candidates({.a = Movers(question.a),
                               .b = Movers(question.b ? question.b : question.a),
-                              .within = !question.b,
+                              .each_once = !question.b,
                               .are_one = question.b == question.a,
                               .only_a = question.only_a,
                               .only_b = question.only_b},

@@ -30,7 +30,7 @@ class LegCandidates final : public Candidates {
         times_(leg_times_of(horizon)),
         of_a_(queried(sides_.a, sides_.only_a)),
         of_b_(queried(sides_.b, sides_.only_b)),
-        within_(sides_.within && !sides_.only_a && !sides_.only_b),
+        each_once_(sides_.each_once && !sides_.only_a && !sides_.only_b),
         a_(of_a_.first),
         b_(first_b()),
         interrupt_(interrupt) {}
@@ -41,7 +41,7 @@ class LegCandidates final : public Candidates {
     for (std::size_t steps = 0; a_ < of_a_.last; b_ = first_b()) {
       for (; b_ < of_b_.last; ++b_) {
         if (out.size() >= full || ++steps > legs_per_batch) return true;
-        if ((sides_.within || sides_.are_one) && a_ == b_) continue;
+        if ((sides_.each_once || sides_.are_one) && a_ == b_) continue;
         for_leg_pairs(sides_.a, sides_.b, {a_, b_}, times_.from, [&](const Pair& legs) {
           if (std::max(sides_.a.t(legs.a), sides_.b.t(legs.b)) > times_.until) return false;
           out.push_back(legs);
@@ -54,12 +54,12 @@ class LegCandidates final : public Candidates {
   }
 
  private:
-  std::uint32_t first_b() const { return within_ ? a_ + 1 : of_b_.first; }
+  std::uint32_t first_b() const { return each_once_ ? a_ + 1 : of_b_.first; }
 
   LegCandidatesOf sides_;
   LegTimes times_;
   MoverRange of_a_, of_b_;
-  bool within_;
+  bool each_once_;
   std::uint32_t a_, b_;
   Interrupt& interrupt_;
 };

@@ -55,7 +55,7 @@ void MoverPair::test_legs() {
 
 void MoverPair::gather(const Pair& movers, double from, double until, bool follow) {
   double bound = until;
-  const auto extend = [&] {
+  const auto test_and_follow = [&] {
     test_legs();
     if (!follow) return;
     for (bool more = true; more;) {
@@ -69,7 +69,7 @@ void MoverPair::gather(const Pair& movers, double from, double until, bool follo
   legs_.clear();
   for_leg_pairs(a_, b_, movers, from, [&](const Pair& legs) {
     const double start = start_of(legs);
-    if (legs_.size() >= legs_at_once || (start > bound && !legs_.empty())) extend();
+    if (legs_.size() >= legs_at_once || (start > bound && !legs_.empty())) test_and_follow();
     if (start > bound) return false;
     legs_.push_back(legs);
     return true;

@@ -11,7 +11,6 @@
 // or packed.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 

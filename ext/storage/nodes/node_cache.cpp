@@ -9,10 +9,6 @@
 
 namespace foresee {
 
-void NodeCache::damaged(const std::string& what) const {
-  throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
-}
-
 // --- reading
 
 const char* NodeCache::fault(NodeNumber number, std::span<const std::byte> blob) const {
@@ -25,8 +21,9 @@ const char* NodeCache::fault(NodeNumber number, std::span<const std::byte> blob)
 NodeNumber NodeCache::find_root() {
   if (head_->root == Head::unknown) {
     const std::optional<std::int64_t> stored = rows_->read_root();
-    if (!stored || *stored < 0) damaged("the root is not a node");
-    if (*stored == 0 && !rows_->map().is_empty()) damaged("there is no root, but the map has objects");
+    if (!stored || *stored < 0) throw_damaged(name_, "the root is not a node");
+    if (*stored == 0 && !rows_->map().is_empty())
+      throw_damaged(name_, "there is no root, but the map has objects");
     head_.change().root = *stored;
   }
   return head_->root;
@@ -44,7 +41,7 @@ NodeCache::Slot* NodeCache::fetch_if_stored(NodeNumber number) {
   std::shared_ptr<Node> node;
   rows_->nodes().read_one(number, [&](std::span<const std::byte> blob) {
     if (const char* what = fault(number, blob))
-      damaged("node " + std::to_string(number) + " is damaged: " + what);
+      throw_damaged(name_, "node " + std::to_string(number) + " is damaged: " + what);
     const bool is_leaf = blob[NodeFormat::level_at] == std::byte{0};
     node = std::make_shared<Node>(is_leaf ? decode_leaf(format_, blob) : decode_inner(format_, blob));
   });
@@ -57,7 +54,7 @@ NodeCache::Slot* NodeCache::fetch_if_stored(NodeNumber number) {
 
 NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
   if (Slot* slot = fetch_if_stored(number)) return *slot;
-  damaged("node " + std::to_string(number) + " is missing");
+  throw_damaged(name_, "node " + std::to_string(number) + " is missing");
 }
 
 std::optional<std::shared_ptr<const Node>> NodeCache::dirty_node(NodeNumber number) const {
@@ -113,7 +110,8 @@ NodeNumber NodeCache::reserve(std::size_t count) {
   Head& head = head_.change();
   if (head.last == Head::unknown) head.last = std::max<std::int64_t>(rows_->nodes().read_largest(), 0);
   const auto more = static_cast<NodeNumber>(count);
-  if (head.last > std::numeric_limits<std::int64_t>::max() - more) damaged("there is no node number left");
+  if (head.last > std::numeric_limits<std::int64_t>::max() - more)
+    throw_damaged(name_, "there is no node number left");
   const NodeNumber first = head.last + 1;
   head.last += more;
   return first;

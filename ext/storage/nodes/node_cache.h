@@ -78,7 +78,7 @@ class NodeCache final : public Pages, public Journal::Participant {
   /// have been placed or forgotten since. They must outlive all look-ups.
   void trust_leaves_of(const PendingObjects& pending) { trusted_ = {&pending, ids_.writes()}; }
   /// find_record() without reading rows; null: not known in memory.
-  const double* find_record_in_memory(std::int64_t id);
+  const double* find_record_in_memory(std::int64_t id) { return record_at(find_in_memory(id)); }
   /// As IdMap::extent(), and the ids of a range, both without pending objects.
   std::optional<IdRange> id_extent() { return ids_.extent(); }
   IdWalk walk_ids(const IdRange& range, IdOrder order) { return IdWalk(ids_, range, order); }
@@ -158,7 +158,6 @@ class NodeCache final : public Pages, public Journal::Participant {
   void forget() noexcept override;
   void end(Journal::Ended how) noexcept override;
 
-  [[noreturn]] void damaged(const std::string& what) const;
   /// Null if the place is not known. The node counts as used.
   const double* record_at(const Place& place);
   /// Not known: no such object.

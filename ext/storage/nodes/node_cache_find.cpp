@@ -83,10 +83,6 @@ NodeCache::Place NodeCache::find_in_memory(std::int64_t id) {
   return ids_.find_unwritten(id) == IdMap::unknown ? find_by_hint(id) : Place{};
 }
 
-const double* NodeCache::find_record_in_memory(std::int64_t id) {
-  return record_at(find_in_memory(id));
-}
-
 // Consecutive ids are spread over memory: hint, slot, node and record are each a dependent cache miss. Many
 // ids advance one step at a time, so that their cache misses overlap.
 void NodeCache::fetch_ahead(std::int64_t first, std::int64_t many) {
@@ -114,11 +110,11 @@ NodeCache::Place NodeCache::find_place(std::int64_t id) {
   if (!number) return {};
   const auto where = [&] { return "node " + std::to_string(*number); };
   Slot* slot = fetch_if_stored(*number);
-  if (!slot) damaged(where() + " of object " + std::to_string(id) + " is missing");
+  if (!slot) throw_damaged(name_, where() + " of object " + std::to_string(id) + " is missing");
   const std::vector<std::int64_t>& ids = slot->state.node->keys;
   const auto found = std::find(ids.begin(), ids.end(), id);
   if (found == ids.end() || !slot->state.node->is_leaf())
-    damaged(where() + " lacks object " + std::to_string(id));
+    throw_damaged(name_, where() + " lacks object " + std::to_string(id));
   const Place place{*number, slot, static_cast<std::size_t>(found - ids.begin())};
   if (!hints_.empty()) hints_.learn(id, place.leaf, place.record);
   return place;

@@ -190,7 +190,7 @@ std::shared_ptr<const Node> NodeCache::read_at(NodeHistory::Snapshot snapshot, N
     throw StoreError(SQLITE_ABORT, name_.table + ": a rollback ended this query; run it again");
   const NodeState* before = history_.find(snapshot->position, number);
   if (!before) return read(number);
-  if (!before->node) damaged("node " + std::to_string(number) + " is missing");
+  if (!before->node) throw_damaged(name_, "node " + std::to_string(number) + " is missing");
   return before->node;
 }
 

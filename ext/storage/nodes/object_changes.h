@@ -29,9 +29,18 @@ class ObjectChanges final : public Journal::Participant {
     return kept_ && complete_ && known_.find(id) == IdHashMap::unknown;
   }
   /// Requires: lacks(id). Atomic.
-  void add(std::int64_t id);
+  void add(std::int64_t id) {
+    if (ids_.size() == max_logged) return note_others();
+    join();
+    known_.prepare(id);
+    ids_.push_back(id);
+    known_.set(id, 1);
+  }
   /// Objects that are not in this log may have changed too.
-  void note_others() noexcept;
+  void note_others() noexcept {
+    complete_ = false;
+    release_memory();
+  }
   bool are_complete() const noexcept { return complete_; }
 
   /// In the order of their first changes.
@@ -42,42 +51,23 @@ class ObjectChanges final : public Journal::Participant {
 
  private:
   std::size_t keep() override { return ids_.size(); }
-  void rewind(std::size_t position) noexcept override;
-  void end(Journal::Ended how) noexcept override;
-  void release_memory() noexcept;
+  void rewind(std::size_t position) noexcept override {
+    for (; ids_.size() > position; ids_.pop_back()) known_.set(ids_.back(), IdHashMap::unknown);
+  }
+  void end(Journal::Ended) noexcept override {
+    release_memory();
+    kept_ = false;
+    complete_ = true;
+  }
+  void release_memory() noexcept {
+    ids_ = std::vector<std::int64_t>();
+    known_.clear();
+  }
 
   std::vector<std::int64_t> ids_;
   IdHashMap known_;
   bool kept_ = false;
   bool complete_ = true;
 };
-
-inline void ObjectChanges::add(std::int64_t id) {
-  if (ids_.size() == max_logged) return note_others();
-  join();
-  known_.prepare(id);
-  ids_.push_back(id);
-  known_.set(id, 1);
-}
-
-inline void ObjectChanges::note_others() noexcept {
-  complete_ = false;
-  release_memory();
-}
-
-inline void ObjectChanges::rewind(std::size_t position) noexcept {
-  for (; ids_.size() > position; ids_.pop_back()) known_.set(ids_.back(), IdHashMap::unknown);
-}
-
-inline void ObjectChanges::end(Journal::Ended) noexcept {
-  release_memory();
-  kept_ = false;
-  complete_ = true;
-}
-
-inline void ObjectChanges::release_memory() noexcept {
-  ids_ = std::vector<std::int64_t>();
-  known_.clear();
-}
 
 }  // namespace foresee

@@ -1,8 +1,7 @@
 // Every SQL statement that a store runs on its shadow tables (shadow_schema.h) besides those of its tree
 // (tree_rows.h), as plain functions.
 //
-// Nothing is cached: each call sees the database as this connection sees it now. Row numbers are integers that
-// ascend strictly, else the call fails with SQLITE_CORRUPT_VTAB (ascending_rows.h).
+// Nothing is cached: each call sees the database as this connection sees it now.
 #pragma once
 
 #include <cstdint>

@@ -6,8 +6,7 @@
 //
 // A table may have another tree with the prefix "chunk": ships_chunknode, ships_chunkmap and the key `chunk_root`.
 // SQLite takes a table for a shadow table by what follows the last underscore, so the prefix has none.
-// Nothing is cached: each call sees the database as this connection sees it now. Cost: that of the rows
-// (blob_rows.h, id_map_rows.h).
+// Cost: that of the rows (blob_rows.h, id_map_rows.h).
 #pragma once
 
 #include <vector>

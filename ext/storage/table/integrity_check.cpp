@@ -5,7 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "base/error.h"
 #include "base/interrupt_steps.h"
 #include "database/sqlite_api.h"
 #include "database/value_text.h"
@@ -13,7 +12,6 @@
 #include "format/leaf_node.h"
 #include "format/node_format.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "storage/rows/shape_rows.h"
 
 namespace foresee {
 namespace {

@@ -1,11 +1,7 @@
 // Integrity check of the shadow tables: 'integrity-check', and PRAGMA integrity_check since SQLite 3.44.
 //
-// Of the bytes it checks checksum and contents of each node, that no id is stored twice, and that map and
-// leaves agree in both directions. It also checks for one auxiliary row per object, every outline or mesh,
-// and the box of each object with one. Chunks of plans, objects and the tree of chunks agree, and each box contains its
-// legs. Of a tree it checks levels, parents and times. Every object must be
-// within the stored bounds of all entries above it at every time, and no node may be unreachable. Cost: one
-// pass over the tables, one tree traversal, and some tens of bytes per object.
+// docs/developers/storage_format.md#corruption-detection lists what it checks. Cost: one pass over the tables, one tree
+// traversal, and some tens of bytes per object.
 #pragma once
 
 #include <string>

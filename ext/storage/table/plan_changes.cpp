@@ -133,10 +133,12 @@ std::span<const double> StoredPlans::Change::keep(std::int64_t id, std::int64_t 
     plans.require(append_legs(plans.opened(number, blob, &head), legs), number);
     write_chunk_item(plans.layout_, record_.data(), legs, item.data());
     if (!plans.tree_.update(number, item))
-      plans.damaged("chunk " + std::to_string(number) + " is missing in " + plans.name_.table + "_chunkmap");
+      throw_damaged(plans.name_,
+                    "chunk " + std::to_string(number) + " is missing in " + plans.name_.table + "_chunkmap");
     ++next;
   });
-  if (next != head.last() + 1) plans.damaged("a chunk of object " + std::to_string(id) + " is missing");
+  if (next != head.last() + 1)
+    throw_damaged(plans.name_, "a chunk of object " + std::to_string(id) + " is missing");
   return record_;
 }
 
@@ -151,8 +153,8 @@ void StoredPlans::Change::remove(std::int64_t id, std::span<const double> record
 
 void StoredPlans::Change::erase_item(std::int64_t number) {
   if (!plans_->tree_.erase(number))
-    plans_->damaged("chunk " + std::to_string(number) + " is missing in " + plans_->name_.table +
-                    "_chunkmap");
+    throw_damaged(plans_->name_,
+                  "chunk " + std::to_string(number) + " is missing in " + plans_->name_.table + "_chunkmap");
 }
 
 void StoredPlans::Change::note_removed(const Head& head) {
@@ -184,7 +186,7 @@ void StoredPlans::Change::finish() {
         plans_->opened(number, blob, nullptr);
         changed = chunk_of_object(blob, number, moved_->object);
       });
-      if (changed.empty()) plans_->damaged("chunk " + std::to_string(number) + " is missing");
+      if (changed.empty()) throw_damaged(plans_->name_, "chunk " + std::to_string(number) + " is missing");
       plans_->rows_->write(number, changed);
     }
   finished_ = true;

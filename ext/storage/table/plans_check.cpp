@@ -1,7 +1,5 @@
 // StoredPlans: the tree of chunks built again from the rows, and the check of rows, records and items against one
 // another.
-#include <algorithm>
-
 #include "base/float_environment.h"
 #include "database/sqlite_api.h"
 #include "shape/chunk_item.h"
@@ -64,8 +62,8 @@ void StoredPlans::rebuild(std::vector<Head>& heads, std::span<const double> reco
   std::int64_t total = 0;
   for (const Head& head : heads) total += head.chunks;
   if (total != static_cast<std::int64_t>(replacement.objects()))
-    damaged("its objects have " + std::to_string(total) + " chunks, but " +
-            std::to_string(replacement.objects()) + " are stored");
+    throw_damaged(name_, "its objects have " + std::to_string(total) + " chunks, but " +
+                             std::to_string(replacement.objects()) + " are stored");
   replacement.write();
   if (strays.empty()) return;
   join();

@@ -84,11 +84,6 @@ std::shared_ptr<Store> Store::open(sqlite3* db, const std::string& schema, const
   return store;
 }
 
-Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format,
-             std::unique_ptr<ShadowRows> rows, bool is_new, std::shared_ptr<MemoryBudget> memory)
-    : TableWriter(db, std::move(name), std::move(declaration), format, std::move(rows), is_new,
-                  std::move(memory)) {}
-
 // --- watches
 
 const std::vector<std::string>& Store::watch_names() {

@@ -5,9 +5,7 @@
 //   store->read_all(ids, rows, interrupt);                // table_reader.h
 //   store->sync();
 //
-// All state is in SQLite's tables, so transactions, WAL readers, VACUUM and backup are SQLite's own. A savepoint is a
-// mark in the journal (journal.h) and writes nothing. A rollback to it undoes later changes in memory, while SQLite
-// restores the rows (table_transaction.h).
+// All state is in SQLite's tables, so transactions, WAL readers, VACUUM and backup are SQLite's own.
 #pragma once
 
 #include "storage/table/table_writer.h"
@@ -19,14 +17,10 @@ class Store final : public TableWriter {
   /// Creates the shadow tables of a new table.
   static std::shared_ptr<Store> create(sqlite3* db, const std::string& schema, const std::string& table,
                                        const Declaration& declaration);
-  /// Opens the shadow tables of an existing table. Reads only _meta. During a transaction SQLite may connect
-  /// a table again (any ALTER does) while the old virtual table has unwritten changes; then both share one
-  /// store, hence shared_ptr.
+  /// Opens the shadow tables of an existing table, or returns the open store. Reads only _meta.
   static std::shared_ptr<Store> open(sqlite3* db, const std::string& schema, const std::string& table,
                                      const Declaration& declaration);
-  /// For create() and open().
-  Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format,
-        std::unique_ptr<ShadowRows> rows, bool is_new, std::shared_ptr<MemoryBudget> memory);
+  using TableWriter::TableWriter;  ///< for create() and open()
 
   // --- watches of this table (sqlite/watch/)
   /// Names of the watches to update at each commit, as this connection sees them now. Cost: one look-up, and

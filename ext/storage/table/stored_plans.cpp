@@ -5,7 +5,6 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "base/interrupt_steps.h"
 #include "database/sqlite_api.h"
 #include "index/tpr_tree/node.h"
 #include "motion/plan/plan_legs.h"
@@ -46,12 +45,8 @@ void StoredPlans::connect(const ShadowTables& tables, MetaRows& meta) {
   tree_.connect(*tree_rows_);
 }
 
-void StoredPlans::damaged(const std::string& what) const {
-  throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
-}
-
 void StoredPlans::require(const char* fault, std::int64_t number) const {
-  if (fault) damaged("chunk " + std::to_string(number) + " is damaged: " + fault);
+  if (fault) throw_damaged(name_, "chunk " + std::to_string(number) + " is damaged: " + fault);
 }
 
 // --- reading
@@ -71,12 +66,12 @@ StoredChunk StoredPlans::opened(std::int64_t number, std::span<const std::byte> 
 
 void StoredPlans::require_of(const Head& head, std::int64_t number, const StoredChunk& chunk) const {
   if (chunk.object != head.object)
-    damaged("chunk " + std::to_string(number) + " is of object " + std::to_string(chunk.object) +
-            ", not of object " + std::to_string(head.object));
+    throw_damaged(name_, "chunk " + std::to_string(number) + " is of object " + std::to_string(chunk.object) +
+                             ", not of object " + std::to_string(head.object));
   if (chunk.is_first != (number == head.first) ||
       (chunk.is_first && static_cast<std::int64_t>(chunk.plan_chunks) != head.chunks))
-    damaged("chunk " + std::to_string(number) + " is not where object " + std::to_string(head.object) +
-            " has it");
+    throw_damaged(name_, "chunk " + std::to_string(number) + " is not where object " +
+                             std::to_string(head.object) + " has it");
 }
 
 template <class Use>
@@ -106,14 +101,15 @@ Plan StoredPlans::read(const Head& head) {
     require(append_to_plan(chunk, plan), number);
   });
   if (next != head.first + head.chunks)
-    damaged("a chunk of object " + std::to_string(head.object) + " is missing");
+    throw_damaged(name_, "a chunk of object " + std::to_string(head.object) + " is missing");
   if (plan.kind == PlanKind::knots) {
     if (plan.part_starts.back() != plan.knots.size())
-      damaged("the plan of object " + std::to_string(head.object) + " has no end");
+      throw_damaged(name_, "the plan of object " + std::to_string(head.object) + " has no end");
     plan.part_starts.pop_back();
   }
   if (leg_count(plan) != legs)
-    damaged("object " + std::to_string(head.object) + " has another number of legs than its first chunk");
+    throw_damaged(
+        name_, "object " + std::to_string(head.object) + " has another number of legs than its first chunk");
   return plan;
 }
 
@@ -146,7 +142,7 @@ void StoredPlans::read_legs(const Head& head, const LegTimes& times, std::option
       require(append_legs(opened(number, blob, &head), legs, times), first++);
     });
   if (!has_first || first != last + 1)
-    damaged("a chunk of object " + std::to_string(head.object) + " is missing");
+    throw_damaged(name_, "a chunk of object " + std::to_string(head.object) + " is missing");
 }
 
 bool StoredPlans::read_chunk(std::int64_t number, const LegTimes& times, std::optional<std::int64_t> stamp,
@@ -202,7 +198,7 @@ void StoredPlans::scan(std::vector<Head>& heads, const EachRow& each, const Each
   if (!numbers) return rows_->read_all(visit);
   for (const std::int64_t number : *numbers)
     if (!rows_->read_one(number, [&](std::span<const std::byte> blob) { visit(number, blob); }))
-      damaged("chunk " + std::to_string(number) + " is missing");
+      throw_damaged(name_, "chunk " + std::to_string(number) + " is missing");
 }
 
 void StoredPlans::read_all(std::vector<Head>& heads, double from, double until, const EachPlan& each,
@@ -226,7 +222,7 @@ void StoredPlans::read_all(std::vector<Head>& heads, double from, double until, 
     ++found;
   };
   const auto stray = [&](std::int64_t number) {
-    damaged("chunk " + std::to_string(number) + " is of no object");
+    throw_damaged(name_, "chunk " + std::to_string(number) + " is of no object");
   };
   for (const Head& head : heads) total += head.chunks;
   if (from == -no_end && until == no_end) {
@@ -249,8 +245,8 @@ void StoredPlans::read_all(std::vector<Head>& heads, double from, double until, 
   }
   hand_over();
   if (found != total)
-    damaged("its objects have " + std::to_string(total) + " chunks, but " + std::to_string(found) +
-            " are stored");
+    throw_damaged(name_, "its objects have " + std::to_string(total) + " chunks, but " +
+                             std::to_string(found) + " are stored");
 }
 
 }  // namespace foresee

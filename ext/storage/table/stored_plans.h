@@ -16,7 +16,6 @@
 
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/interrupt_steps.h"
@@ -51,10 +50,9 @@ class StoredPlans final : public Journal::Participant {
 
   TreeStore& tree() { return tree_; }
   TreeRows& tree_rows() { return *tree_rows_; }
-  BlobRows& rows() { return *rows_; }
+  const QualifiedName& name() const { return name_; }
   const QualifiedName& tree_name() const { return tree_name_; }
   const Layout& layout() const { return layout_; }  ///< of the table's objects
-  [[noreturn]] void damaged(const std::string& what) const;
 
   /// Requires: a record with a plan.
   Head head_of(std::int64_t object, const double* record, std::size_t place = 0) const;

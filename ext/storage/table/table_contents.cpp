@@ -39,10 +39,6 @@ void TableContents::connect(const QualifiedName& name) {
   if (plans_) plans_->connect(tables, shadow_rows_->meta());
 }
 
-void TableContents::damaged(const std::string& what) const {
-  throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
-}
-
 // --- what is valid in memory
 
 // While this connection writes no other one can. At any other time another one may have written.
@@ -51,14 +47,14 @@ void TableContents::revalidate_cache(StatementReadState* statement_state) {
   Version& valid = version();
   if (valid.written_here() || (valid.seen() && valid.is_checked(statement_state))) return;
   const auto stamp = shadow_rows().read_stamp();
-  if (!stamp) damaged("the stamp is missing");
+  if (!stamp) throw_damaged(name_, "the stamp is missing");
   if (valid.seen() != stamp) {
     forget_rows();
     valid.forget();
     totals_.change().count.stored = shadow_rows().read_objects();
     watch_names_.change().reset();
     origin_.change() = {};
-    valid.read(*stamp);
+    valid.note_valid(*stamp);
   }
   valid.note_checked(statement_state);
 }
@@ -74,7 +70,7 @@ void TableContents::revalidate_at_begin() try { revalidate_cache(); } catch (con
 ContentVersion TableContents::read_version() {
   revalidate_cache();
   const auto stamp = version().written_here() ? shadow_rows().read_stamp() : version().seen();
-  if (!stamp) damaged("the stamp is missing");
+  if (!stamp) throw_damaged(name_, "the stamp is missing");
   return version().shown(*stamp);
 }
 

@@ -1,10 +1,9 @@
 // What one connection holds of a table: its rows, its trees, forms and plans in memory, and which of them are valid.
 //
 // The base of TableReader, TableWriter and Store, in this order: each calls only those before it, except through
-// ChangingTable. A write goes through memory; a read sees everything that is still unwritten there (tree_store.h).
-// Changes wait in memory until flush(), at the end of the transaction or when the tables of the connection together
-// exceed their budget. The cache stays valid in the next transaction only under the same stamp
-// (version.h). Blobs are checked when they are read.
+// ChangingTable. Changes wait in memory until flush(), at the end of the transaction or when the tables of the
+// connection together exceed their budget. The cache stays valid in the next transaction only under the same stamp
+// (version.h).
 // Errors: SQLite's result codes as StoreError; SQLITE_CORRUPT_VTAB for a blob that foresee did not write.
 #pragma once
 
@@ -26,6 +25,8 @@ namespace foresee {
 
 class TableContents : private ChangingTable {
  public:
+  TableContents(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format,
+                std::unique_ptr<ShadowRows> rows, bool is_new, std::shared_ptr<MemoryBudget> memory);
   TableContents(const TableContents&) = delete;
   TableContents& operator=(const TableContents&) = delete;
 
@@ -44,15 +45,12 @@ class TableContents : private ChangingTable {
     return version().written_here() ? std::nullopt : version().seen();
   }
   NodeCache& nodes() { return tree().nodes(); }
-  /// Throws SQLITE_CORRUPT_VTAB.
-  [[noreturn]] void damaged(const std::string& what) const;
+  [[noreturn]] void damaged(const std::string& what) const { throw_damaged(name_, what); }
 
  protected:
   using OwnStatements = TableTransaction::OwnStatements;
   using AtomicChange = TableTransaction::AtomicChange;
 
-  TableContents(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format,
-                std::unique_ptr<ShadowRows> rows, bool is_new, std::shared_ptr<MemoryBudget> memory);
   ~TableContents();
 
   Version& version() { return transaction_.version(); }

@@ -119,9 +119,9 @@ const Frame& TableReader::frame() {
     const std::string stored = shadow_rows().meta().read("origin");
     const std::optional<LatLon> origin = parse_origin(stored);
     if (!origin && !stored.empty())
-      damaged("the origin '" + without_nul(stored) + "' in _meta is no latitude and longitude");
+      throw_damaged(name_, "the origin '" + without_nul(stored) + "' in _meta is no latitude and longitude");
     if (!origin && shadow_rows().tree().read_root().value_or(0) != 0)
-      damaged("the origin is missing in _meta");
+      throw_damaged(name_, "the origin is missing in _meta");
     origin_.change() = {.known = true, .value = origin};
   }
   frame_.origin = origin_->value;
@@ -132,13 +132,9 @@ const Frame& TableReader::frame_of_objects(StatementReadState* statement_state) 
   if (!declaration_.frame.chooses_origin()) return frame_;
   if (!version().is_checked(statement_state) || !origin_->known) frame();
   version().note_checked(statement_state);
-  if (!origin_->value) damaged("the origin is missing in _meta");
+  if (!origin_->value) throw_damaged(name_, "the origin is missing in _meta");
   frame_.origin = origin_->value;
   return frame_;
-}
-
-std::optional<std::int64_t> TableReader::find_leaf(std::int64_t id) {
-  return version().written_here() ? nodes().find_leaf(id) : shadow_rows().tree().map().find_leaf(id);
 }
 
 bool TableReader::contains(std::int64_t id) {
@@ -146,7 +142,10 @@ bool TableReader::contains(std::int64_t id) {
   // New ascending ids, the common case, are larger than any known id.
   const LargestId& largest = totals_->largest;
   if (largest.known && (!largest.id || *largest.id < id)) return false;
-  return tree_.pending().find(id) || (!tree_.pending().is_erased(id) && find_leaf(id));
+  if (tree_.pending().find(id)) return true;
+  if (tree_.pending().is_erased(id)) return false;
+  return (version().written_here() ? nodes().find_leaf(id) : shadow_rows().tree().map().find_leaf(id))
+      .has_value();
 }
 
 std::optional<std::vector<double>> TableReader::read(std::int64_t id) {

@@ -89,9 +89,6 @@ class TableReader : public TableContents,
   class Snapshot;
   class Chunks;
 
-  /// From the cache while this connection writes, else from the rows. Does not find pending objects.
-  std::optional<std::int64_t> find_leaf(std::int64_t id);
-
   Frame frame_ = declaration_.frame;  ///< what frame() returns
   std::vector<double> first_found_;   ///< the record that find() has read without the cache
 };

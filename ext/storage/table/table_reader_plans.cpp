@@ -15,7 +15,7 @@ class TableReader::Chunks final : public ChunkSource {
   void read_chunk(std::int64_t number, const LegTimes& times, Chunk& chunk) override {
     const std::optional<std::int64_t> stamp = table_->committed_stamp();
     if (!plans_.read_chunk(number, times, stamp, chunk))
-      plans_.damaged("chunk " + std::to_string(number) + " is missing");
+      throw_damaged(plans_.name(), "chunk " + std::to_string(number) + " is missing");
     if (!chunk.record.empty()) return;
     if (!head_ || head_->object != chunk.object || !head_->has(number)) find_head(number, chunk.object);
     chunk.record = record_;
@@ -29,8 +29,8 @@ class TableReader::Chunks final : public ChunkSource {
     const bool is_known = !record_.empty() && has_plan(table_->format().at, record_.data());
     if (is_known) head_ = plans_.head_of(object, record_.data());
     if (!is_known || !head_->has(number))
-      plans_.damaged("chunk " + std::to_string(number) + " is not of the plan of object " +
-                     std::to_string(object));
+      throw_damaged(plans_.name(), "chunk " + std::to_string(number) + " is not of the plan of object " +
+                                       std::to_string(object));
   }
 
   std::shared_ptr<TableReader> table_;

@@ -52,7 +52,6 @@ struct ChosenOrigin {
   std::optional<LatLon> value = {};
 };
 
-/// What is known of the objects as a whole.
 struct Totals {
   ObjectCount count = {};
   LargestId largest = {};

@@ -12,7 +12,6 @@ void TableWriter::require_sound(std::span<const double> record) const {
   if (const char* fault = record_fault(format_, record.data())) throw Error(name_.table + ": " + fault);
 }
 
-// Memory is freed here, before the change: so the change stays atomic.
 void TableWriter::start_change(std::span<const double> record) {
   if (!record.empty()) require_sound(record);
   // A rollback inside the statement, by a function that it calls, takes the table out of the transaction: no

@@ -3,7 +3,7 @@
 //
 //   Journal journal;
 //   Version version(journal);
-//   version.read(17);                              // stored by an earlier transaction: memory is valid under it
+//   version.note_valid(17);                        // stored by an earlier transaction: memory is valid under it
 //   journal.begin();
 //   version.wrote(4711);                           // this transaction has stored a new stamp
 //   version.written_here() && version.shown(4711) != version.shown(17);
@@ -54,7 +54,7 @@ class Version {
   std::optional<std::int64_t> before_first_change() const { return stamps_->before; }
 
   /// Memory is valid under the stored stamp from now on.
-  void read(std::int64_t stamp) {
+  void note_valid(std::int64_t stamp) {
     stamps_.change() = {.seen = stamp, .shown = stamp, .changes = stamps_->changes};
   }
   void forget() { stamps_.change().seen.reset(); }

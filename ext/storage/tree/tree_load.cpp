@@ -1,9 +1,7 @@
 // TreeStore: load of a whole tree, for 'rebuild', 'optimize' and changes of most of the table.
 //
-// If the objects exceed the memory for sorting (memory_budget.h), they wait in a temporary file
-// (object_spill.h), partitioned by position and motion, and become leaves one partition at a time. The old
-// nodes are read twice, first for the ids and a sample of the records. So nothing is written before
-// everything was read and is sound. Memory besides the partitions: 12 bytes per object (placed_ids.h).
+// Objects that exceed the memory for sorting become leaves one partition of object_spill.h at a time. Memory besides
+// it: 12 bytes per object (placed_ids.h).
 #include <algorithm>
 
 #include "base/interrupt_steps.h"
@@ -34,7 +32,7 @@ void TreeStore::require_unique(std::vector<std::int64_t>& ids, Interrupt& interr
     step();
     return a == b;
   });
-  if (twice != ids.end()) damaged("object " + std::to_string(*twice) + " is in two leaves");
+  if (twice != ids.end()) throw_damaged(name_, "object " + std::to_string(*twice) + " is in two leaves");
 }
 
 // --- of objects that can be read again
@@ -129,10 +127,10 @@ void TreeStore::Rebuild::read_leaves(const UseObject& use) {
   damaged_nodes_.clear();
   tree_.rows_->nodes().read_all([&](std::int64_t number, std::span<const std::byte> blob) {
     if (++nodes % 16 == 0) interrupt_.check();
-    if (!goes_on || is_inner(format, blob, number)) return;
+    if (is_inner(format, blob, number)) return true;
     if (const char* fault = tree_.cache_.fault(number, blob)) {
       damaged_nodes_.emplace(number, fault);
-      return;
+      return true;
     }
     decode_leaf(format, blob, leaf);
     for_each_object(leaf, size, [&](std::int64_t id, const double* record) {
@@ -140,6 +138,7 @@ void TreeStore::Rebuild::read_leaves(const UseObject& use) {
       if (is_stored_apart(format.layout.shape))
         forms_.insert(static_cast<std::int64_t>(record[format.at.outline]));
     });
+    return goes_on;
   });
 }
 
@@ -147,7 +146,7 @@ void TreeStore::Rebuild::read_leaves(const UseObject& use) {
 void TreeStore::Rebuild::require_leaves_of_map() {
   std::size_t objects = 0;
   const auto damaged = [&](const auto& node) {
-    tree_.damaged("node " + std::to_string(node.first) + " is damaged: " + node.second);
+    throw_damaged(tree_.name_, "node " + std::to_string(node.first) + " is damaged: " + node.second);
   };
   Steps step(interrupt_);
   tree_.rows_->map().read([&](std::int64_t, std::int64_t leaf) {

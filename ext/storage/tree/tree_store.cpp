@@ -42,10 +42,6 @@ TreeStore::TreeStore(sqlite3* db, const NodeFormat& format, const QualifiedName&
       has_runs_(journal),
       pending_updates_(journal) {}
 
-void TreeStore::damaged(const std::string& what) const {
-  throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
-}
-
 void TreeStore::note_memory() noexcept {
   share_.hold_pending(pending_.memory());
   cache_.note_memory();
@@ -204,14 +200,14 @@ bool TreeStore::read_stored(std::int64_t id, std::vector<double>& record) {
     slot = leaf.find(id);
     if (slot >= 0) leaf.copy_record(slot, record.data());
   });
-  if (!found) damaged(where + " of object " + std::to_string(id) + " is missing");
-  if (slot < 0) damaged(where + " lacks object " + std::to_string(id));
+  if (!found) throw_damaged(name_, where + " of object " + std::to_string(id) + " is missing");
+  if (slot < 0) throw_damaged(name_, where + " lacks object " + std::to_string(id));
   return true;
 }
 
 bool TreeStore::is_sound_leaf(std::int64_t number, std::span<const std::byte> blob) const {
   if (const char* fault = cache_.fault(number, blob))
-    damaged("node " + std::to_string(number) + " is damaged: " + fault);
+    throw_damaged(name_, "node " + std::to_string(number) + " is damaged: " + fault);
   return blob[NodeFormat::level_at] == std::byte{0};
 }
 
@@ -239,7 +235,7 @@ void TreeStore::read_leaves(std::span<const NodeNumber> numbers, Interrupt& inte
   for (const NodeNumber number : numbers) {
     if (++leaves % 16 == 0) interrupt.check();
     const std::shared_ptr<const Node> leaf = cache_.read(number);
-    if (!leaf->is_leaf()) damaged("node " + std::to_string(number) + " is no leaf");
+    if (!leaf->is_leaf()) throw_damaged(name_, "node " + std::to_string(number) + " is no leaf");
     use(*leaf);
   }
 }
@@ -270,7 +266,8 @@ void TreeStore::require_as_many(std::size_t found) {
   if (cache_.has_unwritten()) return;
   const auto mapped = static_cast<std::size_t>(rows_->map().count_ids());
   if (found != mapped)
-    damaged("the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));
+    throw_damaged(name_,
+                  "the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));
 }
 
 }  // namespace foresee

@@ -43,7 +43,6 @@ class TreeStore final : private MemoryHolder {
 
   const NodeFormat& format() const { return format_; }
   NodeCache& nodes() { return cache_; }
-  const NodeCache& nodes() const { return cache_; }
   const PendingObjects& pending() const { return pending_; }
   bool has_unwritten() const { return !pending_.is_empty() || cache_.has_unwritten(); }
   void note_memory() noexcept;
@@ -92,7 +91,7 @@ class TreeStore final : private MemoryHolder {
     try {
       return body();
     } catch (const BrokenTree& error) {
-      damaged(error.what());
+      throw_damaged(name_, error.what());
     }
   }
 
@@ -109,7 +108,6 @@ class TreeStore final : private MemoryHolder {
 
   void write_out() override { write_out_(); }
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
-  [[noreturn]] void damaged(const std::string& what) const;
   void merge_records(Reason reason, Interrupt& interrupt);
   Placement placement_of_pending(double stored, bool is_large, Reason reason, Interrupt& interrupt) const;
   /// The tree is loaded if a larger share of its objects has changed, unless arrive_in_place(). It differs between
@@ -150,8 +148,8 @@ class TreeStore final : private MemoryHolder {
   std::size_t changes_ = 0;          ///< merged since the last commit that merged any
 };
 
-/// All objects again, from a source that can be read again. If they exceed the memory for sorting, it is read three
-/// times, and they wait in a temporary file. Nothing is written to the table before write().
+/// All objects again, from a source that can be read again. If they exceed the memory for sorting, it is read twice
+/// more: for the ids and a sample, and into a temporary file. Nothing is written to the table before write().
 class TreeStore::Replacement {
  public:
   Replacement(TreeStore& tree, Interrupt& interrupt);

@@ -39,7 +39,7 @@ class NumberTable final : public ChangingTable {
     if (error != SQLITE_OK) throw StoreError(error, "the row cannot be read");
     return row;
   }
-  void revalidate_at_begin() override { transaction.version().read(row.value_or(0)); }
+  void revalidate_at_begin() override { transaction.version().note_valid(row.value_or(0)); }
   bool has_unwritten_changes() const override { return has_unwritten; }
   void use_name(const std::string& table) override {
     if (error != SQLITE_OK) throw StoreError(error, "the rows cannot be opened");
