@@ -210,19 +210,22 @@ TEST(TreeQuestions, FullJoinGivesEachRowOnce) {
       "INSERT INTO others SELECT id FROM objects WHERE id % 3 > 0");
   const std::string in_window = "predictive_window(9, 'objects', 5, 25, 0, 20)",
                     pairs = "predictive_join(3, 'objects')";
-  for (const auto& [from, id, outputs] :
-       {std::tuple{in_window, "id", std::vector{"id, w.id", "id, w.t", "id, w.t_end", "id, w.dt_end"}},
-        std::tuple{pairs, "a", std::vector{"a, w.a", "a, w.b", "b, w.t", "b, w.t_end"}},
-        std::tuple{pairs, "b", std::vector{"a, w.a", "a, w.b", "a, w.t_end"}}}) {
-    db.exec("DROP TABLE IF EXISTS copy; CREATE TEMP TABLE copy AS SELECT * FROM " + from);
-    EXPECT_NE(db.rows("SELECT id FROM others EXCEPT SELECT " + std::string(id) + " FROM copy"), "");
-    EXPECT_NE(db.rows("SELECT " + std::string(id) + " FROM copy EXCEPT SELECT id FROM others"), "");
-    for (const char* output : outputs) {
+  struct Joined {
+    std::string from, id;
+    std::vector<const char*> outputs;
+  };
+  for (const Joined& one : {Joined{in_window, "id", {"id, w.id", "id, w.t", "id, w.t_end", "id, w.dt_end"}},
+                            Joined{pairs, "a", {"a, w.a", "a, w.b", "b, w.t", "b, w.t_end"}},
+                            Joined{pairs, "b", {"a, w.a", "a, w.b", "a, w.t_end"}}}) {
+    db.exec("DROP TABLE IF EXISTS copy; CREATE TEMP TABLE copy AS SELECT * FROM " + one.from);
+    EXPECT_NE(db.rows("SELECT id FROM others EXCEPT SELECT " + one.id + " FROM copy"), "");
+    EXPECT_NE(db.rows("SELECT " + one.id + " FROM copy EXCEPT SELECT id FROM others"), "");
+    for (const std::string output : one.outputs) {
       const auto joined = [&](const std::string& right) {
-        return db.rows(std::string("SELECT o.id, w.") + output + " FROM others o FULL JOIN " + right +
-                       " w ON w." + id + " = o.id ORDER BY 1, 2, 3");
+        return db.rows("SELECT o.id, w." + output + " FROM others o FULL JOIN " + right + " w ON w." +
+                       one.id + " = o.id ORDER BY 1, 2, 3");
       };
-      EXPECT_EQ(joined(from), joined("copy")) << from << " on " << id << ": " << output;
+      EXPECT_EQ(joined(one.from), joined("copy")) << one.from << " on " << one.id << ": " << output;
     }
   }
 }
