@@ -82,7 +82,8 @@ std::optional<std::string> as_unixepoch(sqlite3_value* value) {
   if (sqlite3_value_type(value) != SQLITE_TEXT) return std::nullopt;
   const std::string text = text_of(value);
   if (sqlite3_stricmp(text.c_str(), "now") == 0) return "unixepoch('now')";
-  if (text.size() > 40 || !starts_with_date(text)) return std::nullopt;
+  const bool has_quote = text.find('\'') != std::string::npos;
+  if (text.size() > 40 || has_quote || !starts_with_date(text)) return std::nullopt;
   return "unixepoch(" + shown(value) + ")";
 }
 

@@ -23,8 +23,7 @@ JoinQuestion prepared(JoinQuestion question, Interrupt& interrupt) {
   require_valid(question);
   question.helpers = useful_helpers(question.helpers);
   question = with_kinds(in_tile(without_inert(std::move(question)), interrupt));
-  // Straight paths of two objects meet once at most.
-  if (!has_plans(question) && !has_bent_paths(question)) question.all_contacts = false;
+  question.all_contacts = may_repeat_pairs(question);
   if (!question.space) question.space = std::make_shared<GridSpace>();
   return question;
 }

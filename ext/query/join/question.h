@@ -101,6 +101,11 @@ inline bool has_bent_paths(const JoinQuestion& question) {
   return is_bent(*question.a) || (question.b && is_bent(*question.b));
 }
 
+/// Whether a pair may have several rows. Straight paths of two objects meet once at most.
+inline bool may_repeat_pairs(const JoinQuestion& question) {
+  return question.all_contacts && (has_plans(question) || has_bent_paths(question));
+}
+
 /// Throws Error if h, within or within_z is negative or not finite, now is not finite, or the axes of both
 /// scenes differ. Also if the tile is empty or has a bound on an axis that the scenes do not have. Also if scene a is
 /// missing, if the sizes of a scene do not fit its layout, and for the method tree if a scene has no levels.

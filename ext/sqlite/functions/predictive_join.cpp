@@ -17,8 +17,8 @@ constexpr int out_a = join_outputs["a"], out_b = join_outputs["b"], out_t = join
 class JoinRows final : public FunctionRows {
  public:
   JoinRows(JoinQuestion question, Interrupt& interrupt)
-      : has_starts_(question.wants.contact || question.all_contacts),
-        has_ends_(question.wants.ends || question.all_contacts),
+      : has_starts_(question.wants.contact || may_repeat_pairs(question)),
+        has_ends_(question.wants.ends || may_repeat_pairs(question)),
         join_(std::move(question), interrupt) {}
 
   bool next() override {

@@ -42,7 +42,7 @@ class MetaValues {
   std::string reason(const char* key) const {
     constexpr std::size_t limit = 50;
     const MetaValue& value = found(key);
-    if (value.type != SQLITE_TEXT) return "";
+    if (value.type != SQLITE_TEXT || value.text.empty()) return "";
     return " (" + without_nul(std::string(cut_off(value.text, limit))) + ")";
   }
   std::optional<std::string> text(const char* key) const {

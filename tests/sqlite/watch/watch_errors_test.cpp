@@ -32,6 +32,8 @@ TEST_F(WatchErrors, MeaninglessStatementsGiveErrorsThatSayWhatToWrite) {
   starts("INSERT INTO alerts(alerts, now) VALUES('advance', '2026-11-30')",
          "alerts: 'advance' needs a time, as in INSERT INTO alerts(alerts, now) VALUES('advance', "
          "unixepoch('2026-11-30'))");
+  starts("INSERT INTO alerts(alerts, now) VALUES('advance', '2026-11-30 ''x')",
+         "alerts: 'advance' needs a time, as in INSERT INTO alerts(alerts, now) VALUES('advance', 1260.0)");
   starts("INSERT INTO alerts(alerts) VALUES('retreat')", "alerts: no command 'retreat'; known: 'advance'");
   const std::string create = "CREATE VIRTUAL TABLE w USING predictive_watch";
   starts(create, "w: no table is named");
