@@ -44,8 +44,7 @@ class WatchRows final : public WatchStorage {
   void write_state(const WatchState& state, const WatchState& before);
   void write_requested_clock(std::optional<double> time);
   void write_must_rebuild(bool must_rebuild);
-  /// From now on read_state() reports damage.
-  /// `reason`: why the watch could not be updated.
+  /// From now on read_state() reports damage, with the reason why the watch could not be updated.
   void write_damaged(std::string_view reason);
   void write_tables(const WatchDeclaration& declaration);
 

@@ -48,7 +48,9 @@ void TableTransaction::rollback() {
   if (gone_) return;
   if (is_new_) return close();
   end(Journal::Ended::rolled_back);
+  in_doubt_ = true;  // if this fails, the next access repeats it
   table_.use_name(name_.get());
+  in_doubt_ = false;
 }
 
 void TableTransaction::close() {
@@ -83,7 +85,10 @@ bool TableTransaction::was_rolled_back() {
 }
 
 void TableTransaction::settle_doubt() {
-  if (was_rolled_back()) undo();
+  if (was_rolled_back())
+    undo();
+  else
+    table_.use_name(name_.get());
   in_doubt_ = false;
 }
 

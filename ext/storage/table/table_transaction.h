@@ -120,7 +120,7 @@ class TableTransaction {
   bool is_new_;               ///< this transaction has created the table
   bool gone_ = false;         ///< the table is dropped, or its creation was rolled back
   bool torn_ = false;         ///< a change failed after it wrote rows: only a rollback helps
-  bool in_doubt_ = false;     ///< a rollback to a savepoint without a mark: the next access reads the stamp
+  bool in_doubt_ = false;     ///< after a rollback: the next access checks the name and the stamp
   int own_statements_ = 0;    ///< own statements in progress: callbacks now are due to them
   bool rolled_back_ = false;  ///< … during which SQLite rolled everything back
 };
@@ -138,7 +138,7 @@ class TableTransaction::OwnStatements {
     transaction_.rolled_back_ = false;
     try {
       transaction_.rollback();
-    } catch (...) {  // without memory after a rolled-back RENAME: the next rollback uses the old name again
+    } catch (...) {  // without memory: the table is in doubt until its next access
     }
   }
   OwnStatements(const OwnStatements&) = delete;

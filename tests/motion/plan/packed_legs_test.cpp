@@ -79,8 +79,8 @@ TEST(PackedLegs, HaveNoNumbersBetweenTwoParts) {
   const std::vector<std::byte> blob = encode_plan(plan, never);
   EXPECT_EQ(blob.size(), 8 + 24 * 8u);
   EXPECT_EQ(decode_plan(blob, never), plan);
-  for (std::size_t knot :
-       {0, 1, 3, 4, 6, 7}) {  // a separator at either end, next to another one, behind one knot
+  // A separator at either end, next to another one, behind one knot.
+  for (std::size_t knot : {0, 1, 3, 4, 6, 7}) {
     std::vector<std::byte> other = blob;
     for (std::size_t i = 0; i < 3; ++i) put(other, 8 + 24 * knot + 8 * i, std::nan(""));
     EXPECT_NE(refusal_of_blob(other), "") << knot;

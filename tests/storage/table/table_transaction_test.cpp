@@ -174,6 +174,21 @@ TEST_F(TableCallbacks, NamesAreRolledBack) {
   EXPECT_EQ(table.name, "ships");
 }
 
+TEST_F(TableCallbacks, ANameThatCannotBeRolledBackIsSoAtTheNextAccess) {
+  transaction.begin();
+  transaction.rename("boats");
+  {
+    const TableTransaction::OwnStatements own(transaction);
+    transaction.rollback();
+    table.error = SQLITE_NOMEM;
+  }
+  EXPECT_EQ(table.name, "boats");
+  EXPECT_EQ(table.refusal(), "the rows cannot be opened");
+  table.error = SQLITE_OK;
+  EXPECT_EQ(table.refusal(), "");
+  EXPECT_EQ(table.name, "ships");
+}
+
 TEST_F(TableCallbacks, ADropRefusesChangesFromBeforeASavepoint) {
   transaction.begin();
   table.has_unwritten = true;

@@ -96,7 +96,7 @@ def shortened(value):
 
 def seconds(value):
     """Unix seconds of a time: seconds, milli-, micro- or nanoseconds, ISO 8601, DMA's day/month/year, or fourteen digits. Without a
-    zone it is UTC. None without one."""
+    zone it is UTC. None for the absence of a time."""
     text = str(value).strip()
     digits = re.fullmatch(r"((?:19|20)\d{6})T?(\d{6})(Z?)", text)
     if digits:
