@@ -35,8 +35,9 @@
 //              (--quick: S-100000.)
 //   --after    S-100000 and S-1000000, in memory: every object reports ten times, each time in ten
 //              transactions of a random tenth. Then joins, windows of about 10, 100 and 1000, nearest and
-//              a = ?, against a fresh table of the same objects, and the size of both. Another table is loaded
-//              in twenty transactions, and read after each of them: the median and the slowest of the twenty.
+//              a = ?, against a fresh table of the same objects, and the size of both. Two other tables are loaded
+//              in twenty and in a hundred transactions, and read each time that a twentieth is loaded: the
+//              median and the slowest of the twenty.
 //              Scenes of two axes. (--quick: S-100000.)
 //   --lives    10,000 and 100,000 objects as those of S, in memory, that come and go and never report: each lives
 //              for 50 s. Windows of about 10 and nearest, sixteen times in two lives, against a fresh table of

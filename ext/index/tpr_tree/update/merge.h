@@ -36,19 +36,22 @@ void erase_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::
 //   const Remainder rest = merge_runs(state, ids, records, interrupt);
 //   merge_objects(state, rest.ids, rest.records, interrupt);       // too few for a leaf
 //
-// A batch that puts an object or two into every leaf would write the whole tree, batch after batch. Here a node of
-// level 1 is a partition: most of its leaves are its main run, packed together, and others are loose, which came
-// later. The new objects of a partition are packed together with the newest of its loose leaves, so that these form
-// runs of one, two, four … batches. Once the loose objects would be a quarter of the others, the whole partition is
-// packed: a log-structured merge (P. O'Neil, E. Cheng, D. Gawlick, E. O'Neil, "The Log-Structured Merge-Tree", Acta
-// Informatica 33, 1996). The fraction differs between partitions, so that they are not packed in the same batch.
+// A batch that puts an object or two into every leaf would write the whole tree, batch after batch. Here a node is a
+// partition: most of its children are its main run, packed together, and others are loose, which came later. The new
+// objects of a partition are packed together with the newest of its loose children, so that these form runs of one,
+// two, four … batches. Once the loose objects would be a quarter of the others, the whole partition is packed: a
+// log-structured merge (P. O'Neil, E. Cheng, D. Gawlick, E. O'Neil, "The Log-Structured Merge-Tree", Acta Informatica
+// 33, 1996). The fraction differs between partitions, so that they are not packed in the same batch.
 //
-// A leaf is loose if its number is larger than that of its parent: packing numbers nodes from the leaves up. Of loose
-// leaves the newest have the largest numbers. So nothing is stored about runs, and a wrong guess costs a little time,
+// Partitions are the nodes of level 1 if a batch brings each a leaf or more. A smaller batch would write one leaf of a
+// few objects into each: its partitions are nodes of level 2 or higher. Their loose children are subtrees, of one run.
+//
+// A child is loose if its number is larger than that of its parent: packing numbers nodes from the leaves up. Of loose
+// children the newest have the largest numbers. So nothing is stored about runs, and a wrong guess costs a little time,
 // never an answer.
 //
-// Cost: per object a choice of a child per level, and some five writes if a table grows to twenty batches. A window
-// visits about one loose leaf per run and partition besides the others.
+// Cost: per object a choice of a child per level, and some five writes if a table grows to twenty batches, ten to a
+// hundred. A window visits about one loose leaf per run and partition besides the others.
 
 /// Objects, for example those that remain to be inserted.
 struct Remainder {

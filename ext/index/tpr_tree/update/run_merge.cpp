@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 #include <utility>
 
 #include "base/repeatable_choice.h"
@@ -12,10 +12,12 @@
 namespace foresee {
 namespace {
 
-/// A smaller batch has too few objects for most partitions.
+/// A smaller batch is inserted object by object: packing again what is loose would write as much.
 constexpr double min_share = 1.0 / 256;
 /// Fewer objects of a partition are inserted one by one.
 constexpr std::size_t min_objects = 8;
+/// No partition has many more, so that each is packed in little time and memory. Of nodes of 4 kB: those of level 2.
+constexpr double max_objects = 100'000;
 /// Of loose to main objects, on average.
 constexpr double max_loose = 1.0 / 4;
 /// Of the leaves of a packed partition: the rest is for loose ones.
@@ -26,23 +28,45 @@ double max_loose_in(NodeNumber partition) {
   return max_loose * (0.7 + 0.6 * spread_fraction(static_cast<std::uint64_t>(partition)));
 }
 
+/// Of what the tree holds.
+template <int D>
+double share_of(const TreeState<D>& state, std::size_t objects) {
+  const double added = static_cast<double>(objects);
+  return added / std::max(estimate_objects(state.pages, added), 1.0);
+}
+
+/// The level of the nodes that are partitions: the lowest to which the batch brings a leaf each, or the highest.
+template <int D>
+std::size_t partition_level(const TreeState<D>& state, std::size_t objects) {
+  const double share = share_of(state, objects), leaf = static_cast<double>(state.packed_size());
+  const int highest =
+      std::min(state.pages.read(state.pages.find_root())->level - 1, state.highest_level_within(max_objects));
+  int level = 1;
+  while (level < highest && share * state.likely_objects(level, state.likely_children()) < leaf) ++level;
+  return static_cast<std::size_t>(level);
+}
+
 template <int D>
 class RunMerge {
  public:
   RunMerge(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
            Interrupt& interrupt)
-      : state_(state), interrupt_(interrupt), ids_(ids), batch_(state, ids, records, interrupt) {}
+      : state_(state),
+        interrupt_(interrupt),
+        ids_(ids),
+        batch_(state, ids, records, interrupt),
+        level_(partition_level(state, ids.size())) {}
 
   Remainder run() {
     auto& all = batch_.root().objects;
     for (std::uint32_t i = 0; i < batch_.size(); ++i) all.push_back(i);
-    for (std::size_t level = batch_.levels(); --level > 1;) batch_.sink(level);
+    for (std::size_t level = batch_.levels(); --level > level_;) batch_.sink(level);
     state_.pages.start_placing(ids_);
-    for (auto& [number, visit] : batch_.at(1))
+    for (auto& [number, visit] : batch_.at(level_))
       visit.objects.size() >= min_objects ? pack(number, visit) : rest_.add(batch_, visit.objects);
     state_.pages.finish_placing(interrupt_);
     for (const Packed& packed : packed_) connect(packed);
-    for (std::size_t level = 2; level < batch_.levels(); ++level)
+    for (std::size_t level = level_ + 1; level < batch_.levels(); ++level)
       for (auto& [number, visit] : batch_.at(level)) {
         batch_.step();
         even_out(state_, number, visit.children);
@@ -54,103 +78,133 @@ class RunMerge {
  private:
   using Visit = typename BatchDescent<D>::Visit;
 
-  /// A run that takes the place of leaves of a partition, or of all of it.
+  /// A run that takes the place of children of a partition, or of all of it.
   struct Packed {
     NodeNumber partition, parent;
-    std::vector<NodeNumber> old;  ///< the leaves that it replaces
+    std::vector<NodeNumber> old;  ///< the children that it replaces
     std::vector<Branch<D>> run;
-
-    bool is_all() const { return run.front().level > 1; }
+    bool is_all;
+  };
+  struct Child {
+    NodeNumber number;
+    std::size_t slot, leaves;
+    bool is_loose;  ///< has a larger number than its partition
+  };
+  /// The nodes of a partition that are replaced, and their objects.
+  struct Replaced {
+    std::vector<NodeNumber> leaves, inner;
+    Remainder objects;
   };
 
-  /// Packs the objects that have come to a partition, with its newest loose leaves or with all of it.
+  /// Packs the objects that have come to a partition, with its newest runs or with all of it.
   void pack(NodeNumber number, const Visit& visit) {
     interrupt_.check();
     const auto partition = state_.pages.read(number);
-    Remainder& objects = packing_;
-    objects.clear();
-    Packed packed{number, visit.parent, {}, {}};
-    const std::size_t added = visit.objects.size(), main = count_main_leaves(*partition, number);
-    const auto of_leaves = [&](std::size_t leaves) {
-      return static_cast<double>(leaves * state_.packed_size());
-    };
-    const std::size_t loose = partition->size() - main;
+    const std::size_t added = visit.objects.size();
+    std::vector<Child> children = children_by_number(number, *partition);
+    std::size_t main = 0, loose = 0;
+    for (const Child& child : children) (child.is_loose ? loose : main) += child.leaves;
+    const double added_leaves = static_cast<double>(added) / static_cast<double>(state_.packed_size());
     const bool is_due =
-        of_leaves(loose) + static_cast<double>(added) > max_loose_in(number) * of_leaves(main);
-    const std::size_t kept =
-        is_due ? 0 : main + loose - leaves_of_newest_runs(loose, state_.leaves_for(added));
-    const std::vector<std::size_t> slots = by_number(*partition);
-    for (std::size_t i = kept; i < slots.size(); ++i) take_leaf(*partition, slots[i], packed, objects);
-    objects.add(batch_, visit.objects);
-    packed.run = pack_objects(objects, packed.old, is_due);
+        static_cast<double>(loose) + added_leaves > max_loose_in(number) * static_cast<double>(main);
+    std::size_t to_take = is_due ? main + loose : leaves_of_newest_runs(loose, state_.leaves_for(added));
+    Packed packed{number, visit.parent, {}, {}, is_due};
+    replaced_.leaves.clear(), replaced_.inner.clear(), replaced_.objects.clear();
+    for (; to_take > 0 && !children.empty(); children.pop_back()) {
+      const Child& newest = children.back();
+      to_take -= std::min(to_take, newest.leaves);
+      packed.old.push_back(newest.number);
+      take(number, *partition, newest.slot);
+    }
+    replaced_.objects.add(batch_, visit.objects);
+    packed.run = pack_objects(is_due);
     const bool fits =
         partition->size() - packed.old.size() + packed.run.size() <= state_.pages.inner_capacity();
-    if (packed.is_all() || !fits) return packed_.push_back(std::move(packed));
+    if (packed.is_all || !fits) return packed_.push_back(std::move(packed));
     connect(packed);
     state_.pages.make_room();
   }
 
-  /// A loose leaf has a larger number than its partition.
-  static std::size_t count_main_leaves(const Node& partition, NodeNumber number) {
-    return static_cast<std::size_t>(std::count_if(partition.keys.begin(), partition.keys.end(),
-                                                  [=](NodeNumber leaf) { return leaf < number; }));
+  /// The main children, then the loose ones, oldest first.
+  std::vector<Child> children_by_number(NodeNumber number, const Node& partition) {
+    std::vector<Child> children;
+    for (std::size_t slot = 0; slot < partition.size(); ++slot)
+      children.push_back({partition.keys[slot], slot, leaves_beneath(number, partition, slot),
+                          partition.keys[slot] > number});
+    std::sort(children.begin(), children.end(),
+              [](const Child& a, const Child& b) { return a.number < b.number; });
+    return children;
   }
 
-  /// The main leaves, then the loose ones, oldest first: a run takes the numbers of the newest leaves, then larger
-  /// ones.
-  static std::vector<std::size_t> by_number(const Node& partition) {
-    std::vector<std::size_t> slots(partition.size());
-    std::iota(slots.begin(), slots.end(), std::size_t{0});
-    std::sort(slots.begin(), slots.end(),
-              [&](std::size_t a, std::size_t b) { return partition.keys[a] < partition.keys[b]; });
-    return slots;
+  std::size_t leaves_beneath(NodeNumber number, const Node& node, std::size_t slot) {
+    if (node.level == 1) return 1;
+    const auto child = read_below(state_.pages, number, node, slot);
+    if (child->level == 1) return child->size();
+    std::size_t leaves = 0;
+    for (std::size_t i = 0; i < child->size(); ++i) leaves += leaves_beneath(node.keys[slot], *child, i);
+    return leaves;
   }
 
-  /// How many of the loose leaves are packed together with a batch that takes `added` leaves. As a binary counter
+  /// How many loose leaves are packed together with a batch that takes `added` leaves. As a binary counter
   /// carries: the runs have 1, 2, 4 … batches, and a batch takes in the newest ones, up to the first size that is
-  /// missing. So an object is packed again as often as the number of its batches doubles.
-  static std::size_t leaves_of_newest_runs(std::size_t loose, std::size_t added) {
+  /// missing. So an object is packed again as often as the number of its batches doubles. Subtrees are one run: a query
+  /// would visit a node and a leaf of each.
+  std::size_t leaves_of_newest_runs(std::size_t loose, std::size_t added) const {
+    if (level_ > 1) return loose;
     const std::size_t batches = loose / added;
     const std::size_t carried = (batches ^ (batches + 1)) >> 1;
     return std::min(loose, carried * added);
   }
 
-  void take_leaf(const Node& partition, std::size_t slot, Packed& packed, Remainder& objects) {
-    const auto leaf = read_below(state_.pages, packed.partition, partition, slot);
-    packed.old.push_back(partition.keys[slot]);
-    objects.ids.insert(objects.ids.end(), leaf->keys.begin(), leaf->keys.end());
-    objects.records.insert(objects.records.end(), leaf->values.begin(), leaf->values.end());
+  void take(NodeNumber number, const Node& node, std::size_t slot) {
+    const auto child = read_below(state_.pages, number, node, slot);
+    const NodeNumber below = node.keys[slot];
+    if (!child->is_leaf()) {
+      for (std::size_t i = 0; i < child->size(); ++i) take(below, *child, i);
+      return replaced_.inner.push_back(below);
+    }
+    replaced_.leaves.push_back(below);
+    auto& [ids, records] = replaced_.objects;
+    ids.insert(ids.end(), child->keys.begin(), child->keys.end());
+    records.insert(records.end(), child->values.begin(), child->values.end());
   }
 
-  /// Packs into leaves, or into new partitions. The old leaves are used again as far as they go.
-  std::vector<Branch<D>> pack_objects(const Remainder& objects, std::span<const NodeNumber> old,
-                                      bool into_partitions) {
-    std::vector<NodeNumber> numbers(old.begin(), old.end());
-    std::sort(numbers.begin(), numbers.end());
-    std::vector<std::size_t> levels{state_.leaves_for(objects.ids.size())};
-    if (into_partitions) {
-      const auto size =
-          static_cast<std::size_t>(main_fill * static_cast<double>(state_.pages.inner_capacity()));
-      levels[0] = std::max<std::size_t>(levels[0], 2);
-      // No partition has a single leaf.
-      levels.push_back(std::min((levels[0] + size - 1) / size, levels[0] / 2));
-    }
-    const std::span<const NodeNumber> leaves(numbers);
+  /// Packs what is replaced into children of the partition, or into new partitions. The old leaves are used again as
+  /// far as they go.
+  std::vector<Branch<D>> pack_objects(bool into_partitions) {
+    auto& [leaves, inner, objects] = replaced_;
+    std::sort(leaves.begin(), leaves.end());
+    std::vector<std::size_t> levels = levels_for(objects.ids.size(), into_partitions ? level_ : level_ - 1);
     const std::size_t used = std::min(levels[0], leaves.size());
-    auto run =
-        pack_run(state_, objects.ids, objects.records, std::move(levels), interrupt_, leaves.first(used));
-    for (const NodeNumber leaf : leaves.subspan(used)) state_.pages.free(leaf);
+    auto run = pack_run(state_, objects.ids, objects.records, std::move(levels), interrupt_,
+                        std::span<const NodeNumber>(leaves).first(used));
+    for (std::size_t i = used; i < leaves.size(); ++i) state_.pages.free(leaves[i]);
+    for (const NodeNumber node : inner) state_.pages.free(node);
     return run;
   }
 
-  /// Puts a run in the place of what it replaces. A new partition has a larger number than its leaves.
+  /// The number of nodes of each level up to `top`, none of which has a single child. Of new partitions, those have
+  /// room for loose children.
+  std::vector<std::size_t> levels_for(std::size_t objects, std::size_t top) const {
+    const auto at_least = [&](std::size_t level) { return std::size_t{1} << (top - level); };
+    std::vector<std::size_t> levels{std::max(state_.leaves_for(objects), at_least(0))};
+    for (std::size_t level = 1; level <= top; ++level) {
+      const double fill = level == level_ ? main_fill : 1;
+      const auto size = static_cast<std::size_t>(fill * static_cast<double>(state_.pages.inner_capacity()));
+      const std::size_t below = levels.back();
+      levels.push_back(std::min(std::max((below + size - 1) / size, at_least(level)), below / 2));
+    }
+    return levels;
+  }
+
+  /// Puts a run in the place of what it replaces. A new partition has a larger number than its children.
   void connect(const Packed& packed) {
-    const NodeNumber above = packed.is_all() ? packed.parent : packed.partition;
+    const NodeNumber above = packed.is_all ? packed.parent : packed.partition;
     Node& node = state_.pages.modify(above);
     const auto remove = [&](NodeNumber child) {
       remove_slot(node, slot_of(node, child), state_.stride(node.level));
     };
-    if (packed.is_all()) {
+    if (packed.is_all) {
       remove(packed.partition);
       state_.pages.free(packed.partition);
     } else {
@@ -160,8 +214,8 @@ class RunMerge {
       add_entry(node, branch.number, branch.entry(node.epoch));
       add_children(state_, Unread{branch.number, branch.parent, branch.level - 1}, above);
     }
-    if (!packed.is_all()) return;
-    auto& children = batch_.at(2).at(above).children;
+    if (!packed.is_all) return;
+    auto& children = batch_.at(level_ + 1).at(above).children;
     std::erase(children, packed.partition);
     for (const Branch<D>& branch : packed.run) children.push_back(branch.number);
   }
@@ -170,10 +224,11 @@ class RunMerge {
   Interrupt& interrupt_;
   std::span<const std::int64_t> ids_;
   BatchDescent<D> batch_;
+  std::size_t level_;  ///< of the partitions
   /// Not connected yet: pages may write nodes while others are packed, and none may be overfull then.
   std::vector<Packed> packed_;
   Remainder rest_;
-  Remainder packing_;  ///< the objects of one partition; its memory serves all
+  Replaced replaced_;  ///< of one partition; its memory serves all
 };
 
 /// The ancestor of a leaf at this level, or the root.
@@ -192,9 +247,7 @@ NodeNumber ancestor_of(Pages& pages, NodeNumber number, int level) {
 template <int D>
 bool takes_runs(const TreeState<D>& state, std::size_t objects) {
   const NodeNumber root = state.pages.find_root();
-  return root != 0 && state.pages.read(root)->level > 1 &&
-         static_cast<double>(objects) >=
-             min_share * estimate_objects(state.pages, static_cast<double>(objects));
+  return root != 0 && state.pages.read(root)->level > 1 && share_of(state, objects) >= min_share;
 }
 
 template <int D>

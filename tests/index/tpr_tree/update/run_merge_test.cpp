@@ -98,9 +98,9 @@ TEST(RunMerge, KeepsTheTreeSoundInEveryKindOfScene) {
   }
 }
 
-/// Batches of equal size: the number of nodes written by all, over the number of nodes at the end.
+/// 25,000 objects in batches of equal size: the number of nodes written by all, over the number of nodes at the end.
 double writes_of_batches(int batches, bool as_new) {
-  constexpr std::size_t batch = 1000;
+  const std::size_t batch = 25'000 / static_cast<std::size_t>(batches);
   MemoryPages pages(boats, 20, 20);
   WrittenPages counting(pages);
   const auto tree = make_tpr_tree(counting, 60);
@@ -110,7 +110,8 @@ double writes_of_batches(int batches, bool as_new) {
     const RandomScene scene =
         random_scene({.layout = boats, .count = batch, .seed = static_cast<unsigned>(i) + 1});
     std::vector<std::int64_t> ids;
-    for (std::size_t j = 0; j < batch; ++j) ids.push_back(static_cast<std::int64_t>(i * batch + j + 1));
+    for (std::size_t j = 0; j < batch; ++j)
+      ids.push_back(static_cast<std::int64_t>(static_cast<std::size_t>(i) * batch + j + 1));
     counting.written.clear();
     as_new ? tree->merge_new(ids, scene.records, never) : tree->merge(ids, scene.records, never);
     written += counting.written.size();
@@ -122,6 +123,12 @@ double writes_of_batches(int batches, bool as_new) {
 TEST(RunMerge, WritesAFractionOfTheTreeForEachBatch) {
   const double packed = writes_of_batches(25, true), in_place = writes_of_batches(25, false);
   EXPECT_LT(packed, 5.75);
+  EXPECT_GT(in_place, 1.5 * packed);
+}
+
+TEST(RunMerge, PacksSmallBatchesIntoSubtrees) {
+  const double packed = writes_of_batches(200, true), in_place = writes_of_batches(200, false);
+  EXPECT_LT(packed, 13);
   EXPECT_GT(in_place, 1.5 * packed);
 }
 
@@ -159,10 +166,11 @@ std::size_t leaves_in_windows(TreeModel& model, double side) {
   return leaves;
 }
 
-TEST(RunMerge, WindowsVisitLessThanTwiceTheLeavesOfAFreshTree) {
+/// The number of leaves that windows visit in a tree that has grown by so many batches, and in a fresh tree.
+std::pair<std::size_t, std::size_t> visited_after(unsigned batches) {
   TreeModel grown(boats, 60, 20);
-  for (unsigned batch = 0; batch < 20; ++batch)
-    grown.merge_new(random_scene({.layout = boats, .count = 500, .seed = batch + 1}));
+  for (unsigned batch = 0; batch < batches; ++batch)
+    grown.merge_new(random_scene({.layout = boats, .count = 10'000 / batches, .seed = batch + 1}));
   const double side = [&] {
     double largest = 0;
     for (const auto& [id, record] : grown.objects)
@@ -171,9 +179,15 @@ TEST(RunMerge, WindowsVisitLessThanTwiceTheLeavesOfAFreshTree) {
   }();
   const std::size_t leaves = leaves_in_windows(grown, side);
   grown.tree->rebuild(grown.never);
-  const std::size_t fresh = leaves_in_windows(grown, side);
-  EXPECT_GT(fresh, 100u);
-  EXPECT_LT(leaves, 2 * fresh);
+  return {leaves, leaves_in_windows(grown, side)};
+}
+
+TEST(RunMerge, WindowsVisitLessThanTwiceTheLeavesOfAFreshTree) {
+  for (const unsigned batches : {20, 80}) {
+    const auto [leaves, fresh] = visited_after(batches);
+    EXPECT_GT(fresh, 100u);
+    EXPECT_LT(leaves, 2 * fresh) << batches;
+  }
 }
 
 }  // namespace
