@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/repeatable_choice.h"
@@ -20,7 +19,7 @@ constexpr std::size_t min_objects = 8;
 constexpr double max_objects = 100'000;
 /// Of loose to main objects, on average.
 constexpr double max_loose = 1.0 / 4;
-/// Of the leaves of a packed partition: the rest is for loose ones.
+/// Of the children of a packed partition: the rest is for loose ones.
 constexpr double main_fill = 0.75;
 
 /// max_loose times 0.7 to 1.3. Consecutive numbers differ as evenly as can be (repeatable_choice.h).
