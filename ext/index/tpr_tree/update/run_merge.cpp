@@ -62,7 +62,7 @@ class RunMerge {
     for (std::size_t level = batch_.levels(); --level > level_;) batch_.sink(level);
     state_.pages.start_placing(ids_);
     for (auto& [number, visit] : batch_.at(level_))
-      visit.objects.size() >= min_objects ? pack(number, visit) : rest_.add(batch_, visit.objects);
+      makes_run(visit.objects.size()) ? pack(number, visit) : rest_.add(batch_, visit.objects);
     state_.pages.finish_placing(interrupt_);
     for (const Packed& packed : packed_) connect(packed);
     for (std::size_t level = level_ + 1; level < batch_.levels(); ++level)
@@ -94,6 +94,14 @@ class RunMerge {
     std::vector<NodeNumber> leaves, inner;
     Remainder objects;
   };
+
+  /// Of a subtree whose root has this level: no node has a single child.
+  static std::size_t min_leaves(std::size_t level) { return std::size_t{1} << level; }
+
+  /// No leaf may be empty.
+  bool makes_run(std::size_t objects) const {
+    return objects >= std::max(min_objects, 2 * min_leaves(level_ - 1));
+  }
 
   /// Packs the objects that have come to a partition, with its newest runs or with all of it.
   void pack(NodeNumber number, const Visit& visit) {
@@ -185,13 +193,12 @@ class RunMerge {
   /// The number of nodes of each level up to `top`, none of which has a single child. Of new partitions, those have
   /// room for loose children.
   std::vector<std::size_t> levels_for(std::size_t objects, std::size_t top) const {
-    const auto at_least = [&](std::size_t level) { return std::size_t{1} << (top - level); };
-    std::vector<std::size_t> levels{std::max(state_.leaves_for(objects), at_least(0))};
+    std::vector<std::size_t> levels{std::max(state_.leaves_for(objects), min_leaves(top))};
     for (std::size_t level = 1; level <= top; ++level) {
       const double fill = level == level_ ? main_fill : 1;
       const auto size = static_cast<std::size_t>(fill * static_cast<double>(state_.pages.inner_capacity()));
       const std::size_t below = levels.back();
-      levels.push_back(std::min(std::max((below + size - 1) / size, at_least(level)), below / 2));
+      levels.push_back(std::min(std::max((below + size - 1) / size, min_leaves(top - level)), below / 2));
     }
     return levels;
   }

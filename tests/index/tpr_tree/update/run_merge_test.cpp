@@ -98,6 +98,19 @@ TEST(RunMerge, KeepsTheTreeSoundInEveryKindOfScene) {
   }
 }
 
+TEST(RunMerge, KeepsTheTreeSoundInSmallBatchesOfHighTrees) {
+  unsigned seed = 1;
+  for (auto kind : all_scene_kinds) {
+    SCOPED_TRACE(name_of(kind));
+    TreeModel model(boats, 60, 4);
+    model.merge_new(random_scene({.layout = boats, .kind = kind, .count = 12'000, .seed = seed++}));
+    for (int batch = 0; batch < 12; ++batch) {
+      model.merge_new(random_scene({.layout = boats, .kind = kind, .count = 50, .seed = seed++}));
+      model.expect_sound();
+    }
+  }
+}
+
 /// 25,000 objects in batches of equal size: the number of nodes written by all, over the number of nodes at the end.
 double writes_of_batches(int batches, bool as_new) {
   const std::size_t batch = 25'000 / static_cast<std::size_t>(batches);
