@@ -18,6 +18,12 @@ inline void print_figure(const std::string& what, double ratio, Bound bound, dou
   std::fflush(stdout);
 }
 
+/// The same without a goal: beside a method that does not do all that the watch does.
+inline void print_figure(const std::string& what, double ratio) {
+  std::printf("%-76s %8.2f\n", what.c_str(), ratio);
+  std::fflush(stdout);
+}
+
 /// Every mode prints as it goes and throws Error where two sides that must agree do not.
 void measure_watched_reports(const Options& options);
 void measure_watch_growth(const Options& options);

@@ -64,7 +64,7 @@ void PairUpdate::recompute() {
 
 void PairUpdate::apply_changes() {
   const double known_to = before_.known_to;
-  const bool looks_ahead = !(next_above(horizon_end_) <= known_to);
+  const bool looks_ahead = must_look_ahead();
   if (looks_ahead) {
     adapt_look_ahead();
     extend_look_ahead();

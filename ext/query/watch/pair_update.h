@@ -8,7 +8,7 @@
 // they are stored, but not shown.
 //
 //   changed objects   old pairs come from range reads, new pairs from a search (pair_search.h)
-//   the clock         a due row is shown, gets its next contact, or is erased; when the horizon passes
+//   the clock         a due row is shown, gets its next contact, or is erased; before the horizon passes
 //                     known_to, a look-ahead join finds the contacts that start beyond it, and those that end
 //                     before the next look-ahead; it reaches further if few waiting pairs are erased before they
 //                     are shown
@@ -40,7 +40,7 @@ inline double next_above(double x) {
 }
 
 /// Up to this time the ends of the stored contacts are known: such a pair is due at its end or before. Later ends are
-/// unknown until the next look-ahead, which comes before this time if the clock moves in small steps. At most known_to.
+/// unknown until the next look-ahead. At most known_to.
 double ends_known_to(const WatchState& state);
 
 class PairUpdate {
@@ -75,6 +75,9 @@ class PairUpdate {
   /// Whether all pairs are joined again: after 'rebuild', for unknown or too many changes, or if the clock has left the
   /// time that the rows cover.
   bool must_recompute() const;
+  /// Whether the clock passes the known starts now, or the known ends soon. A look-ahead in time is cheaper than a
+  /// recomputation.
+  bool must_look_ahead() const;
   /// Sets known_to and the length of the queries, for a search beyond the horizon; starts to count its pairs.
   void extend_look_ahead();
   /// Doubles or halves the look-ahead, by the share of its pairs that were erased while they waited.

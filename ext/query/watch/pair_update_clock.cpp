@@ -33,6 +33,10 @@ Cluster largest_cluster(std::span<const double> ascending, double width) {
   return largest;
 }
 
+bool has_long_look_ahead(const WatchState& state) {
+  return state.look_ahead_length >= state.horizon / 8;
+}
+
 }  // namespace
 
 void PairUpdate::move_clock() {
@@ -126,11 +130,16 @@ void PairUpdate::follow_early_reports() {
   state_.early_score = 0;
 }
 
-// The next look-ahead is due at known_to - horizon, and finds all ends again. A quarter of its length is for the step
-// of the clock that reaches it; a short look-ahead has no such quarter.
+// A long look-ahead leaves the ends beyond the next one to it. A short one finds all, so that few are looked for twice.
 double ends_known_to(const WatchState& state) {
-  if (!(state.look_ahead_length >= state.horizon / 8)) return state.known_to;
-  return std::min(state.known_to, state.known_to - state.horizon + state.look_ahead_length / 4);
+  return has_long_look_ahead(state) ? state.known_to - state.horizon : state.known_to;
+}
+
+// The clock must not pass the known ends between two look-aheads, so a long one comes a few steps of the clock early.
+bool PairUpdate::must_look_ahead() const {
+  const double step = std::max(state_.last_advance, before_.last_advance);
+  const double lead = has_long_look_ahead(before_) ? std::min(before_.look_ahead_length / 4, 4 * step) : 0;
+  return !(next_above(horizon_end_ + lead) <= before_.known_to);
 }
 
 bool PairUpdate::must_recompute() const {

@@ -6,26 +6,11 @@
 namespace foresee {
 namespace {
 
-// A pair is tested after this share of the time up to the end of its contact. The ends move with every report, and most
-// by less than the rest; a smaller share has more pairs tested before they end.
-constexpr double tested_share = 0.9;
-
-/// A `due` that is unlikely to be too late after the next report: a time not after `end`, and after the clock if `end`
-/// is.
-double due_with_margin(double end, const WatchClock& clock) {
-  if (!(end < never_due)) return end;
-  const double due = clock.clock + tested_share * (end - clock.clock);
-  return due > clock.clock ? std::min(due, end) : end;
-}
-
-/// The `due` of a pair that stays reported.
+/// The `due` of a pair that stays reported. A stored one that is not too late is kept: the row need not be written;
+/// at the clock it was too early, and the pair has just been tested.
 double due_of_reported(const WatchedPair& before, const WatchedPair& after, const WatchClock& clock) {
-  // It was due, and has just been tested. It gets the end itself: with a margin it would be tested again and again.
-  if (before.due <= clock.clock) return after.due;
-  // The stored time is not too late, so it stays, and the row need not be written.
-  if (before.due <= after.due) return before.due;
-  // The contact now ends before the stored time.
-  return due_with_margin(after.due, clock);
+  const bool keeps = before.due > clock.clock && before.due <= after.due;
+  return keeps ? before.due : after.due;
 }
 
 /// Requires: both are reported. The stored row stays if it states the same.
@@ -53,7 +38,6 @@ PairChange change_between(const WatchedPair* before, const WatchedPair* after, c
   change.row.reported_t = after->t;
   if (after->is_reported()) {
     change.op = '+';
-    change.row.due = due_with_margin(after->due, clock);
   } else if (was_reported) {
     change.op = '-';
   }

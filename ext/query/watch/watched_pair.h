@@ -12,7 +12,7 @@
 // contact: the pair is computed once the horizon reaches it. Else it is a time not after the end of the contact, for
 // the clock, or never if the contact lasts beyond all that the watch has computed. A `due` that is too early costs
 // one computation; one that is too late would give a wrong result. So a row keeps its `due` while that is not too
-// late, and a new `due` is early. Reports move the times of most pairs a little, and then no `due` is written.
+// late: reports move the times of most pairs a little, and then mostly no `due` is written.
 #pragma once
 
 #include <cstdint>

@@ -70,6 +70,28 @@ TEST(PairUpdate, AnAdvanceMovesTheClockWithoutChangesForwardAndBack) {
   }
 }
 
+TEST(PairUpdate, ALookAheadComesBeforeTheClockPassesTheKnownEnds) {
+  for (const double step : {0.01, 0.3, 1.0}) {
+    Watched watched(false, {.tbl = "ships", .horizon = 20, .manual = true});
+    Random random(3);
+    for (std::int64_t id = 1; id <= 200; ++id) watched.ships->put(id, report(random, 0));
+    int look_aheads = 0;
+    for (int i = 0; i <= 200; ++i) {
+      const double known_to = watched.state.known_to;
+      watched.state.requested_clock = i * step;
+      watched.update();
+      watched.expect_join();
+      look_aheads += watched.state.known_to > known_to;
+      const double ends = ends_known_to(watched.state);
+      EXPECT_GE(ends, i * step);
+      for (const auto& [ids, row] : watched.watch.rows())
+        EXPECT_TRUE(!row.is_reported() || row.due == never_due || row.due <= ends);
+    }
+    EXPECT_EQ(watched.watch.recomputations, 1) << step;
+    EXPECT_GE(look_aheads, step == 0.01 ? 1 : 3) << step;
+  }
+}
+
 TEST(PairUpdate, ChangesThatAreUnknownAreRecomputed) {
   Watched watched(false, {.tbl = "ships", .horizon = 20});
   Random random(3);

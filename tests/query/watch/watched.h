@@ -19,6 +19,10 @@ inline constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ba
 /// A watch that checks the calls of an update: the keys of a row can only be erased if the caller knows them.
 class CheckedWatch final : public MemoryWatch {
  public:
+  std::vector<WatchedPair> pairs() override {
+    ++recomputations;
+    return MemoryWatch::pairs();
+  }
   void write_pair(const WatchedPair* before, const WatchedPair& pair, bool with_reported_t) override {
     EXPECT_EQ(rows().contains({pair.a, pair.b}), before != nullptr);
     if (before) expect_stored(*before);
@@ -37,6 +41,7 @@ class CheckedWatch final : public MemoryWatch {
   void write_keys() override { keys_wait = false; }
 
   bool keys_wait = false;
+  int recomputations = 0;  ///< only these read all pairs
 
  private:
   void expect_stored(const WatchedPair& given) {
