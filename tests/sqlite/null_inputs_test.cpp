@@ -1,4 +1,6 @@
 // Inputs that are NULL beside conditions on ids: no plan loses a row, whatever was planned before.
+#include <sstream>
+
 #include "sqlite/harbour_scene.h"
 #include "sqlite/scene_table.h"
 
@@ -52,6 +54,7 @@ TEST_F(NullInputs, OfAJoinLoseNoPair) {
   const char* calls[] = {
       "predictive_join WHERE h = 3 AND within = NULL AND",
       "predictive_join WHERE h = 3 AND tbl = 'ships' AND within = 0 AND now = NULL AND",
+      "predictive_join WHERE h = 3 AND within IS NULL AND method IS NULL AND",
       "predictive_join(3, 'ships', NULL) WHERE",
       "predictive_join(3, NULL, NULL, NULL, NULL) WHERE",
       "predictive_join(3, 'ships') WHERE",
@@ -119,6 +122,34 @@ TEST_F(NullInputs, OfOneObjectLoseNoRow) {
           plan_before(before, runs);
           expect_all("id", call, some);
         }
+}
+
+/// The names of the inputs of a function that may be left out.
+std::vector<std::string> optional_inputs(Database& db, const std::string& function) {
+  std::vector<std::string> names;
+  std::istringstream all(
+      db.rows("SELECT name FROM pragma_table_xinfo('" + function + "') WHERE hidden = 1 AND name <> 'call'"));
+  for (std::string name; std::getline(all, name);) names.push_back(name);
+  return {names.begin() + (function == "predictive_track" ? 3 : 1), names.end()};
+}
+
+TEST_F(NullInputs, AreLeftOutByIsNull) {
+  for (const auto& [function, given] : std::vector<std::pair<std::string, std::string>>{
+           {"predictive_join", "h = 3"},
+           {"predictive_explain", "h = 3"},
+           {"predictive_window", "h = 3"},
+           {"predictive_nearest", "h = 3 AND k = 4 AND x = 1 AND y = 1"},
+           {"predictive_sweep", "h = 3"},
+           {"predictive_position", "at = 3"},
+           {"predictive_track", "t0 = 1 AND t1 = 3 AND step = 1"}}) {
+    const std::string count = "SELECT count(*) FROM " + function + " WHERE " + given;
+    const std::string rows = db.rows(count);
+    EXPECT_NE(rows, "0") << function;
+    for (const std::string& input : optional_inputs(db, function)) {
+      if (given.find(input + " = ") != std::string::npos) continue;
+      EXPECT_EQ(db.rows(count + " AND " + input + " IS NULL"), rows) << function << ' ' << input;
+    }
+  }
 }
 
 }  // namespace

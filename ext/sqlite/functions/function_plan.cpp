@@ -14,8 +14,8 @@ int output_count(const TableFunction& function) {
   return static_cast<int>(function.outputs.size());
 }
 
-/// Comparisons of xBestIndex: the letter in idxStr, 0 for those that are left to SQLite; and how a statement writes
-/// those that give an input no value.
+/// Comparisons of xBestIndex: the letter in idxStr, 0: left to SQLite; and how a statement writes those that give an
+/// input no value.
 struct Comparison {
   int op;
   char letter;
@@ -90,8 +90,8 @@ void refuse_comparison(const TableFunction& function, int input, int op) {
               " ...");
 }
 
-/// Adds constraint i to the plan. An input is consumed; a condition on a hinted output is passed to the call
-/// and SQLite checks it again. SQLite alone checks any other.
+/// Adds constraint i to the plan. An input is consumed; a condition on a hinted output is passed to the call and SQLite
+/// checks it again. SQLite alone checks any other.
 void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info& info, int i) {
   const auto& constraint = info.aConstraint[i];
   const int input = constraint.iColumn - output_count(function);
@@ -99,8 +99,9 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   if (is_input && static_cast<std::size_t>(input) == function.inputs.size())
     throw Error("too many inputs: write at most " + usage(function));
   if (is_input) refuse_comparison(function, input, constraint.op);
-  const char letter =
-      is_input && constraint.op == SQLITE_INDEX_CONSTRAINT_IS ? '=' : comparison_of(constraint.op).letter;
+  const bool is_null = constraint.op == SQLITE_INDEX_CONSTRAINT_ISNULL;  // xFilter gets a NULL
+  const bool gives_value = is_input && (is_null || constraint.op == SQLITE_INDEX_CONSTRAINT_IS);
+  const char letter = gives_value ? '=' : comparison_of(constraint.op).letter;
   if (!letter || constraint.iColumn < 0) return;
   if (is_input) {
     const std::uint32_t bit = 1u << input;
@@ -123,8 +124,8 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   if (!is_input && !probes && letter == '=' && may_be_list(info, i)) return;
   if (is_input && input > 0) {
     sqlite3_value* written = plan.written[static_cast<std::size_t>(input)] = written_value(info, i);
-    if (!written) plan.inputs_unknown |= 1u << input;
-    plan.null_inputs |= written && sqlite3_value_type(written) == SQLITE_NULL;
+    if (!written && !is_null) plan.inputs_unknown |= 1u << input;
+    plan.null_inputs |= is_null || (written && sqlite3_value_type(written) == SQLITE_NULL);
   }
   if (!is_input) ++(probes ? plan.equalities : plan.inequalities);
   if (probes) plan.probed_by |= 1u << constraint.iColumn;
@@ -162,9 +163,8 @@ void remember(EarlierPlans& earlier, const sqlite3_index_info& info, bool null_i
   earlier.call.assign(all.begin(), all.end());
 }
 
-/// Fills in the cost and the number of rows. A join about one id searches the tree. A call without its first
-/// input fails, so that plan gets the highest cost.
-///
+/// Fills in the cost and the number of rows. A join about one id searches the tree. A call without its first input
+/// fails, so that plan gets the highest cost.
 /// To run `a = 42 OR b = 42`, SQLite may make a call for each side and then evaluate `input = NULL` again, which is
 /// not true, and lose every row. So no side may be planned if an input is a literal NULL, or comes from another table
 /// and may be NULL in some row. An input that is bound later counts as not NULL: the call refuses a NULL.
