@@ -12,7 +12,6 @@
 #include <bit>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace foresee {

@@ -15,6 +15,8 @@
 #include <span>
 #include <vector>
 
+#include "base/repeatable_choice.h"
+
 namespace foresee {
 
 class RecordSample {
@@ -38,7 +40,7 @@ class RecordSample {
   /// The finalizer of SplitMix64 (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators",
   /// OOPSLA 2014): the bits of consecutive numbers are independent.
   static std::uint64_t draw_of(std::uint64_t number) {
-    std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15;
+    std::uint64_t z = (number + 1) * by_golden_ratio;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
     z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
     return z ^ (z >> 31);

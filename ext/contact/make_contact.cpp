@@ -68,10 +68,10 @@ MovingWindow::MovingWindow(const WindowFaces& faces, const Layout& objects, doub
   bodies_ = Bodies(layout, row_.data(), 1);
   zone_.outline = std::move(zone);
   if (zone_.outline) bodies_.outlines = &zone_;
-  from_origin_ = zone_.outline || objects.shape == Shape::outline || objects.shape == Shape::mesh;
+  const bool from_origin = zone_.outline || objects.shape == Shape::outline || objects.shape == Shape::mesh;
   row_[static_cast<std::size_t>(bodies_.at.t)] = now;
   for (int axis = 0; axis < objects.axes; ++axis) {
-    row_[static_cast<std::size_t>(bodies_.at.x + axis)] = from_origin_ ? 0 : faces.reference(axis);
+    row_[static_cast<std::size_t>(bodies_.at.x + axis)] = from_origin ? 0 : faces.reference(axis);
     row_[static_cast<std::size_t>(bodies_.at.v + axis)] = faces.velocity[static_cast<std::size_t>(axis)];
   }
 }

@@ -51,7 +51,6 @@ class MovingWindow {
 
   WindowFaces faces_;
   Zone zone_;
-  bool from_origin_;
   std::array<double, 7> row_{};
   Bodies bodies_;
 };

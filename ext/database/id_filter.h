@@ -66,7 +66,7 @@ class IdFilter {
     explicit Hash(std::int64_t id) {
       const std::uint64_t hash = hash_of(static_cast<std::uint64_t>(id));
       upper = hash >> 32;
-      bits = (hash & 0xffffffff) * 0x9e3779b97f4a7c15;
+      bits = (hash & 0xffffffff) * by_golden_ratio;
     }
     std::size_t block(std::size_t blocks) const { return upper * blocks >> 32; }
     /// The place of bit `i` in the block, 0 to 511.

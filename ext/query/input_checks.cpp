@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -9,6 +10,8 @@
 
 namespace foresee {
 namespace {
+
+constexpr std::size_t max_rows = std::numeric_limits<std::uint32_t>::max();  // pairs hold numbers of rows
 
 [[noreturn]] void reject(const char* name, const char* kind, double value) {
   throw Error(std::string(name) + " must be " + kind + ", not " + shown(value));
@@ -46,6 +49,9 @@ void require_layout(const std::string& name, const Layout& layout) {
 void require_whole(const Scene& scene) {
   require_layout(scene.name, scene.layout);
   const std::size_t row_size = static_cast<std::size_t>(row_offsets(scene.layout).size);
+  if (scene.ids.size() > max_rows)
+    throw Error(scene.name + ": " + std::to_string(scene.ids.size()) + " rows; a scene has at most " +
+                std::to_string(max_rows));
   const std::size_t needed = scene.ids.size() * row_size;
   if (scene.rows.size() != needed)
     throw Error(scene.name + ": " + std::to_string(scene.ids.size()) + " ids need " + std::to_string(needed) +

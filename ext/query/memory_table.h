@@ -51,6 +51,8 @@ std::vector<double> record_of(const Layout& layout,
 class PendingTree {
  public:
   PendingTree(const Layout& layout, double horizon);
+  PendingTree(const PendingTree&) = delete;
+  PendingTree& operator=(const PendingTree&) = delete;
 
   const Layout& layout() const { return pages_.layout(); }
   std::size_t size() const { return size_; }
@@ -96,6 +98,8 @@ class MemoryPlans final : public ChunkSource {
 
   /// Requires: a layout with plans.
   MemoryPlans(const Layout& layout, double horizon, FindRecord find_record);
+  MemoryPlans(const MemoryPlans&) = delete;
+  MemoryPlans& operator=(const MemoryPlans&) = delete;
 
   /// Stores the legs and sets `plan` and `chunks` of the record; without legs both are 0.
   void put(std::int64_t id, std::span<double> record, std::span<const Leg> legs);
@@ -131,6 +135,8 @@ class MemoryTable final : public TableSource {
   /// `horizon`: the look-ahead for which the tree is arranged. Throws Error for a layout that queries do not know, for
   /// one with outlines or meshes, and for a horizon that is negative or not finite.
   MemoryTable(std::string name, const Layout& layout, double horizon = 60);
+  MemoryTable(const MemoryTable&) = delete;
+  MemoryTable& operator=(const MemoryTable&) = delete;
 
   /// Inserts the object, or replaces the one with this id. Throws Error for a record of another size, or with a number
   /// that a table refuses.

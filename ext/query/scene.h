@@ -52,7 +52,8 @@ struct Scene {
   std::string name = {};  ///< of the table, for messages
   Layout layout = {};
   std::vector<std::int64_t> ids = {};
-  std::vector<double> rows = {};  ///< ids.size() rows of row_offsets(layout).size doubles, each finite
+  /// ids.size() rows of row_offsets(layout).size doubles, each finite. At most 2^32 - 1 rows.
+  std::vector<double> rows = {};
   std::optional<TreeLevels> levels = {};  ///< for joins by the tree: rows are in leaf order
   std::unique_ptr<RowForms> forms = {};   ///< if the layout has outlines or meshes
   /// Cache of category and mask of all rows, kept by the first join that needs it (join/pair_kinds.h). It does not see

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/repeatable_choice.h"
 #include "shape/bodies.h"
 #include "shape/form_rows.h"
 #include "shape/mesh/shared_mesh.h"
@@ -63,8 +64,7 @@ class TurnedForms final : public FormRows<typename KindOfForm::Pieces> {
   };
   struct PoseHash {
     std::size_t operator()(const Pose& pose) const {
-      return std::hash<const KindOfForm*>()(pose.form) ^
-             0x9e3779b97f4a7c15U * std::hash<double>()(pose.heading);
+      return std::hash<const KindOfForm*>()(pose.form) ^ by_golden_ratio * std::hash<double>()(pose.heading);
     }
   };
 

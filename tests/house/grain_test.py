@@ -32,7 +32,6 @@ PRIVATE = {
     "contact/certified/endpoint_rounding.h": "the rounded ends of an interval; union_pair.h would have over 300 lines",
     "query/join/movers/leg_join.h": "the join of plans, with an interface of its own; join.cpp would have over 300 lines",
     "query/join/movers/leg_tree.h": "a tree over the legs of a slab; join_candidates.cpp needs no pages otherwise",
-    "query/legs/leg_candidates.h": "an index without an index, with an interface of its own and tests through the scan",
     "query/nearest/nearest_rows.h": "the ranking of distances, apart from the search; nearest.cpp would have over 300 lines",
     "query/window/mover_window.h": "windows over plans, apart from those over rows; window.cpp would have over 300 lines",
     "query/legs/slab_legs.h": "legs of one slab; leg_join.cpp would have over 300 lines",

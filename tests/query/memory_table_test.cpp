@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <type_traits>
 
 #include "index/tpr_tree/tpr_tree.h"
 #include "never_interrupt.h"
@@ -15,6 +16,8 @@ namespace foresee::testing {
 namespace {
 
 using Records = std::map<std::int64_t, std::vector<double>>;
+
+static_assert(!std::is_move_constructible_v<MemoryTable>, "its tree refers to its pages");
 
 constexpr Layout timed{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
 

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "base/repeatable_choice.h"
 #include "contact/certified/uncertain_interval.h"
 #include "numbers/crossed_root.h"
 
@@ -59,7 +60,7 @@ class TestedPairs {
 
   Slot& slot_of(const PiecePair& pair) {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t i = ((std::uint64_t{pair.a} << 32 | pair.b) * 0x9e3779b97f4a7c15U >> 32) & mask;
+    std::size_t i = ((std::uint64_t{pair.a} << 32 | pair.b) * by_golden_ratio >> 32) & mask;
     while (slots_[i].round == round_ && slots_[i].pair != pair) i = (i + 1) & mask;
     return slots_[i];
   }

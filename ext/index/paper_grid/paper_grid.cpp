@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <numeric>
 
+#include "base/repeatable_choice.h"
+
 namespace foresee {
 namespace {
 
@@ -145,7 +147,7 @@ void PaperGrid<D>::enter(const Sides& sides, const Cuts& cuts) {
 template <int D>
 void PaperGrid<D>::group_entries() {
   const int bits = std::bit_width(entries_.size() | 1);
-  auto bucket = [bits](const Entry& entry) { return entry.cell * 0x9e3779b97f4a7c15u >> (64 - bits); };
+  auto bucket = [bits](const Entry& entry) { return entry.cell * by_golden_ratio >> (64 - bits); };
   std::vector<std::size_t> ends((std::size_t{1} << bits) + 1);
   for (const Entry& entry : entries_) ++ends[bucket(entry) + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());

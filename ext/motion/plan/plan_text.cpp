@@ -103,7 +103,10 @@ class PlanReader : WktLexer {
         knot.x[static_cast<std::size_t>(i)] = number();
     }
     int count = wanted;
-    for (; next_is_number() || next_is_infinity(); ++count) time();
+    for (; next_is_number() || next_is_infinity(); ++count) {
+      steps_();
+      time();
+    }
     if (count != wanted) refuse_count(start, count);
     plan_.knots.push_back(knot);
   }

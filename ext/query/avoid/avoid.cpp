@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/float_environment.h"
+#include "base/interrupt_steps.h"
 #include "query/avoid/proven_ranges.h"
 
 namespace foresee {
@@ -53,16 +54,14 @@ class ManoeuvreRows {
     const OwnState& own = manoeuvre_.own;
     if (k == 0) return own.legs.empty() ? std::vector<OwnMotion>{own.stored} : own.legs;
     std::vector<OwnMotion> motions;
-    for (const auto& leg : manoeuvre_.changed.legs) motions.push_back(leg->changed(k));
+    Steps steps(interrupt_);
+    for (const auto& leg : manoeuvre_.changed.legs) {
+      steps();
+      motions.push_back(leg->changed(k));
+    }
     return motions;
   }
-  OwnState::Records records_at(double k) const { return manoeuvre_.own.records_of(motions_at(k)); }
 
-  /// What a change touches, by exact contact.
-  std::vector<NearRow> touching_at(double k) {
-    const OwnState::Records records = records_at(k);
-    return exact_.touching(records, exempt_at(k, records));
-  }
   /// What touches when the manoeuvre starts, and is exempt as Touching says. It is seen at the start of
   ///   k = 0, or a change of motion    the changed motion: it starts where the unchanged one is, in the same pose
   ///   a delay or a wait               the unchanged motion, with `ignore`; else nothing is exempt
@@ -74,11 +73,16 @@ class ManoeuvreRows {
     if (!exempt_) exempt_ = exact_.touching_at_start(manoeuvre_.records_at_start());
     return *exempt_;
   }
-  bool is_clear(double k) { return can_be_stored(k) && touching_at(k).empty(); }
+  bool is_clear(double k) {
+    const std::vector<OwnMotion> motions = motions_at(k);
+    if (!can_be_stored(motions)) return false;
+    const OwnState::Records records = manoeuvre_.own.records_of(motions);
+    return exact_.touching(records, exempt_at(k, records)).empty();
+  }
 
-  /// As finite numbers, and as an outline in this pose.
-  bool can_be_stored(double k) const {
-    for (const OwnMotion& motion : motions_at(k)) {
+  /// As finite numbers, and as an outline in these poses.
+  bool can_be_stored(const std::vector<OwnMotion>& motions) const {
+    for (const OwnMotion& motion : motions) {
       if (!is_finite(motion)) return false;
       if (!manoeuvre_.rotates_outline) continue;
       try {
@@ -142,14 +146,17 @@ class ManoeuvreRows {
   /// The first blocker, as changes go from one end of a blocked row towards the other.
   std::optional<Blocker> blocker(double end, double other, bool end_is_clear) {
     const auto at = [&](double k) -> std::optional<Blocker> {
-      if (!can_be_stored(k)) return std::nullopt;
-      const std::vector<NearRow> touching = touching_at(k);
-      return touching.empty() ? std::nullopt : exact_.first_touching(records_at(k), touching);
+      const std::vector<OwnMotion> motions = motions_at(k);
+      if (!can_be_stored(motions)) return std::nullopt;
+      const OwnState::Records records = manoeuvre_.own.records_of(motions);
+      const std::vector<NearRow> touching = exact_.touching(records, exempt_at(k, records));
+      return touching.empty() ? std::nullopt : exact_.first_touching(records, touching);
     };
     if (auto found = end_is_clear ? std::nullopt : at(end)) return found;
     const double room = std::abs(other - end), direction = other > end ? 1 : -1;
     bool passed_0 = end == 0 || (end > 0) == (other > 0);
-    for (double step = (queried_.hi - queried_.lo) * 0x1p-42; step < room; step *= 2) {
+    const double smallest = queried_.hi * 0x1p-42 - queried_.lo * 0x1p-42;  // 0 if the range is that short
+    for (double step = std::max(smallest, min_number); step < room; step *= 2) {
       const double k = end + direction * step;
       if (!passed_0 && (k > 0) != (end > 0)) {
         passed_0 = true;

@@ -6,8 +6,10 @@
 #include <numeric>
 #include <tuple>
 #include <unordered_set>
+#include <utility>
 
 #include "base/axes.h"
+#include "base/interrupt_steps.h"
 #include "index/tpr_tree/moving_box.h"
 #include "query/join/question.h"
 #include "query/margin.h"
@@ -102,7 +104,11 @@ ExactAvoidance::~ExactAvoidance() = default;
 
 void ExactAvoidance::set_motion(const Records& legs) {
   legs_ = static_cast<std::uint32_t>(legs.size());
-  for (std::size_t leg = 0; leg < legs.size(); ++leg) set_row(leg, legs[leg]);
+  Steps steps(interrupt_);
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+    steps();
+    set_row(leg, legs[leg]);
+  }
   if (moved_.layout.shape == Shape::outline) set_forms();
   const double first =
       std::max(question_.now, value_or(legs[0].data(), record_offsets(manoeuvre_.own.layout).t, 0));
@@ -191,16 +197,16 @@ std::vector<NearRow> ExactAvoidance::decided(std::vector<std::unique_ptr<Contact
       }
     }
     decide();
-    std::vector<std::uint8_t> known(legs_ > 1 ? near_scene(table).size() : 0);
+    std::vector<std::uint8_t> is_listed(legs_ > 1 ? near_scene(table).size() : 0);
     for (const Pair& hit : hits) {
-      if (legs_ > 1 && known[hit.b]++ > 0) continue;
+      if (legs_ > 1 && std::exchange(is_listed[hit.b], 1)) continue;
       touching.push_back({table, hit.b});
     }
   }
   return touching;
 }
 
-void ExactAvoidance::complete(std::vector<NearRow>& touching) const {
+void ExactAvoidance::add_other_legs_of(std::vector<NearRow>& touching) const {
   for (std::size_t table = 0; table < tables(); ++table) {
     const Scene& others = near_scene(table);
     if (!others.layout.has_plan) continue;
@@ -219,7 +225,7 @@ std::vector<NearRow> ExactAvoidance::touching_at_start(const Records& legs) {
   for (std::size_t table = 0; table < tables(); ++table)
     if (!start_contacts_[table]) start_contacts_[table] = contact(table, {start_, 0});
   std::vector<NearRow> touching = decided(start_contacts_, {start_, 0}, {});
-  if (question_.touching == Touching::ignore) complete(touching);
+  if (question_.touching == Touching::ignore) add_other_legs_of(touching);
   return touching;
 }
 

@@ -14,7 +14,6 @@
 // Cost: some 100 ns per near object.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "base/error.h"
@@ -71,7 +70,7 @@ class ExactAvoidance {
   std::vector<NearRow> decided(std::vector<std::unique_ptr<Contact>>& contacts, const Horizon& horizon,
                                const std::vector<std::vector<std::uint8_t>>& left_out);
   /// Appends all legs of the objects of which one leg is in the list.
-  void complete(std::vector<NearRow>& touching) const;
+  void add_other_legs_of(std::vector<NearRow>& touching) const;
   bool touches(Contact& contact, std::uint32_t leg, const NearRow& near_row) const;
 
   // From the first time of the object on (exact_start.cpp, as initial_state()):

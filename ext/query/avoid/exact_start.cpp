@@ -82,7 +82,15 @@ bool ExactAvoidance::touches_at_start(std::uint32_t leg, const NearRow& near_row
 }
 
 bool ExactAvoidance::all_separate(const NearRow& near_row) {
+  interrupt_.check();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Bodies own = moved_.bodies(), others = near_scene(near_row.table).bodies();
+  const double* const row = others.row(near_row.row);
+  const double t = value_or(row, others.at.t, -infinity), until = value_or(row, others.at.until, infinity);
   for (std::uint32_t leg = 0; leg < legs_; ++leg) {
+    const double* const own_row = own.row(leg);
+    if (value_or(own_row, own.at.until, infinity) < t || value_or(own_row, own.at.t, -infinity) > until)
+      continue;  // they never exist together
     const bool is_apart = leg > 0 && !touches_at_start(leg, near_row);
     if (is_apart ? touches(*contacts_[near_row.table], leg, near_row) : !separates(leg, near_row))
       return false;

@@ -5,6 +5,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
+#include "base/interrupt_steps.h"
 #include "index/paper_grid/paper_grid.h"
 #include "index/paper_grid/paper_stages.h"
 #include "query/join/join_candidates.h"
@@ -20,24 +21,28 @@ namespace {
 constexpr const char* test_names[paper_stage_count] = {"projection overlap", "centre point", "time interval",
                                                        "trajectory intersection"};
 
-/// Pairs of legs of one mover, which are not queried. `meeting`: only those whose kinds may meet.
-std::uint64_t pairs_of_one_mover(const JoinQuestion& question, bool meeting) {
+/// Pairs of an object with itself, which are not queried; of an object with a plan, pairs of its legs. `meeting`: only
+/// those whose kinds may meet.
+std::uint64_t pairs_of_one_object(const JoinQuestion& question, bool meeting, Interrupt& interrupt) {
   const Scene& scene = *question.a;
-  if (!scene.layout.has_plan || (question.b && question.b != question.a)) return 0;
+  if (question.b ? question.b != question.a : !scene.layout.has_plan) return 0;
+  Steps steps(interrupt);
   std::uint64_t pairs = 0;
-  for (std::size_t i = 0; i + 1 < scene.first_rows.size(); ++i) {
-    if (question.own && question.own->a[scene.first_rows[i]] & Tile::unneeded) continue;
-    const std::uint32_t first = scene.first_rows[i];
+  for (std::size_t i = 0; i < scene.object_count(); ++i) {
+    steps();
+    const RowRange rows = scene.rows_of(i);
+    if (question.own && question.own->a[rows.first] & Tile::unneeded) continue;
+    const auto first = static_cast<std::uint32_t>(rows.first);
     if (meeting && !question.kinds->may_meet({first, first})) continue;
-    const std::uint64_t legs = scene.first_rows[i + 1] - scene.first_rows[i];
+    const std::uint64_t legs = rows.last - rows.first;
     pairs += question.b ? legs * legs : legs * (legs - 1) / 2;
   }
   return pairs;
 }
 
 /// All queried pairs; in a tile, the pairs of the objects that it needs. Where objects have plans, pairs of legs.
-std::uint64_t queried_pairs(const JoinQuestion& question) {
-  const std::uint64_t left_out = pairs_of_one_mover(question, false);
+std::uint64_t queried_pairs(const JoinQuestion& question, Interrupt& interrupt) {
+  const std::uint64_t left_out = pairs_of_one_object(question, false, interrupt);
   const auto pairs = [&](std::uint64_t a, std::uint64_t b) {
     return (question.b ? a * b : a * (a - 1) / 2) - left_out;
   };
@@ -53,11 +58,11 @@ class MoverStage {
         other_(question.b && question.b != question.a ? std::optional<Movers>(question.b) : std::nullopt),
         within_(!question.b) {}
 
-  bool are_one(const Pair& legs) const { return !other_ && a_.of(legs.a) == a_.of(legs.b); }
+  bool are_one(const Pair& legs) const { return !other_ && a_.mover_of(legs.a) == a_.mover_of(legs.b); }
   void add(const std::vector<Pair>& touching) {
     const double begin = thread_seconds();
     for (const Pair& legs : touching) {
-      Pair movers = a_.of(legs, other_ ? *other_ : a_);
+      Pair movers = a_.movers_of(legs, other_ ? *other_ : a_);
       if (within_ && movers.b < movers.a) std::swap(movers.a, movers.b);
       count.after += pairs_.find_or_add(movers, count.after) == count.after;
     }
@@ -90,7 +95,7 @@ class Explanation {
     if (refinement_) refinement_->set_interrupt(interrupt);
     if (has_plans(question)) movers_.emplace(question);
     open_axes();
-    candidates_count_.before = kinds ? kinds->after : queried_pairs(question);
+    candidates_count_.before = kinds ? kinds->after : queried_pairs(question, interrupt);
   }
 
   void run() {
@@ -264,8 +269,8 @@ class Explanation {
 std::optional<StageCount> count_kinds(const JoinQuestion& all, Interrupt& interrupt) {
   if (!all.kinds) return {};
   const double begin = thread_seconds();
-  StageCount count{.before = queried_pairs(all),
-                   .after = count_meeting(all, interrupt) - pairs_of_one_mover(all, true)};
+  StageCount count{.before = queried_pairs(all, interrupt),
+                   .after = count_meeting(all, interrupt) - pairs_of_one_object(all, true, interrupt)};
   count.seconds = thread_seconds() - begin;
   return count;
 }
@@ -276,9 +281,10 @@ std::vector<ExplainRow> explain_join(const JoinQuestion& whole, Interrupt& inter
   const FloatEnvironment environment;
   require_valid(whole);
   const JoinQuestion all = with_kinds(in_tile(whole, interrupt));
-  JoinQuestion question = all.kinds ? with_kinds(in_tile(without_inert(whole), interrupt)) : all;
+  JoinQuestion question = all.kinds ? with_kinds(in_tile(without_inert(whole, interrupt), interrupt)) : all;
   question.only_a = question.only_b = {};
   question.queried_t = question.queried_dt = {};
+  question.all_contacts = false;
   Explanation explanation(question, count_kinds(all, interrupt), interrupt);
   if (all.a->size() == 0 || (all.b && all.b->size() == 0)) return {};
   if (all.own && (all.own->needed_a == 0 || all.own->needed_b == 0)) return {};

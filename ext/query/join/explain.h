@@ -43,7 +43,8 @@ struct ExplainRow {
   }
 };
 
-/// Throws Error as Join does. Ignores only_a, only_b, queried_t, queried_dt, order and wants of `question`.
+/// Throws Error as Join does. Ignores which rows of `question` are wanted: only_a, only_b, queried_t, queried_dt,
+/// order, all_contacts, wants, likely_rows and helpers.
 std::vector<ExplainRow> explain_join(const JoinQuestion& question, Interrupt& interrupt);
 
 }  // namespace foresee

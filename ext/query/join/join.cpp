@@ -22,7 +22,7 @@ namespace {
 JoinQuestion prepared(JoinQuestion question, Interrupt& interrupt) {
   require_valid(question);
   question.helpers = useful_helpers(question.helpers);
-  question = with_kinds(in_tile(without_inert(std::move(question)), interrupt));
+  question = with_kinds(in_tile(without_inert(std::move(question), interrupt), interrupt));
   question.all_contacts = may_repeat_pairs(question);
   if (!question.space) question.space = std::make_shared<GridSpace>();
   return question;

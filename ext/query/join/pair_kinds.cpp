@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "base/interrupt_steps.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/tile/tile.h"
 
@@ -27,7 +28,7 @@ std::shared_ptr<SceneKinds> kinds_of(const Scene& scene) {
 /// The objects of a scene whose kinds `meets` accepts. Leaves of the tree without such an object stay, empty.
 template <class Meets>
 std::shared_ptr<const Scene> some_of(const Scene& scene, const std::vector<Kinds>& kinds, std::size_t count,
-                                     Meets meets) {
+                                     Meets meets, Interrupt& interrupt) {
   const auto row_size = static_cast<std::size_t>(row_offsets(scene.layout).size);
   auto some = std::make_shared<Scene>();
   some->name = scene.name;
@@ -38,7 +39,9 @@ std::shared_ptr<const Scene> some_of(const Scene& scene, const std::vector<Kinds
   some->rows.reserve(count * row_size);
   const auto of_leaves = some->levels ? std::span(some->levels->starts.at(0)) : std::span<std::uint32_t>();
   auto start = of_leaves.begin();
+  Steps steps(interrupt);
   for (std::size_t i = 0; i <= scene.size(); ++i) {
+    steps();
     for (; start != of_leaves.end() && *start == i; ++start)
       *start = static_cast<std::uint32_t>(some->size());
     if (i == scene.size() || !meets(kinds[i])) continue;
@@ -51,14 +54,15 @@ std::shared_ptr<const Scene> some_of(const Scene& scene, const std::vector<Kinds
 }
 
 /// The objects of a scene that may meet one of `partner_kinds`; the scene itself if all may.
-std::shared_ptr<const Scene> active(const std::shared_ptr<const Scene>& scene, Kinds partner_kinds) {
+std::shared_ptr<const Scene> active(const std::shared_ptr<const Scene>& scene, Kinds partner_kinds,
+                                    Interrupt& interrupt) {
   if (scene->forms) return scene;
   const std::shared_ptr<SceneKinds> kinds = kinds_of(*scene);
   if (kinds->active && kinds->partner_kinds == partner_kinds) return kinds->active;
   const auto meets = [&](Kinds one) { return may_meet(one, partner_kinds); };
   const auto count = static_cast<std::size_t>(std::count_if(kinds->of.begin(), kinds->of.end(), meets));
   if (count == scene->size()) return scene;
-  kinds->active = some_of(*scene, kinds->of, count, meets);
+  kinds->active = some_of(*scene, kinds->of, count, meets, interrupt);
   kinds->partner_kinds = partner_kinds;
   return kinds->active;
 }
@@ -82,10 +86,14 @@ struct Group {
   std::uint64_t count;
 };
 
-std::vector<Group> groups_of(const SceneKinds& scene, const std::vector<TileMarks>* marks) {
+std::vector<Group> groups_of(const SceneKinds& scene, const std::vector<TileMarks>* marks,
+                             Interrupt& interrupt) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> counts;
-  for (std::size_t i = 0; i < scene.of.size(); ++i)
+  Steps steps(interrupt);
+  for (std::size_t i = 0; i < scene.of.size(); ++i) {
+    steps();
     if (!marks || !((*marks)[i] & Tile::unneeded)) ++counts[{scene.of[i].category, scene.of[i].mask}];
+  }
   std::vector<Group> groups;
   for (const auto& [kinds, count] : counts) groups.push_back({{kinds.first, kinds.second}, count});
   return groups;
@@ -103,15 +111,15 @@ bool has_kinds(const JoinQuestion& question) {
   return has_kinds(question.a->layout) || (question.b && has_kinds(question.b->layout));
 }
 
-JoinQuestion without_inert(JoinQuestion question) {
+JoinQuestion without_inert(JoinQuestion question, Interrupt& interrupt) {
   if (!has_kinds(question)) return question;
   const bool itself = question.b == question.a;
   const auto a = kinds_of(*question.a), b = question.b ? kinds_of(*question.b) : a;
-  question.a = active(question.a, b->all);
+  question.a = active(question.a, b->all, interrupt);
   if (itself)
     question.b = question.a;
   else if (question.b)
-    question.b = active(question.b, a->all);
+    question.b = active(question.b, a->all, interrupt);
   return question;
 }
 
@@ -131,8 +139,8 @@ std::uint64_t count_meeting(const JoinQuestion& question, Interrupt& interrupt) 
   const Ownership* const own = question.own.get();
   const std::vector<TileMarks>* const marks_a = own ? &own->a : nullptr;
   const std::vector<TileMarks>* const marks_b = own && !own->b.empty() ? &own->b : marks_a;
-  const std::vector<Group> a = groups_of(*question.kinds->a, marks_a);
-  const std::vector<Group> b = groups_of(*question.kinds->b, marks_b);
+  const std::vector<Group> a = groups_of(*question.kinds->a, marks_a, interrupt);
+  const std::vector<Group> b = groups_of(*question.kinds->b, marks_b, interrupt);
   std::uint64_t pairs = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     interrupt.check();

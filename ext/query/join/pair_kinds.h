@@ -1,6 +1,6 @@
 // Kinds in a join: collision filtering of its pairs by category and mask (shape/kinds.h).
 //
-//   JoinQuestion question = with_kinds(in_tile(without_inert(queried), interrupt));
+//   JoinQuestion question = with_kinds(in_tile(without_inert(queried, interrupt), interrupt));
 //   auto candidates = meeting_candidates(make_all_pairs(count, interrupt), question.kinds);
 //
 // An object is inert if no object of the other side may meet it: then it is not read (scene_without_inert()). Where a
@@ -54,7 +54,7 @@ std::shared_ptr<const Scene> scene_without_inert(TableSource& table, TableSource
 bool has_kinds(const JoinQuestion& question);
 
 /// Leaves out the inert objects of both scenes. A scene with outlines or meshes keeps them.
-JoinQuestion without_inert(JoinQuestion question);
+JoinQuestion without_inert(JoinQuestion question, Interrupt& interrupt);
 
 /// Sets `kinds` if a side has category or mask. Row numbers must not change afterwards.
 JoinQuestion with_kinds(JoinQuestion question);

@@ -109,12 +109,8 @@ MarkedScene marked_movers(const Scene& scene, const JoinQuestion& question, Inte
   MarkedScene all;
   all.marks.resize(bodies.count);
   for (std::size_t mover = 0; mover + 1 < scene.first_rows.size(); ++mover) {
-    Box<D> hull = Box<D>::empty();
-    for (std::size_t i = scene.first_rows[mover]; i < scene.first_rows[mover + 1]; ++i) {
-      if (i % objects_per_check == 0) interrupt.check();
-      const Box<D> box = swept_box<D>(bodies, i, horizon, margin);
-      hull.lower = hull.lower.min(box.lower), hull.upper = hull.upper.max(box.upper);
-    }
+    interrupt.check();
+    const Box<D> hull = swept_box_of<D>(bodies, scene.rows_of(mover), horizon, margin);
     const TileMarks marks = question.tile->marks(hull);
     const auto begin = all.marks.begin();
     std::fill(begin + scene.first_rows[mover], begin + scene.first_rows[mover + 1], marks);
@@ -132,7 +128,8 @@ MarkedScene marked_rows(const Scene& scene, const JoinQuestion& question, Interr
 
 /// The scene without unneeded objects, if that is worth a copy of the others. Levels of a tree and forms
 /// refer to row numbers: such a scene keeps all rows, and marks exclude the unneeded ones.
-std::shared_ptr<const Scene> without_unneeded(std::shared_ptr<const Scene> scene, MarkedScene& marked) {
+std::shared_ptr<const Scene> without_unneeded(std::shared_ptr<const Scene> scene, MarkedScene& marked,
+                                              Interrupt& interrupt) {
   const std::size_t unneeded = scene->size() - marked.needed;
   if (scene->levels || scene->forms || unneeded * worth_a_copy <= marked.needed) return scene;
   const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
@@ -143,6 +140,7 @@ std::shared_ptr<const Scene> without_unneeded(std::shared_ptr<const Scene> scene
   needed->ids.reserve(marked.needed);
   needed->rows.reserve(marked.needed * row_size);
   for (std::size_t i = 0; i < scene->size(); ++i) {
+    if (i % objects_per_check == 0) interrupt.check();
     if (marked.marks[i] & Tile::unneeded) continue;
     marked.marks[needed->size()] = marked.marks[i];
     needed->ids.push_back(scene->ids[i]);
@@ -163,9 +161,9 @@ void mark(JoinQuestion& question, Interrupt& interrupt) {
   const bool itself = question.b == question.a;
   auto ownership = std::make_shared<Ownership>();
   ownership->needed_a = a.needed, ownership->needed_b = one_scene ? a.needed : b.needed;
-  question.a = without_unneeded(question.a, a);
+  question.a = without_unneeded(question.a, a, interrupt);
   if (itself) question.b = question.a;
-  if (!one_scene) question.b = without_unneeded(question.b, b);
+  if (!one_scene) question.b = without_unneeded(question.b, b, interrupt);
   ownership->a = std::move(a.marks), ownership->b = std::move(b.marks);
   question.own = std::move(ownership);
 }

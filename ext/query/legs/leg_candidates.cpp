@@ -19,7 +19,7 @@ MoverRange queried(const Movers& movers, const std::optional<std::int64_t>& only
   const auto& ids = movers.scene()->ids;
   const auto found = std::find(ids.begin(), ids.end(), *only);
   if (found == ids.end()) return {0, 0};
-  const std::uint32_t mover = movers.of(static_cast<std::uint32_t>(found - ids.begin()));
+  const std::uint32_t mover = movers.mover_of(static_cast<std::uint32_t>(found - ids.begin()));
   return {mover, mover + 1};
 }
 
@@ -39,14 +39,17 @@ class LegCandidates final : public Candidates {
     interrupt_.check();
     const std::size_t full = out.size() + legs_per_batch;
     for (std::size_t steps = 0; a_ < of_a_.last; b_ = first_b()) {
-      for (; b_ < of_b_.last; ++b_) {
-        if (out.size() >= full || ++steps > legs_per_batch) return true;
+      for (; b_ < of_b_.last; ++b_, legs_.reset()) {
         if ((sides_.each_once || sides_.are_one) && a_ == b_) continue;
-        for_leg_pairs(sides_.a, sides_.b, {a_, b_}, times_.from, [&](const Pair& legs) {
-          if (std::max(sides_.a.t(legs.a), sides_.b.t(legs.b)) > times_.until) return false;
-          out.push_back(legs);
+        if (!legs_) legs_.emplace(sides_.a, sides_.b, Pair{a_, b_}, times_.from);
+        for (auto legs = legs_->next(); legs && starts_by_end(*legs); legs = legs_->next()) {
+          out.push_back(*legs);
+          if (out.size() == full) return true;
+        }
+        if (++steps > legs_per_batch) {
+          ++b_, legs_.reset();
           return true;
-        });
+        }
       }
       if (++a_ == of_a_.last) return true;
     }
@@ -54,6 +57,9 @@ class LegCandidates final : public Candidates {
   }
 
  private:
+  bool starts_by_end(const Pair& legs) const {
+    return std::max(sides_.a.t(legs.a), sides_.b.t(legs.b)) <= times_.until;
+  }
   std::uint32_t first_b() const { return each_once_ ? a_ + 1 : of_b_.first; }
 
   LegCandidatesOf sides_;
@@ -61,6 +67,7 @@ class LegCandidates final : public Candidates {
   MoverRange of_a_, of_b_;
   bool each_once_;
   std::uint32_t a_, b_;
+  std::optional<LegPairs> legs_;  ///< of a_ and b_, those that are left
   Interrupt& interrupt_;
 };
 

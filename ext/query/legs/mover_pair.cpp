@@ -37,14 +37,13 @@ MoverPair::MoverPair(const Movers& a, const Movers& b, Contact& contact, const H
       contact_(contact),
       horizon_(horizon),
       interrupt_(interrupt),
-      bent_(is_bent(a) || is_bent(b)),
-      all_(bent_ && !has_forms(a) && !has_forms(b)) {}
+      tests_all_contacts_((is_bent(a) || is_bent(b)) && !has_forms(a) && !has_forms(b)) {}
 
 void MoverPair::test_legs() {
   interrupt_.check();
   touching_.clear();
   times_.clear();
-  if (all_)
+  if (tests_all_contacts_)
     contact_.all_contacts(legs_, touching_, times_);
   else
     contact_.first_contacts(legs_, TimesWanted::both, touching_, times_);
@@ -55,15 +54,19 @@ void MoverPair::test_legs() {
 
 void MoverPair::gather(const Pair& movers, double from, double until, bool follow) {
   double bound = until;
+  std::vector<ContactTimes> later;  // they start beyond the bound, so far
   const auto test_and_follow = [&] {
+    const std::size_t known = gathered_.size();
     test_legs();
     if (!follow) return;
-    for (bool more = true; more;) {
-      more = false;
-      for (const LegContact& one : gathered_) {
-        if (one.times.t > bound || one.times.t_end <= bound) continue;
-        bound = one.times.t_end, more = true;
-      }
+    for (std::size_t i = known; i < gathered_.size(); ++i) later.push_back(gathered_[i].times);
+    for (std::size_t waiting = later.size() + 1; later.size() < waiting;) {
+      waiting = later.size();
+      std::erase_if(later, [&](const ContactTimes& times) {
+        if (times.t > bound) return false;
+        bound = std::max(bound, times.t_end);
+        return true;
+      });
     }
   };
   legs_.clear();
@@ -91,7 +94,7 @@ void MoverPair::add_leg_ends(std::span<MoverHit> hits) {
   }
 }
 
-bool MoverPair::is_alone(const MoverHit& hit) const {
+bool MoverPair::is_complete(const MoverHit& hit) const {
   return hit.times.t > start_of(hit.legs) && hit.times.t_end < end_of(hit.legs);
 }
 
@@ -104,13 +107,12 @@ void MoverPair::follow(std::span<MoverHit> hits) {
   followed_.clear();
   for (MoverHit& hit : hits) {
     if (hit.times.t_end < end_of(hit.legs)) continue;
-    if (!all_) {
-      const Pair movers = a_.of(hit.legs, b_);
-      followed_.push_back({&hit, hit.legs, hit.legs.b, a_.last(movers.a), b_.last(movers.b), {}});
+    if (!tests_all_contacts_) {
+      followed_.push_back({&hit, LegPairs(a_, b_, hit.legs), {}});
       continue;
     }
     gathered_.clear();
-    gather(a_.of(hit.legs, b_), hit.times.t, hit.times.t_end, true);
+    gather(a_.movers_of(hit.legs, b_), hit.times.t, hit.times.t_end, true);
     hit.times = mover_contacts(gathered_).front();
   }
   while (!followed_.empty()) follow_a_leg();
@@ -124,12 +126,13 @@ void MoverPair::follow_a_leg() {
   touching_.clear();
   times_.clear();
   for (Followed& one : followed_) {
-    if (!find_next(one) || start_of(one.legs) > one.hit->times.t_end) continue;
-    legs_.push_back(one.legs);
+    const auto next = one.legs.next();
+    if (!next || start_of(*next) > one.hit->times.t_end) continue;
+    legs_.push_back(*next);
     if (&followed_[kept] != &one) followed_[kept] = std::move(one);
     ++kept;
   }
-  followed_.resize(kept);
+  followed_.erase(followed_.begin() + static_cast<std::ptrdiff_t>(kept), followed_.end());
   contact_.first_contacts(legs_, TimesWanted::both, touching_, times_);
   for (std::size_t i = 0, hit = 0; i < touching_.size(); ++i, ++hit) {
     while (legs_[hit] != touching_[i]) ++hit;
@@ -148,22 +151,6 @@ void MoverPair::follow_a_leg() {
   }
 }
 
-/// The next pair in the order of for_leg_pairs(); false after the last.
-bool MoverPair::find_next(Followed& one) const {
-  Pair& legs = one.legs;
-  if (legs.b + 1 < one.last_b && b_.t(legs.b + 1) <= a_.until(legs.a)) {
-    ++legs.b;
-    return true;
-  }
-  while (++legs.a < one.last_a) {
-    while (one.first_b < one.last_b && b_.until(one.first_b) < a_.t(legs.a)) ++one.first_b;
-    if (one.first_b == one.last_b) return false;
-    legs.b = one.first_b;
-    if (b_.t(legs.b) <= a_.until(legs.a)) return true;
-  }
-  return false;
-}
-
 bool MoverPair::touch_before(const MoverHit& hit) {
   const auto is_before = [&](const ContactTimes& times) {
     return times.t < hit.times.t || (times.t == hit.times.t && times.dt < hit.times.dt);
@@ -178,7 +165,7 @@ bool MoverPair::touch_before(const MoverHit& hit) {
     legs_.clear();
   };
   legs_.clear();
-  for_leg_pairs(a_, b_, a_.of(hit.legs, b_), horizon_.now, [&](const Pair& legs) {
+  for_leg_pairs(a_, b_, a_.movers_of(hit.legs, b_), horizon_.now, [&](const Pair& legs) {
     if (start_of(legs) > hit.times.t) return false;
     legs_.push_back(legs);
     if (legs_.size() == legs_at_once) test();
@@ -251,7 +238,7 @@ ClosestApproach MoverPair::closest_approach(const Pair& legs) {
     legs_.clear();
   };
   legs_.clear();
-  for_leg_pairs(a_, b_, a_.of(legs, b_), horizon_.now, [&](const Pair& others) {
+  for_leg_pairs(a_, b_, a_.movers_of(legs, b_), horizon_.now, [&](const Pair& others) {
     if (!is_by_end(start_of(others), horizon_)) return false;
     if (others == legs || is_clearly_farther(others, best.d)) return true;
     legs_.push_back(others);

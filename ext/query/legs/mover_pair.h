@@ -37,7 +37,7 @@ class MoverPair {
   void add_leg_ends(std::span<MoverHit> hits);
   /// Whether a contact of two legs cannot be part of a longer contact of their movers: neither starts nor ends with a
   /// leg. Requires: the end is known.
-  bool is_alone(const MoverHit& hit) const;
+  bool is_complete(const MoverHit& hit) const;
   /// Whether the movers of a hit touch before.
   bool touch_before(const MoverHit& hit);
   /// Replaces `found` by the contacts of two movers that start from `from` to `until`, in order, and perhaps others
@@ -52,15 +52,13 @@ class MoverPair {
   void gather(const Pair& movers, double from, double until, bool follow);
   /// Appends the contacts of the pairs of `legs_`, which it clears.
   void test_legs();
-  /// A contact that lasts to the end of a leg, and the pair of legs that is tested next.
+  /// A contact that lasts to the end of a leg, and the pairs of legs that are tested next.
   struct Followed {
     MoverHit* hit;
-    Pair legs;
-    std::uint32_t first_b, last_a, last_b;
+    LegPairs legs;
     std::vector<ContactTimes> later;  ///< of pairs of legs, after a gap as yet
   };
   void follow_a_leg();
-  bool find_next(Followed& one) const;
   double start_of(const Pair& legs) const { return std::max(a_.t(legs.a), b_.t(legs.b)); }
   double end_of(const Pair& legs) const { return std::min(a_.until(legs.a), b_.until(legs.b)); }
   bool is_clearly_farther(const Pair& legs, double distance) const;
@@ -69,7 +67,7 @@ class MoverPair {
   Contact& contact_;
   Horizon horizon_;
   Interrupt& interrupt_;
-  bool bent_, all_;
+  bool tests_all_contacts_;  ///< of two legs: on bent paths there may be several
   std::vector<Pair> legs_, touching_;
   std::vector<ContactTimes> times_;
   std::vector<LegContact> gathered_;

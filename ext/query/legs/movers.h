@@ -4,12 +4,13 @@
 //   for (std::uint32_t leg = ships.first(7); leg < ships.last(7); ++leg) use(ships.t(leg), ships.until(leg));
 //
 // A mover is an object with or without a plan: its rows follow each other, in order of time. In a scene of a layout
-// without plans each row is a mover. for_leg_pairs() gives the legs of two movers that exist together, in order of
-// time: a step per leg, not per pair of legs. Memory: 4 bytes per leg.
+// without plans each row is a mover. LegPairs gives the legs of two movers that exist together, in order of time: a
+// step per leg, and one for each further pair of legs that share a time. Memory: 4 bytes per leg.
 #pragma once
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "query/scene.h"
@@ -52,9 +53,11 @@ class Movers {
     return has_legs_ ? scene_->first_rows[mover + 1] : mover + 1;
   }
   const Bodies& bodies() const { return bodies_; }
-  /// The mover of a row.
-  std::uint32_t of(std::uint32_t row) const { return has_legs_ ? of_[row] : row; }
-  Pair of(const Pair& rows, const Movers& others) const { return {of(rows.a), others.of(rows.b)}; }
+  std::uint32_t mover_of(std::uint32_t row) const { return has_legs_ ? of_[row] : row; }
+  /// Those of rows of this scene and of another.
+  Pair movers_of(const Pair& rows, const Movers& others) const {
+    return {mover_of(rows.a), others.mover_of(rows.b)};
+  }
   std::int64_t id(std::uint32_t mover) const { return scene_->ids[first(mover)]; }
 
   /// The first and the last time of a row; infinite without the column.
@@ -80,18 +83,50 @@ class Movers {
   std::vector<std::uint32_t> of_;
 };
 
-/// Calls take(rows) for each pair of legs of two movers that exist together, and both at `from` or later, in order of
-/// the time from which both exist. Ends early where take() returns false.
+/// The pairs of legs of two movers that exist together, in order of the time from which both exist. The sides must
+/// outlive it.
+class LegPairs {
+ public:
+  /// Both legs exist at `from` or later.
+  LegPairs(const Movers& a, const Movers& b, const Pair& movers, double from)
+      : a_(&a),
+        b_(&b),
+        a_leg_(a.first_until(movers.a, from)),
+        last_a_(a.last(movers.a)),
+        first_b_(b.first_until(movers.b, from)),
+        b_leg_(first_b_),
+        last_b_(b.last(movers.b)) {}
+  /// Those behind `legs`.
+  LegPairs(const Movers& a, const Movers& b, const Pair& legs)
+      : a_(&a),
+        b_(&b),
+        a_leg_(legs.a),
+        last_a_(a.last(a.mover_of(legs.a))),
+        first_b_(legs.b),
+        b_leg_(legs.b + 1),
+        last_b_(b.last(b.mover_of(legs.b))) {}
+
+  std::optional<Pair> next() {
+    for (; a_leg_ < last_a_; b_leg_ = first_b_) {
+      while (first_b_ < last_b_ && b_->until(first_b_) < a_->t(a_leg_)) ++first_b_;
+      if (first_b_ == last_b_) return std::nullopt;
+      b_leg_ = std::max(b_leg_, first_b_);
+      if (b_leg_ < last_b_ && b_->t(b_leg_) <= a_->until(a_leg_)) return Pair{a_leg_, b_leg_++};
+      ++a_leg_;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const Movers *a_, *b_;
+  std::uint32_t a_leg_, last_a_, first_b_, b_leg_, last_b_;
+};
+
+/// Calls take(rows) for each of LegPairs. Ends early where take() returns false.
 template <class Take>
 void for_leg_pairs(const Movers& a, const Movers& b, const Pair& movers, double from, Take take) {
-  const std::uint32_t last_a = a.last(movers.a), last_b = b.last(movers.b);
-  std::uint32_t first_b = b.first_until(movers.b, from);
-  for (std::uint32_t leg_a = a.first_until(movers.a, from); leg_a < last_a; ++leg_a) {
-    const double t = a.t(leg_a), until = a.until(leg_a);
-    while (first_b < last_b && b.until(first_b) < t) ++first_b;
-    if (first_b == last_b) return;
-    for (std::uint32_t leg_b = first_b; leg_b < last_b && b.t(leg_b) <= until; ++leg_b)
-      if (!take(Pair{leg_a, leg_b})) return;
+  LegPairs pairs(a, b, movers, from);
+  for (auto legs = pairs.next(); legs && take(*legs); legs = pairs.next()) {
   }
 }
 

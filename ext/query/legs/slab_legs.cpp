@@ -1,5 +1,6 @@
 #include "query/legs/slab_legs.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace foresee {
@@ -15,7 +16,9 @@ SlabLegs::SlabLegs(const Movers& movers, const LegTimes& all, Slabs slabs)
   }
   scene_ = std::make_shared<Scene>();
   scene_->name = whole.name, scene_->layout = whole.layout;
-  given_ = scene_;
+  const auto starts_before = [](const Left& l, const Left& r) { return l.t < r.t; };
+  if (!std::is_sorted(waiting_.begin(), waiting_.end(), starts_before))
+    std::stable_sort(waiting_.begin(), waiting_.end(), starts_before);
 }
 
 /// One past the last leg, from `first` on, that starts by `until`.
@@ -56,16 +59,16 @@ void SlabLegs::take(const LegTimes& times) {
     if (left.first < left.last) current_[kept++] = left;
   }
   current_.resize(kept);
-  kept = 0;
-  for (Left& left : waiting_) {
-    if (left.t > times.until) {
-      waiting_[kept++] = left;
-      continue;
-    }
-    take_legs(left, times);
-    if (left.first < left.last) current_.push_back(left);
+  // In the order of the scene, in which neighbours in space follow each other.
+  const auto begin = waiting_.begin() + static_cast<std::ptrdiff_t>(started_);
+  while (started_ < waiting_.size() && waiting_[started_].t <= times.until) ++started_;
+  const auto end = waiting_.begin() + static_cast<std::ptrdiff_t>(started_);
+  const auto by_mover = [](const Left& l, const Left& r) { return l.mover < r.mover; };
+  if (!std::is_sorted(begin, end, by_mover)) std::sort(begin, end, by_mover);
+  for (auto left = begin; left != end; ++left) {
+    take_legs(*left, times);
+    if (left->first < left->last) current_.push_back(*left);
   }
-  waiting_.resize(kept);
 }
 
 void SlabLegs::take_legs(Left& left, const LegTimes& times) {

@@ -31,11 +31,11 @@ class SlabLegs {
   /// Requires: times.from does not decrease from call to call.
   void take(const LegTimes& times);
 
-  const std::shared_ptr<const Scene>& scene() const { return is_whole_ ? movers_.scene() : given_; }
+  std::shared_ptr<const Scene> scene() const { return is_whole_ ? movers_.scene() : scene_; }
   /// Of the whole scene.
   std::uint32_t leg(std::uint32_t row) const { return is_whole_ ? row : legs_[row]; }
   /// The number of its mover.
-  std::uint32_t mover(std::uint32_t row) const { return is_whole_ ? movers_.of(row) : numbers_[row]; }
+  std::uint32_t mover(std::uint32_t row) const { return is_whole_ ? movers_.mover_of(row) : numbers_[row]; }
 
  private:
   /// The legs of one mover that may exist in later slabs.
@@ -51,9 +51,10 @@ class SlabLegs {
 
   const Movers& movers_;
   bool is_whole_;
-  std::vector<Left> waiting_, current_;  ///< movers that have not started yet, and others
+  std::vector<Left> waiting_;  ///< in order of the start of the mover
+  std::size_t started_ = 0;    ///< so many of them have started
+  std::vector<Left> current_;  ///< those that have legs left
   std::shared_ptr<Scene> scene_;
-  std::shared_ptr<const Scene> given_;
   std::vector<std::uint32_t> legs_, numbers_;  ///< by row of the slab
 };
 

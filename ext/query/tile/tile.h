@@ -71,11 +71,6 @@ struct Tile {
 struct Ownership {
   std::vector<TileMarks> a, b;             ///< b: empty where both sides are one scene
   std::size_t needed_a = 0, needed_b = 0;  ///< number of needed objects
-
-  bool owns(const Pair& pair) const {
-    const TileMarks other = b.empty() ? a[pair.b] : b[pair.b];
-    return (a[pair.a] | other) == Tile::owned;
-  }
 };
 
 std::unique_ptr<Candidates> owned_candidates(std::unique_ptr<Candidates> all,

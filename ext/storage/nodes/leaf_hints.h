@@ -23,6 +23,8 @@
 #include <span>
 #include <vector>
 
+#include "base/repeatable_choice.h"
+
 namespace foresee {
 
 class LeafHints {
@@ -89,7 +91,7 @@ class LeafHints {
   /// The first bits of the hash of the upper digits of the id select a partition, the next bits a cache line.
   /// The last digit selects the place in it, rotated by the hash, for ids that all end in the same digit.
   Place place_of(std::int64_t id) const {
-    const std::uint64_t hash = (static_cast<std::uint64_t>(id) / line) * 0x9e3779b97f4a7c15;
+    const std::uint64_t hash = (static_cast<std::uint64_t>(id) / line) * by_golden_ratio;
     const std::size_t partition = hash >> (64 - partition_bits);
     const std::size_t at =
         (hash << partition_bits >> 1) >> (63 - std::countr_zero(partitions_[partition].size() / line));

@@ -65,6 +65,16 @@ TEST(Avoid, IsSoundAndTightAgainstSingleChanges) {
     }
 }
 
+TEST(Avoid, NamesBlockersOfTheShortestRange) {
+  RandomScene scene = random_scene({.layout = {.axes = 2, .law = Law::uniform, .has_t = true}, .count = 2});
+  scene.ids = {1, 2};
+  scene.records = scene.rows = {0, 0, 0, 1, 0, 0, 10, 1 + 0x1p-52, 0, 0};
+  scene.now = 0, scene.h = 20, scene.within = 1;
+  AvoidQuestion question = avoid_question(scene, 0, as_scene(scene));
+  question.how = Manoeuvre::speed, question.lo = 0, question.hi = 1e-320;
+  EXPECT_FALSE(rows_of(question).empty());  // the first step from an end was 0, and so were all others
+}
+
 TEST(Avoid, GivesTheSameRowsFromATreeAndFromAScene) {
   Random random(2);
   for (int round = 0; round < rounds; ++round)

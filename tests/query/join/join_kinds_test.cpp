@@ -70,17 +70,17 @@ RandomScene half_inert(std::size_t count) {
 
 TEST(JoinKinds, InertObjectsAreLeftOutBeforeTheIndex) {
   const RandomScene scene = half_inert(1000);
-  const JoinQuestion active = without_inert(question_about(scene));
+  const JoinQuestion active = without_inert(question_about(scene), never);
   EXPECT_EQ(active.a->size(), 500u);
   EXPECT_EQ(numbers_of(rows_of(question_about(scene))), numbers_of(filtered(scene)));
   JoinQuestion itself = question_about(scene);
   itself.b = itself.a;
-  const JoinQuestion active_itself = without_inert(itself);
+  const JoinQuestion active_itself = without_inert(itself, never);
   EXPECT_EQ(active_itself.a, active_itself.b);
   EXPECT_EQ(active_itself.a->size(), 500u);
   JoinQuestion between = question_about(scene);
   between.b = scene_of(random_scene({.layout = testing::discs, .count = 10, .seed = 3}), "plain");
-  EXPECT_EQ(without_inert(between).a->size(), 0u) << "the default category is 1, which no mask has";
+  EXPECT_EQ(without_inert(between, never).a->size(), 0u) << "the default category is 1, which no mask has";
   EXPECT_EQ(pairs_of(between), IdPairs{});
 }
 
@@ -94,15 +94,15 @@ TEST(JoinKinds, AnActiveSceneIsKeptAndKeepsItsTree) {
   with_levels->ids = tree.ids, with_levels->rows = tree.rows, with_levels->levels = tree.levels;
   JoinQuestion question = question_about(scene);
   question.a = with_levels, question.method = JoinMethod::tree;
-  const JoinQuestion active = without_inert(question);
+  const JoinQuestion active = without_inert(question, never);
   EXPECT_EQ(active.a->size(), 150u);
   EXPECT_EQ(active.a->levels->starts.at(0).back(), 150u);
   EXPECT_EQ(active.a->levels->starts.size(), tree.levels.starts.size());
-  EXPECT_EQ(without_inert(question).a, active.a);
+  EXPECT_EQ(without_inert(question, never).a, active.a);
   EXPECT_EQ(numbers_of(rows_of(question)), numbers_of(filtered(scene)));
   question.b = scene_of(random_scene({.layout = testing::discs, .count = 10, .seed = 3}), "plain");
   question.method = JoinMethod::scan;
-  EXPECT_EQ(without_inert(question).a->size(), 0u) << "others than those that the kept scene is for";
+  EXPECT_EQ(without_inert(question, never).a->size(), 0u) << "others than those that the kept scene is for";
 }
 
 TEST(JoinKinds, ABulkLoadGivesInertObjectsLeavesOfTheirOwn) {
@@ -144,7 +144,7 @@ TEST(JoinKinds, ExplainCountsThePairsThatMayMeetFirst) {
 TEST(JoinKinds, ATableWithoutThemHasNoKinds) {
   const JoinQuestion question =
       question_about(random_scene({.layout = testing::discs, .count = 10, .seed = 3}));
-  EXPECT_EQ(without_inert(question).a, question.a);
+  EXPECT_EQ(without_inert(question, never).a, question.a);
   EXPECT_EQ(with_kinds(question).kinds, nullptr);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <cmath>
 #include <limits>
 
 #include "base/error.h"
@@ -71,6 +72,23 @@ TEST(Tracks, RoundEachTimeOnce) {
 
 TEST(Tracks, GiveTimesThatRoundAlikeOnce) {
   EXPECT_EQ(times_of({0x1p53, 0x1p53 + 4, 0.75}), (std::vector<double>{0x1p53, 0x1p53 + 2, 0x1p53 + 4}));
+}
+
+TEST(Tracks, SkipTheStepsThatRoundToTheSameTime) {
+  // Each time is t0 + i step, rounded once, for every i: as many steps as that, and no more, may be skipped.
+  for (const double t0 : {1e9, -1e9, 0x1p53 - 3, 1.0, -1.0, 0.0, 5e-324})
+    for (const double share : {0.3, 0.01, 0.0007, 1 / 3.0, 0x1p-9, 1.7}) {
+      const double ulp = std::nextafter(std::abs(t0), 1e300) - std::abs(t0);
+      const TrackTimes lifetime{t0, t0 + 7 * ulp, std::max(share * ulp, 5e-324)};
+      std::vector<double> expected{t0};
+      for (double i = 1; expected.back() < lifetime.t1; ++i) {
+        const double t = std::min(std::fma(i, lifetime.step, t0), lifetime.t1);
+        if (t != expected.back()) expected.push_back(t);
+      }
+      EXPECT_EQ(times_of(lifetime), expected) << t0 << " " << share;
+    }
+  EXPECT_EQ(times_of({1e9, 1e9 + 1e-6, 1e-14}).size(), 9u) << "of a hundred million steps";
+  EXPECT_EQ(times_of({5, 5, 1e-320}), (std::vector<double>{5}));
 }
 
 TEST(Tracks, RefuseArgumentsThatGiveNoTimes) {

@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "base/repeatable_choice.h"
 #include "index/tpr_tree/tree_state.h"
 
 namespace foresee {
@@ -120,7 +121,7 @@ class OrderItems {
   /// The place of one sample per `step` items. In a table of schedules the rows of a mover follow each other:
   /// equal steps might find the same leg of every mover.
   static std::size_t scattered(std::size_t i, std::size_t step, std::size_t count) {
-    const std::uint64_t random = (i / step * 0x9e3779b97f4a7c15) >> 32;
+    const std::uint64_t random = (i / step * by_golden_ratio) >> 32;
     return std::min(i + static_cast<std::size_t>(random * step >> 32), count - 1);
   }
 

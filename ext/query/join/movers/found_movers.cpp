@@ -26,7 +26,7 @@ void PairTable::grow() {
   --shift_;
   for (const Slot& slot : smaller) {
     if (slot.number_plus_one == 0) continue;
-    std::size_t i = slot.pair * 0x9e3779b97f4a7c15u >> shift_;
+    std::size_t i = slot.pair * by_golden_ratio >> shift_;
     while (slots_[i].number_plus_one != 0) i = (i + 1) & (slots_.size() - 1);
     slots_[i] = slot;
   }
@@ -94,7 +94,7 @@ void FoundMovers::keep_first_contacts(Interrupt& interrupt) {
 void FoundMovers::join_contacts(const TimeSlab& slab, Interrupt& interrupt) {
   if (!with_ends_) pair_.add_leg_ends(found_);
   const auto key = [&](const MoverHit& hit) {
-    const Pair movers = a_.of(hit.legs, b_);
+    const Pair movers = a_.movers_of(hit.legs, b_);
     return std::tuple(movers.a, movers.b, hit.times.t, hit.times.dt, hit.legs.a, hit.legs.b);
   };
   Steps steps(interrupt);
@@ -105,8 +105,8 @@ void FoundMovers::join_contacts(const TimeSlab& slab, Interrupt& interrupt) {
   joined_.clear();
   for (std::size_t first = 0, last; first < found_.size(); first = last) {
     interrupt.check();
-    const Pair movers = a_.of(found_[first].legs, b_);
-    for (last = first + 1; last < found_.size() && a_.of(found_[last].legs, b_) == movers;) ++last;
+    const Pair movers = a_.movers_of(found_[first].legs, b_);
+    for (last = first + 1; last < found_.size() && a_.movers_of(found_[last].legs, b_) == movers;) ++last;
     join_contacts_of(first, last, slab);
   }
   found_.swap(joined_);
@@ -114,14 +114,13 @@ void FoundMovers::join_contacts(const TimeSlab& slab, Interrupt& interrupt) {
 
 void FoundMovers::join_contacts_of(std::size_t first, std::size_t last, const TimeSlab& slab) {
   const std::size_t before = joined_.size();
-  bool alone = true;
-  for (std::size_t i = first; i < last; ++i) alone = alone && pair_.is_alone(found_[i]);
-  if (alone) {
-    joined_.insert(joined_.end(), found_.begin() + static_cast<std::ptrdiff_t>(first),
-                   found_.begin() + static_cast<std::ptrdiff_t>(last));
+  const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(first),
+             end = found_.begin() + static_cast<std::ptrdiff_t>(last);
+  if (std::all_of(begin, end, [&](const MoverHit& hit) { return pair_.is_complete(hit); })) {
+    joined_.insert(joined_.end(), begin, end);
   } else {
     const Horizon& part = slab.horizon;
-    pair_.contacts_within(a_.of(found_[first].legs, b_), part.now, part.now + part.h, contacts_);
+    pair_.contacts_within(a_.movers_of(found_[first].legs, b_), part.now, part.now + part.h, contacts_);
     for (const ContactTimes& times : contacts_)
       if (slab.holds(times.t) && are_queried(times)) joined_.push_back({found_[first].legs, times});
   }

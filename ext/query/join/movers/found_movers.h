@@ -5,8 +5,9 @@
 //   found.finish(slab, interrupt);                        // joined and in the requested order
 //   while (found.any()) found.take(rows, interrupt);
 //
-// First contacts: a table has the pairs that have a row, 16 bytes each. A leg that touches in a slab is the first to do
-// so unless its movers are in the table. Where t or dt is bounded from below, legs before the first slab are tested.
+// First contacts: a table has the pairs that have a row, 32 to 64 bytes each. A leg that touches in a slab is the first
+// to do so unless its movers are in the table. Where t or dt is bounded from below, legs before the first slab are
+// tested.
 // All contacts: a contact belongs to the slab in which it starts. Hits that neither start nor end with a leg are such
 // contacts; for the others the legs of the slab are compared, and the contact is followed to its end.
 // Memory: 48 bytes per hit of a slab.
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/repeatable_choice.h"
 #include "query/join/contact_stage.h"
 #include "query/legs/mover_pair.h"
 #include "query/legs/slab_legs.h"
@@ -38,7 +40,7 @@ class PairTable {
 
  private:
   static std::uint64_t key_of(const Pair& pair) { return std::uint64_t{pair.a} << 32 | pair.b; }
-  std::size_t place_of(const Pair& pair) const { return key_of(pair) * 0x9e3779b97f4a7c15u >> shift_; }
+  std::size_t place_of(const Pair& pair) const { return key_of(pair) * by_golden_ratio >> shift_; }
 
   struct Slot {
     std::uint64_t pair, number_plus_one;  ///< 0: empty

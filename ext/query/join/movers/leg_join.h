@@ -6,7 +6,7 @@
 // Each slab joins the legs that exist in it as if they were objects, by any method, with or without helper threads.
 // An object without a plan is a mover of one leg, so both kinds of objects and all pairs of them are one join. A mover
 // never meets itself. Rows of a slab come once all its legs are compared.
-// Memory: the legs of a slab, its hits, and 16 bytes per row found.
+// Memory: the legs of a slab, its hits, and 32 to 64 bytes per row found.
 #pragma once
 
 #include <memory>
