@@ -29,6 +29,9 @@ namespace foresee {
 /// An invalid query or invalid data; the user reads what() unchanged.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
+  /// Whether stored bytes contradict each other. Only then may a caller go on without what it reads: after other errors
+  /// of a file, SQLite has rolled back the transaction.
+  virtual bool is_damage() const noexcept { return false; }
 };
 
 /// The caller has cancelled the computation (sqlite3_interrupt).

@@ -7,9 +7,10 @@
 //   if (budget->too_much_waits()) budget->write_out();          // every table writes its changes
 //   budget->evict();                                            // every table drops clean nodes
 //
-// Guarantee: each limit holds for all tables of the connection together, so a transaction that fills many
-// tables needs no more memory than one that fills a single table. Cost: an addition per change of a table's
-// figures.
+// Guarantee: each limit holds for all tables of the connection together, so a transaction that fills many tables needs
+// no more memory than one that fills a single table. Not counted: the states of nodes that an open query still reads
+// while others change them (nodes/node_history.h), the filter of ids (id_filter.h), and the hints of leaves
+// (nodes/leaf_hints.h). Cost: an addition per change of a table's figures.
 #pragma once
 
 #include <algorithm>

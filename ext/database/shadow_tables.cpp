@@ -20,6 +20,12 @@ void throw_damaged(const QualifiedName& name, const std::string& what) {
   throw StoreError(SQLITE_CORRUPT_VTAB, name.table + ": " + what);
 }
 
+std::string without_name(const QualifiedName& name, std::string_view message) {
+  const std::string front = name.table + ": ";
+  if (message.starts_with(front)) message.remove_prefix(front.size());
+  return std::string(message);
+}
+
 ShadowTables::ShadowTables(sqlite3* db, QualifiedName name, std::vector<ShadowTable> tables)
     : db_(db),
       name_(std::move(name)),
@@ -57,7 +63,8 @@ bool ShadowTables::are_tables() const try {
   }
   Statement(db_, sql).prepare();
   return true;
-} catch (const StoreError&) {
+} catch (const StoreError& error) {
+  if (!error.is_of_contents() && error.primary() != SQLITE_AUTH) throw;
   return false;
 }
 

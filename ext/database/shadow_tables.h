@@ -29,6 +29,8 @@ struct QualifiedName {
 
 /// SQLITE_CORRUPT_VTAB as StoreError: the rows of this table are damaged.
 [[noreturn]] void throw_damaged(const QualifiedName& name, const std::string& what);
+/// A message without the name in front that throw_damaged() writes.
+std::string without_name(const QualifiedName& name, std::string_view message);
 
 /// The table `<name>_<suffix>`, with the text of CREATE TABLE after its name.
 struct ShadowTable {

@@ -17,6 +17,11 @@ namespace foresee {
 /// An error of SQLite or damage of the stored bytes; `code` is the result code of the callback.
 struct StoreError : Error {
   StoreError(int code, const std::string& message) : Error(message), code(code) {}
+  /// Without the extension by which SQLite says more.
+  int primary() const noexcept { return code & 0xff; }
+  bool is_damage() const noexcept override { return primary() == SQLITE_CORRUPT; }
+  /// Damage, or a table that is missing: to repeat the statement does not help, and SQLite keeps the transaction.
+  bool is_of_contents() const noexcept { return is_damage() || primary() == SQLITE_ERROR; }
   int code;
 };
 

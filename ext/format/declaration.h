@@ -44,7 +44,8 @@ struct Declaration {
   std::vector<MotionColumn> columns = {};  ///< in declaration order
   std::vector<AuxiliaryColumn> auxiliaries = {};
   double horizon = 60;  ///< look-ahead that the tree is optimized for
-  Frame frame = {};  ///< as declared: without an origin, the first position stored chooses it (Store::frame)
+  Frame frame =
+      {};  ///< as declared: without an origin, the first position stored chooses it (TableReader::frame)
 
   /// Objects are zones: outlines about the origin of the plane, at rest in it.
   bool has_zones() const {

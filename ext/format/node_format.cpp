@@ -40,6 +40,13 @@ std::size_t NodeFormat::node_size_for(const Layout& layout, std::size_t page_siz
   return std::max(page_size - page_reserve, min_size);
 }
 
+std::optional<std::size_t> NodeFormat::page_size_for(const Layout& layout, std::size_t node_size) {
+  constexpr std::size_t smallest = 512, largest = 65536;
+  for (std::size_t page = smallest; page <= largest; page *= 2)
+    if (node_size_for(layout, page) == node_size) return page;
+  return std::nullopt;
+}
+
 std::uint32_t node_checksum(std::span<const std::byte> node, std::int64_t number) {
   const std::uint32_t contents = crc32c(node.data(), node.size() - NodeFormat::checksum_size);
   return crc32c(&number, sizeof number, contents);

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 
 #include "shape/row_layout.h"
@@ -46,6 +47,8 @@ struct NodeFormat {
   /// Size in bytes of a table's node blobs. A blob fits into one page, unless it would then hold fewer than
   /// `min_capacity` entries.
   static std::size_t node_size_for(const Layout& layout, std::size_t page_size);
+  /// The smallest page size of SQLite for which node_size_for() returns this node size.
+  static std::optional<std::size_t> page_size_for(const Layout& layout, std::size_t node_size);
 
   Layout layout;
   Offsets at;  ///< offsets in a record

@@ -6,7 +6,7 @@
 //   const Flight read = frame.shown(stored);                            // as the table's columns show it
 //   frame_conflict("ships", frame, "zones", {}) != ""                   // "ships has lat, lon, zones has …"
 //
-// Speeds are in the unit of the frame. A Store says its frame (Store::frame); origin is empty in a table in degrees
+// Speeds are in the unit of the frame. TableReader::frame() is that of a table; origin is empty in a table in degrees
 // that takes the first stored position as its origin and has none yet. Cost: that of geography/plane.h and globe.h.
 #pragma once
 

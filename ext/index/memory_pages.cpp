@@ -36,10 +36,6 @@ Node& MemoryPages::modify(NodeNumber number) {
   return *node;
 }
 
-double* MemoryPages::modify_record(NodeNumber leaf, std::size_t slot) {
-  return modify(leaf).values.data() + slot * static_cast<std::size_t>(record_offsets(layout_).size);
-}
-
 NodeNumber MemoryPages::allocate() {
   if (!free_.empty()) {
     const NodeNumber number = free_.back();

@@ -24,7 +24,6 @@ class MemoryPages final : public Pages {
   std::size_t leaf_capacity() const override { return leaf_capacity_; }
   std::size_t inner_capacity() const override { return inner_capacity_; }
   Node& modify(NodeNumber number) override;
-  double* modify_record(NodeNumber leaf, std::size_t slot) override;
   NodeNumber allocate() override;
   NodeNumber reserve(std::size_t count) override;
   void put(NodeNumber number, Node node) override;

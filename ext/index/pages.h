@@ -20,9 +20,9 @@
 // Lifetimes. read() returns a shared pointer to a node that never changes while it is held. modify() returns
 // a reference that is valid until the tree's current public call returns. So pages may write out and drop
 // nodes between two calls of the tree, in put() and in make_room(), but in no other call. Before the tree
-// first changes a node in such a call, it announces the change by modify(), modify_record(), put() or free().
-// Pages that support savepoints copy the node then. The tree does not read a shared pointer to a node after
-// it has announced a change of that node.
+// first changes a node in such a call, it announces the change by modify(), put() or free(). Pages that support
+// savepoints copy the node then. The tree does not read a shared pointer to a node after it has announced a
+// change of that node.
 #pragma once
 
 #include <cstddef>
@@ -44,6 +44,7 @@ class FormSource;
 /// hostile nodes cause an error and nothing worse.
 struct BrokenTree : Error {
   using Error::Error;
+  bool is_damage() const noexcept override { return true; }
 };
 
 /// Positive; 0 means no node.
@@ -100,8 +101,6 @@ class Pages : public NodeSource {
   virtual std::size_t inner_capacity() const = 0;
 
   virtual Node& modify(NodeNumber number) = 0;
-  /// Announces a change of one record of a leaf and of nothing else in it; pages may log that record alone.
-  virtual double* modify_record(NodeNumber leaf, std::size_t slot) = 0;
   /// Returns a new number, with an empty node.
   virtual NodeNumber allocate() = 0;
   /// Returns the first of `count` consecutive new numbers, without nodes: each is put() before it is read.

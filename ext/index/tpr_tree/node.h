@@ -57,6 +57,7 @@ class LeafReader {
   const double* record(const Node& leaf, std::size_t slot) const {
     return leaf.values.data() + slot * record_size();
   }
+  double* record(Node& leaf, std::size_t slot) const { return leaf.values.data() + slot * record_size(); }
 
  private:
   static Vec<D> vector(const double* record, int place) {

@@ -252,7 +252,7 @@ class Tree final : public TprTree {
   /// The entries of higher levels contain the leaf's objects, but not all that the leaf's entry allows. So
   /// fit_upward() checks them too.
   void overwrite(NodeNumber leaf, std::size_t slot, const NewObject<D>& object) {
-    double* place = state_.pages.modify_record(leaf, slot);
+    double* place = state_.reader.record(state_.pages.modify(leaf), slot);
     const double t_before = state_.reader.t(place);
     const Kinds kinds_before = state_.reader.kinds(place);
     std::copy(object.record.begin(), object.record.end(), place);
@@ -277,7 +277,7 @@ double read_newest_t(NodeSource& source) {
   if (source.find_root() == 0) return 0;
   const auto root = read(source, unread_root(source));
   return with_axes(source.layout().axes,
-                   [&]<int D>(Axes<D>) { return newest_in(*root, LeafReader<D>(source.layout())); });
+                   [&]<int D>(Axes<D>) { return times_of(*root, LeafReader<D>(source.layout())).t_max; });
 }
 
 }  // namespace foresee

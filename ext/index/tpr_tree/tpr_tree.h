@@ -109,7 +109,7 @@ class TprTree {
   /// Like bulk_load(), with at most one partition in memory. Frees all nodes of the tree, but does not report
   /// removed objects to the pages. Requires: divide() was called for these partitions.
   virtual void bulk_load_partitions(ObjectPartitions& partitions, Interrupt& interrupt) = 0;
-  /// bulk_load() of the tree's own objects.
+  /// bulk_load() of the tree's own objects, at its clock.
   virtual void rebuild(Interrupt& interrupt) = 0;
 };
 

@@ -72,11 +72,8 @@ class TreeCheck {
   }
 
   void check_newest(NodeNumber number, const Node& node) {
-    double newest = -std::numeric_limits<double>::infinity();
-    for (std::size_t slot = 0; slot < node.size(); ++slot)
-      newest = std::max(
-          newest, node.is_leaf() ? reader_.t(reader_.record(node, slot)) : times_at<D>(node, slot).t_max);
-    if (newest != above_.back().entry.times.t_max) problem(number, "has another greatest t than its entry");
+    if (times_of(node, reader_).t_max != above_.back().entry.times.t_max)
+      problem(number, "has another greatest t than its entry");
   }
 
   void visit_objects(NodeNumber number, const Node& leaf) {

@@ -28,8 +28,7 @@ ListedTable read_table(Connection& connection, const VisibleTable& table) {
     listed.objects = open.store->known_objects();
     listed.frame = open.store->frame();
   } catch (const StoreError& error) {
-    const int code = error.code & 0xff;
-    if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
+    if (!error.is_of_contents()) throw;
   } catch (const Error&) {  // another version of foresee declared it
   }
   return listed;

@@ -1,6 +1,6 @@
 // Outputs lat, lon, height, speed, course and climb of a table-valued function: place and motion on the Earth of a row.
 //
-//   PlaceOutput place({.kind = FrameKind::degrees, .origin = LatLon{53.9, 7.9}}, 2);      // Store::frame(), its axes
+//   PlaceOutput place({.kind = FrameKind::degrees, .origin = LatLon{53.9, 7.9}}, 2);      // Store's frame(), its axes
 //   place.output(context, GeoColumn::lat, row);           // NULL for a plain table
 //   place.next_row();
 //

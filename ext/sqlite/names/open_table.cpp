@@ -132,8 +132,7 @@ OpenTable open_table(Connection& connection, const TableName& given) {
     if (fits_in_sql(name))
       if (auto open = find_open(connection, name)) return *open;
   } catch (const StoreError& error) {
-    if ((error.code & 0xff) == SQLITE_ERROR)
-      require_moving_objects(connection.db(), *name.table, name.schema);
+    if (error.primary() == SQLITE_ERROR) require_moving_objects(connection.db(), *name.table, name.schema);
     throw;
   }
   require_moving_objects(connection.db(), *name.table, name.schema);

@@ -15,8 +15,7 @@ std::optional<std::int64_t> TableLookups::kept_number(const TableName& name) {
   try {
     Statement::Run(kept.witness).step();
   } catch (const StoreError& error) {
-    const int code = error.code & 0xff;
-    if (code != SQLITE_ERROR && code != SQLITE_AUTH) throw;
+    if (error.primary() != SQLITE_ERROR && error.primary() != SQLITE_AUTH) throw;
     return std::nullopt;  // the schema no longer exists, or an authorizer forbids reading it
   }
   if (kept.witness.was_recompiled()) return std::nullopt;
@@ -48,8 +47,9 @@ void TableLookups::keep(const TableName& name, std::int64_t number, const std::s
     witness.prepare();
     if (kept_.size() == max_kept) kept_.erase(kept_.begin());
     kept_.push_back({name, number, std::move(witness)});
-  } catch (const StoreError&) {
+  } catch (const StoreError& error) {
     // An authorizer may forbid reading the schema: then SQLite resolves the name each time.
+    if (error.primary() != SQLITE_ERROR && error.primary() != SQLITE_AUTH) throw;
   }
 }
 

@@ -28,8 +28,7 @@ StoreOrFault open_store(sqlite3* db, const std::string& schema, const std::strin
                         const Declaration& declaration) try {
   return {.store = Store::open(db, schema, table, declaration)};
 } catch (const StoreError& error) {
-  const int code = error.code & 0xff;
-  if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;  // busy, out of memory: temporary
+  if (!error.is_of_contents()) throw;  // busy, out of memory: temporary
   return {.store = nullptr, .fault = error};
 }
 

@@ -89,8 +89,7 @@ int watch_destroy(sqlite3_vtab* base) noexcept {
     try {
       table.watches().remove_from_tables(table.name, table.rows()->read_state());
     } catch (const StoreError& error) {  // damaged or missing: it can still be dropped
-      const int code = error.code & 0xff;
-      if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
+      if (!error.is_of_contents()) throw;
     }
     table.watches().forget(table.name);
     WatchRows::tables(connection.db(), table.name).drop();

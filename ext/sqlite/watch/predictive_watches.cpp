@@ -86,8 +86,7 @@ ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool c
     else
       watch.fault = fault_of_clock(watch.state, name.table);
   } catch (const StoreError& error) {
-    const int code = error.code & 0xff;
-    if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
+    if (!error.is_of_contents()) throw;
     watches_of(connection).forget(name);
     watch.fault = error.what();
   } catch (const Error& error) {

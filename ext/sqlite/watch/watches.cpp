@@ -8,18 +8,12 @@
 namespace foresee {
 namespace {
 
-/// Whether an error is about the watch itself, not a temporary one or one of the whole database.
-bool is_of_watch(const StoreError& error) {
-  const int code = error.code & 0xff;
-  return code == SQLITE_ERROR || code == SQLITE_CORRUPT;
-}
-
 /// Marks the watch as damaged after an update that failed half way. The rows that it wrote look as if their changes
 /// were logged, so a later update would not log them.
 void mark_damaged(WatchRows& rows, const char* reason) try {
   rows.write_damaged(reason);
 } catch (const StoreError& error) {
-  if (!is_of_watch(error)) throw;  // _meta is damaged too, which a reader detects
+  if (!error.is_of_contents()) throw;  // _meta is damaged too, which a reader detects
 }
 
 OpenTable find_table(Connection& connection, const std::string& schema, const std::string& name) {
@@ -57,7 +51,7 @@ void Watches::forget(const QualifiedName& watch) noexcept {
 std::optional<WatchState> Watches::known_state(const QualifiedName& watch) try {
   return rows(watch)->read_state();
 } catch (const StoreError& error) {
-  if (!is_of_watch(error)) throw;
+  if (!error.is_of_contents()) throw;
   forget(watch);
   return std::nullopt;
 }
@@ -73,7 +67,7 @@ void Watches::update(const QualifiedName& watch, PairUpdate::Log log) {
   try {
     if (const auto after = update.run(log)) rows->write_state(*after, before);
   } catch (const StoreError& error) {
-    if (is_of_watch(error) && update.has_written()) mark_damaged(*rows, error.what());
+    if (error.is_of_contents() && update.has_written()) mark_damaged(*rows, error.what());
     throw;
   }
 }
@@ -82,7 +76,7 @@ void Watches::update_if_sound(const QualifiedName& watch) try {
   const KeptInsertRowid kept(connection_.db());
   update(watch, PairUpdate::Log::changes);
 } catch (const StoreError& error) {
-  if (!is_of_watch(error)) throw;
+  if (!error.is_of_contents()) throw;
   forget(watch);
 } catch (const Error&) {
   forget(watch);  // one of its tables is missing or damaged; a read of the watch reports that
@@ -93,7 +87,7 @@ void Watches::update_watches_of(const OpenTable& table) {
   try {
     names = table.store->watch_names();
   } catch (const StoreError& error) {
-    if (!is_of_watch(error)) throw;  // without a name after a rollback, or damaged: no watches
+    if (!error.is_of_contents()) throw;  // without a name after a rollback, or damaged: no watches
   }
   for (const std::string& name : names) update_if_sound({table.schema, name});
 }
@@ -132,7 +126,7 @@ void Watches::remove_from_tables(const QualifiedName& watch, const WatchDeclarat
       change_stamp(watched_tables(connection_, watch.schema, one).a,
                    [&](Store& store) { store.remove_watch(watch.table); });
     } catch (const StoreError& error) {
-      if (!is_of_watch(error)) throw;
+      if (!error.is_of_contents()) throw;
     } catch (const Error&) {  // the table is missing, and its list with it
     }
   };
@@ -162,7 +156,7 @@ void Watches::require_frame(const OpenTable& table, const Frame& frame) {
       if (other.store != table.store)
         conflict = frame_conflict(other.table, other.store->frame(), table.table, frame);
     } catch (const StoreError& error) {
-      if (!is_of_watch(error)) throw;
+      if (!error.is_of_contents()) throw;
     } catch (const Error&) {  // the other table is missing or damaged; a read of the watch reports that
     }
     if (!conflict.empty()) throw Refusal(SQLITE_CONSTRAINT, name + ": " + conflict);
@@ -181,7 +175,7 @@ void Watches::require_unwatched(const OpenTable& table) {
       throw StoreError(SQLITE_LOCKED, message);
     }
   } catch (const StoreError& error) {
-    if (!is_of_watch(error)) throw;  // a damaged table can be dropped
+    if (!error.is_of_contents()) throw;  // a damaged table can be dropped
   }
 }
 

@@ -157,8 +157,9 @@ void NodeCache::erase_everything() {
     if (history_.has_snapshots() && !slots_.find(number)) {
       try {
         fetch(number);
-      } catch (const StoreError&) {
-        slots_.add(number);  // damaged: no snapshot can read it
+      } catch (const StoreError& error) {
+        if (!error.is_damage()) throw;
+        slots_.add(number);  // no snapshot can read it
       }
     }
     free(number);

@@ -49,9 +49,6 @@ class NodeCache final : public Pages, public Journal::Participant {
   std::size_t leaf_capacity() const override { return format_.leaf_capacity; }
   std::size_t inner_capacity() const override { return format_.inner_capacity; }
   Node& modify(NodeNumber number) override;
-  double* modify_record(NodeNumber leaf, std::size_t slot) override {
-    return modify(leaf).values.data() + slot * static_cast<std::size_t>(format_.at.size);
-  }
   NodeNumber allocate() override;
   NodeNumber reserve(std::size_t count) override;
   void put(NodeNumber number, Node node) override;

@@ -17,7 +17,8 @@ bool keeps_in_memory(sqlite3* db) try {
   Statement pragma(db, "PRAGMA temp_store");
   Statement::Run run(pragma);
   return run.step() && run.integer(0) == memory;
-} catch (const StoreError&) {
+} catch (const StoreError& error) {
+  if (error.primary() != SQLITE_AUTH) throw;
   return false;
 }
 

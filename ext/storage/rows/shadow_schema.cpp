@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 #include "database/blob_rows.h"
 #include "database/sqlite_api.h"
@@ -166,11 +167,10 @@ NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const De
            "stored with the columns (" + columns + ") but declared with (" + declared + ")");
   require_declared_origin(meta, name, declaration.frame);
   const std::string stored = meta.read("node_size");
-  constexpr std::size_t largest_page = 65536;
-  for (std::size_t page = 512; page <= largest_page; page *= 2)
-    if (const std::size_t size = NodeFormat::node_size_for(declaration.layout, page);
-        stored == std::to_string(size))
-      return NodeFormat(declaration.layout, size);
+  std::size_t size = 0;
+  std::from_chars(stored.data(), stored.data() + stored.size(), size);
+  if (stored == std::to_string(size) && NodeFormat::page_size_for(declaration.layout, size))
+    return NodeFormat(declaration.layout, size);
   refuse(SQLITE_CORRUPT_VTAB, name, "the stored node size '" + stored + "' belongs to no page size");
 }
 

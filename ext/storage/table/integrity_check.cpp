@@ -149,12 +149,14 @@ class IntegrityCheck {
     note(error);
   }
 
-  void auxiliaries(ShadowRows& rows) {
+  void auxiliaries(ShadowRows& rows) try {
     compare([&](auto each) { rows.read_auxiliary_ids(each); }, "auxiliary columns",
             [&](std::int64_t id) {
               say("there are auxiliary columns of " + object(id) + ", but no leaf has it");
             },
             [](const ObjectPlace&) {});
+  } catch (const StoreError& error) {
+    note(error);
   }
 
   // Relations between sound nodes. After an earlier fault they would only repeat it, once per object.
@@ -221,7 +223,7 @@ class IntegrityCheck {
   }
   /// Damage is reported as a fault; any other error ends the check.
   void note(const StoreError& error) {
-    if ((error.code & 0xff) != SQLITE_CORRUPT) throw error;
+    if (!error.is_damage()) throw error;
     faults_.push_back(error.what());
   }
   void say(const std::string& fault) {

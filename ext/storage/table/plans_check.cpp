@@ -158,8 +158,8 @@ void StoredPlans::check(std::vector<Head>& heads, std::span<const double> record
       check.chunk(head, number, chunk, legs);
       ++sound;
     } catch (const StoreError& error) {
-      if ((error.code & 0xff) != SQLITE_CORRUPT) throw;
-      say(std::string(error.what()).substr(name_.table.size() + 2));
+      if (!error.is_damage()) throw;
+      say(without_name(name_, error.what()));
     }
   };
   scan(

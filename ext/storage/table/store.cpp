@@ -143,9 +143,9 @@ void Store::pack(Interrupt& interrupt) {
   TreeStore::Rebuild rebuild(tree(), interrupt);
   AtomicChange atomic_change(transaction_);
   rebuild.write();
-  write_count(static_cast<std::int64_t>(rebuild.objects()));
   if (plans_) pack_plans(interrupt);
   if (forms_ && !tree_.nodes().has_snapshots()) forms_->keep_only(rebuild.forms());
+  write_count(static_cast<std::int64_t>(rebuild.objects()));
   atomic_change.done();
 }
 
@@ -167,8 +167,8 @@ std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
   try {
     frame();
   } catch (const StoreError& error) {
-    if ((error.code & 0xff) != SQLITE_CORRUPT) throw;
-    faults.push_back(std::string(error.what()).substr(name_.table.size() + 2));
+    if (!error.is_damage()) throw;
+    faults.push_back(without_name(name_, error.what()));
   }
   return faults;
 }

@@ -12,7 +12,6 @@
 namespace foresee {
 namespace {
 
-constexpr std::size_t smallest_page = 512, largest_page = 65536;
 /// So few are looked up one by one, in memory first; a range of rows is faster for more.
 constexpr std::int64_t few_chunks = 8;
 
@@ -21,9 +20,7 @@ constexpr std::int64_t few_chunks = 8;
 // The page size at CREATE is not stored. Both trees take the smallest page that gives the size of the first one.
 NodeFormat chunk_node_format(const NodeFormat& objects) {
   const Layout layout = chunk_layout(objects.layout);
-  std::size_t page = smallest_page;
-  while (page < largest_page && NodeFormat::node_size_for(objects.layout, page) != objects.node_size)
-    page *= 2;
+  const std::size_t page = NodeFormat::page_size_for(objects.layout, objects.node_size).value();
   return NodeFormat(layout, NodeFormat::node_size_for(layout, page));
 }
 

@@ -61,8 +61,7 @@ void TableContents::revalidate_cache(StatementReadState* statement_state) {
 
 // Damage is not reported here, but where it is read: DROP TABLE starts a transaction too.
 void TableContents::revalidate_at_begin() try { revalidate_cache(); } catch (const StoreError& error) {
-  const int code = error.code & 0xff;
-  if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
+  if (!error.is_of_contents()) throw;
   forget_rows();
   version().forget();
 }

@@ -79,7 +79,7 @@ bool TableTransaction::was_rolled_back() {
   try {
     return table_.read_stamp() != version_.seen();
   } catch (const StoreError& error) {
-    if ((error.code & 0xff) != SQLITE_ERROR) throw;
+    if (error.primary() != SQLITE_ERROR) throw;
     return true;
   }
 }

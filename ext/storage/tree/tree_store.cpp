@@ -222,8 +222,9 @@ void TreeStore::read_leaves(Interrupt& interrupt, const UseLeaf& use) {
   unsigned leaves = 0;
   rows_->nodes().read_all([&](std::int64_t number, std::span<const std::byte> blob) {
     if (++leaves % 16 == 0) interrupt.check();
+    const bool is_current = !cache_.dirty_node(number), is_leaf = is_current && is_sound_leaf(number, blob);
     dirty_up_to(number);
-    if (cache_.dirty_node(number) || !is_sound_leaf(number, blob)) return;
+    if (!is_leaf) return;
     decode_leaf(format_, blob, leaf);
     use(leaf);
   });

@@ -25,9 +25,6 @@ class CountingPages final : public Pages {
   std::size_t leaf_capacity() const override { return pages_.leaf_capacity(); }
   std::size_t inner_capacity() const override { return pages_.inner_capacity(); }
   Node& modify(NodeNumber number) override { return ++changes, pages_.modify(number); }
-  double* modify_record(NodeNumber leaf, std::size_t slot) override {
-    return ++changes, pages_.modify_record(leaf, slot);
-  }
   NodeNumber allocate() override { return ++changes, pages_.allocate(); }
   NodeNumber reserve(std::size_t count) override { return ++changes, pages_.reserve(count); }
   void put(NodeNumber number, Node node) override { ++changes, pages_.put(number, std::move(node)); }

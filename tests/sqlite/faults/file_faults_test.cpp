@@ -5,6 +5,8 @@
 
 #include "fault_steps.h"
 #include "faulty_files.h"
+#include "sanitized.h"
+#include "scenes.h"
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -118,6 +120,76 @@ TEST_P(FileFaults, Queries) {
 
 INSTANTIATE_TEST_SUITE_P(JournalModes, FileFaults, ::testing::Values("delete", "wal"),
                          [](const auto& info) { return std::string(info.param); });
+
+/// A failed read makes SQLite roll back the whole transaction, so a statement or COMMIT that reads must report it.
+struct FailedReads : ::testing::Test {
+  FailedReads() {
+    Database db(file.path());
+    db.exec(
+        "PRAGMA page_size = 512; PRAGMA synchronous = OFF; CREATE TABLE other(mark);"
+        "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy);"
+        "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 6000)"
+        "INSERT INTO ships SELECT i, 0, i * 7919 % 10007, i * 104729 % 10009, 0, 0 FROM n");
+  }
+
+  std::string faulty() const { return "file:" + file.path() + "?vfs=faulty"; }
+
+  TemporaryFile file;
+  FaultyFiles files;
+};
+
+TEST_F(FailedReads, AtCommitLoseNoRowOfAnotherTable) {
+  Database db(faulty());
+  db.exec("PRAGMA synchronous = OFF; PRAGMA cache_size = 10");
+  Random random(1);
+  int failed = 0, committed = 0;
+  for (int round = 0; round < (sanitized ? 120 : 300) && !HasFailure(); ++round) {
+    const std::string mark = std::to_string(1000000 + round);
+    Database(file.path()).exec("UPDATE ships SET x = x + 1 WHERE id = 7");  // so that nodes are read again
+    db.exec("BEGIN IMMEDIATE");
+    for (int i = 0; i < 100; ++i)
+      db.exec("UPDATE ships SET x = x + 1, t = " + mark +
+              " WHERE id = " + std::to_string(1 + (round * 100 + i) % 6000));
+    db.exec("INSERT INTO other VALUES(" + mark + ")");
+    files.arm(FileFault::read_fails, static_cast<long>(random.below(800)), FaultyFiles::once);
+    const bool fails = !db.error_of("COMMIT").empty();
+    const bool fired = files.disarm();
+    ++(fails ? failed : committed);
+    EXPECT_EQ(fails, fired) << "an error that COMMIT does not report, or invents";
+    if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");
+    const std::string stored = fails ? "0|0" : "1|100";
+    EXPECT_EQ(Database(file.path())
+                  .rows("SELECT (SELECT count(*) FROM other WHERE mark = " + mark +
+                        "), (SELECT count(*) FROM ships WHERE t = " + mark + ")"),
+              stored)
+        << "round " << round;
+  }
+  EXPECT_GT(failed, 20);
+  EXPECT_GT(committed, 20);
+}
+
+TEST_F(FailedReads, InRebuildBesideAnOpenQueryAreErrors) {
+  int failed = 0;
+  for (long n = 0;; n = n + 1 + n / 4) {
+    Database db(faulty());
+    db.exec("PRAGMA synchronous = OFF; PRAGMA cache_size = 10; BEGIN; INSERT INTO other VALUES(1)");
+    sqlite3_stmt* query = nullptr;
+    ASSERT_EQ(sqlite3_prepare_v2(db.handle(), "SELECT id FROM predictive_window(9, 'ships', 0, 5000)", -1,
+                                 &query, nullptr),
+              SQLITE_OK);
+    ASSERT_EQ(sqlite3_step(query), SQLITE_ROW);
+    files.arm(FileFault::read_fails, n, FaultyFiles::once);
+    const bool fails = !db.error_of("INSERT INTO ships(ships) VALUES('rebuild')").empty();
+    const bool fired = files.disarm();
+    EXPECT_EQ(fails, fired) << "at read " << n;
+    EXPECT_EQ(sqlite3_get_autocommit(db.handle()) != 0, fails) << "at read " << n;
+    sqlite3_finalize(query);
+    if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");
+    failed += fails;
+    if (!fired || HasFailure()) break;
+  }
+  EXPECT_GT(failed, 10);
+}
 
 }  // namespace
 }  // namespace foresee::testing

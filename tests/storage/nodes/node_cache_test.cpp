@@ -61,14 +61,14 @@ TEST_F(NodeCacheTest, ACancelledChangeThatHadWrittenKeepsTheStateOfASavepoint) {
   EXPECT_EQ(db.number("SELECT count(*) FROM ships_node"), 1);
 }
 
-TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
+TEST_F(NodeCacheTest, ACancelledChangeIsAsItWasAlsoIfTheLeafChangedLater) {
   for (const bool is_stored : {false, true})
     for (const bool leaf_changes : {false, true}) {
       const NodeNumber number = add(1);
       if (is_stored) cache.write(never);
       const std::vector<double> before = cache.read(number)->values;
       const Journal::Mark change = journal.set_mark();
-      cache.modify_record(number, 0)[1] = 77;
+      cache.modify(number).values[1] = 77;
       EXPECT_EQ(cache.read(number)->values[1], 77);
       EXPECT_TRUE(cache.dirty_node(number));
       if (leaf_changes) cache.modify(number).values[2] = 88;
@@ -79,7 +79,7 @@ TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
     }
   const NodeNumber number = add(1);
   const Journal::Mark savepoint = journal.set_mark(), change = journal.set_mark();
-  cache.modify_record(number, 0)[1] = 77;
+  cache.modify(number).values[1] = 77;
   journal.forget(change);
   journal.rewind(savepoint);
   EXPECT_EQ(cache.read(number)->values, ship(1));

@@ -175,15 +175,6 @@ bool is_outermost(TreeState<D>& state, NodeNumber leaf, std::size_t slot, const 
 }
 
 template <int D>
-double newest_in(const Node& node, const LeafReader<D>& reader) {
-  double newest = -std::numeric_limits<double>::infinity();
-  for (std::size_t slot = 0; slot < node.size(); ++slot)
-    newest = std::max(newest,
-                      node.is_leaf() ? reader.t(reader.record(node, slot)) : times_at<D>(node, slot).t_max);
-  return newest;
-}
-
-template <int D>
 void refresh_newest(TreeState<D>& state, NodeNumber number) {
   for (;;) {
     std::size_t slot;
@@ -193,7 +184,7 @@ void refresh_newest(TreeState<D>& state, NodeNumber number) {
       const auto parent = read_above(state.pages, number, *node);
       if (!parent) return;
       slot = slot_of(*parent, number), entry = entry_at<D>(*parent, slot);
-      const double newest = newest_in(*node, state.reader);
+      const double newest = times_of(*node, state.reader).t_max;
       if (entry.times.t_max == newest) return;
       entry.times.t_max = newest;
       number = node->parent;
@@ -208,8 +199,7 @@ void refresh_newest(TreeState<D>& state, NodeNumber number) {
   template void lower_root<D>(TreeState<D>&);                                              \
   template bool take_out<D>(TreeState<D>&, NodeNumber, std::size_t);                       \
   template void tighten_upward<D>(TreeState<D>&, NodeNumber);                              \
-  template void refresh_newest<D>(TreeState<D>&, NodeNumber);                              \
-  template double newest_in<D>(const Node&, const LeafReader<D>&)
+  template void refresh_newest<D>(TreeState<D>&, NodeNumber)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);

@@ -32,8 +32,4 @@ bool is_outermost(TreeState<D>& state, NodeNumber leaf, std::size_t slot, const 
 template <int D>
 void refresh_newest(TreeState<D>& state, NodeNumber number);
 
-/// The max t in a node. Requires: not empty.
-template <int D>
-double newest_in(const Node& node, const LeafReader<D>& reader);
-
 }  // namespace foresee

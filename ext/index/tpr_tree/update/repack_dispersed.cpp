@@ -186,7 +186,8 @@ void repack_dispersed(TreeState<D>& state, std::size_t changes, std::uint64_t dr
   std::optional<Beneath> found;
   try {
     found = find_dispersed(state, changes, draw);
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (!error.is_damage()) throw;
     return;  // nothing is written yet; damage is reported where a query or a change reads it
   }
   if (!found) return;

@@ -29,9 +29,6 @@ class WrittenPages final : public Pages {
   std::size_t leaf_capacity() const override { return pages_.leaf_capacity(); }
   std::size_t inner_capacity() const override { return pages_.inner_capacity(); }
   Node& modify(NodeNumber number) override { return note(number), pages_.modify(number); }
-  double* modify_record(NodeNumber leaf, std::size_t slot) override {
-    return note(leaf), pages_.modify_record(leaf, slot);
-  }
   NodeNumber allocate() override {
     const NodeNumber number = pages_.allocate();
     note(number);
