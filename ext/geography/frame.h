@@ -93,9 +93,6 @@ std::optional<LatLon> parse_origin(std::string_view text);
 /// The origin of a table whose first position this is: rounded to a tenth of a degree, the date line as 180.
 LatLon origin_near(const LatLon& place);
 
-/// The greatest distance of a position from the origin of its table.
-inline constexpr double max_distance_from_origin = 1500e3;
-
 /// "" if objects of the two tables may be compared. Else an error that names both and says what to write. Two speed
 /// units, equal texts and an origin that is not chosen yet are no conflict.
 std::string frame_conflict(const std::string& table, const Frame& frame, const std::string& other,

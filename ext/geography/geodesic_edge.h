@@ -21,9 +21,6 @@
 
 namespace foresee {
 
-/// The farthest place from the origin of a plane, in metres.
-inline constexpr double plane_reach = 1.5e6;
-
 /// A place with one notation: the longitude is in (-180, 180], and 0 at a pole.
 LatLon canonical_place(const LatLon& place);
 
@@ -34,7 +31,7 @@ bool is_short_edge(double length, double from_origin);
 /// The places that divide the shortest line from `a` to `b` into equal pieces, without its ends; none for a
 /// short line. The same places in reverse order from `b` to `a`, so that neighbours share an edge bit for
 /// bit. `from_origin`: the larger distance of an end from the origin of the plane. Requires: both are canonical
-/// and from_origin <= plane_reach. Cost: some microseconds per place.
+/// and from_origin <= max_distance_from_origin (plane.h). Cost: some microseconds per place.
 std::vector<LatLon> cut_edge(const LatLon& a, const LatLon& b, double from_origin);
 
 }  // namespace foresee

@@ -19,6 +19,9 @@
 
 namespace foresee {
 
+/// The greatest distance of a position from the origin of its table, in metres.
+inline constexpr double max_distance_from_origin = 1500e3;
+
 struct OnPlane {
   double x, y;                             ///< metres east and north of the origin
   std::optional<std::array<double, 2>> v;  ///< metres per second; empty where the course is not known

@@ -42,8 +42,8 @@ void require_on_earth(const Corner& corner) {
 }
 
 void require_within_reach(const Corner& corner, double distance, const LatLon& origin) {
-  if (distance > plane_reach)
-    throw Error("corner " + shown_corner(corner) + " is " + shown(std::round(distance / 1000)) +
+  if (distance > max_distance_from_origin)
+    throw Error("corner " + shown_corner(corner) + " is " + shown(std::ceil(distance / 1000)) +
                 " km from the origin '" + shown(origin.lat) + ' ' + shown(origin.lon) +
                 "'; write longitude first, and an origin within 1500 km");
 }

@@ -39,7 +39,6 @@ constexpr sqlite3_api_routines linked = [] {
   api.mprintf = sqlite3_mprintf;
   api.next_stmt = sqlite3_next_stmt;
   api.open = sqlite3_open;
-  api.prepare_v2 = sqlite3_prepare_v2;
   api.prepare_v3 = sqlite3_prepare_v3;
   api.randomness = sqlite3_randomness;
   api.reset = sqlite3_reset;

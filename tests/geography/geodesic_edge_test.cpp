@@ -56,12 +56,12 @@ TEST(GeodesicEdge, IsWithinAMetreOfTheGeodesic) {
     const double lat = i % 5 == 0 ? std::copysign(90 - std::pow(10, random.in(-6, 1)), random.in(-1, 1))
                                   : random.in(-90, 90);
     const LatLon origin{i % 50 == 0 ? 90 : lat, i % 7 == 0 ? 180 : random.in(-180, 180)};
-    const LatLon a = place_about(random, origin, plane_reach - 1);
-    LatLon b = place_about(random, origin, plane_reach - 1);
+    const LatLon a = place_about(random, origin, max_distance_from_origin - 1);
+    LatLon b = place_about(random, origin, max_distance_from_origin - 1);
     if (i % 3 == 0)  // short edges, up to some pieces
       while (true) {
         b = canonical_place(geodesic_from(a, random.in(0, 360), std::pow(10, random.in(3, 5.5))).place);
-        if (geodesic_between(origin, b).distance < plane_reach) break;
+        if (geodesic_between(origin, b).distance < max_distance_from_origin) break;
       }
     const Deviation found = deviation_of(a, b, origin, 16);
     ASSERT_LE(found.on_plane, 1) << i << " from " << a.lat << ' ' << a.lon << " to " << b.lat << ' ' << b.lon
@@ -79,7 +79,8 @@ TEST(GeodesicEdge, IsWithinAMetreWhereTheBoundIsReached) {
       for (const double distance : {1e4, 1e5, 5e5, 1.2e6, 1.4999e6}) {
         const LatLon origin{lat, 179};
         const GeodesicEnd middle = geodesic_from(origin, azimuth, distance);
-        const double half = std::sqrt(plane_reach * plane_reach - distance * distance) * 0.9;
+        const double half =
+            std::sqrt(max_distance_from_origin * max_distance_from_origin - distance * distance) * 0.9;
         const LatLon a = canonical_place(geodesic_from(middle.place, middle.azimuth + 90, half).place);
         const LatLon b = canonical_place(geodesic_from(middle.place, middle.azimuth - 90, half).place);
         const Deviation found = deviation_of(a, b, origin, 8);

@@ -82,7 +82,8 @@ const TableFunction& foresee_tables() {
                                              [](const CallSizes&) {
                                                return CallEstimate{100, 3};
                                              },
-                                         .start = start_tables};
+                                         .start = start_tables,
+                                         .unread_if_left_out = 1};
   return function;
 }
 

@@ -123,7 +123,7 @@ class FunctionCall {
   const char* name_of(int input) const;
 
   /// Makes `input`, if it was left out, read back as this value. Requires: the same value in every call of one
-  /// statement, because SQLite compares the inputs too when it removes duplicate rows of an OR.
+  /// statement. Column `call` has it, a part of the key by which SQLite removes duplicate rows of an OR.
   void reads_back_as(int input, UsedInputs::Value of_call) const {
     if (!value(input)) used_.keep(input, std::move(of_call));
   }

@@ -42,6 +42,10 @@ std::optional<Tile> read_tile(const FunctionCall& call) {
 
 }  // namespace
 
+std::uint32_t unread_join_inputs() {
+  return 1u << in_other | 1u << in_within_z | 0xfu << in_own_x0;
+}
+
 std::vector<const char*> join_input_names(bool with_contacts) {
   std::vector<const char*> names = join_inputs;
   if (!with_contacts) names.pop_back();

@@ -18,6 +18,9 @@ namespace foresee {
 /// The inputs' SQL names in call order; `contacts` is the last one, of predictive_join alone.
 std::vector<const char*> join_input_names(bool with_contacts = false);
 
+/// The bits of TableFunction::unread_if_left_out for these inputs.
+std::uint32_t unread_join_inputs();
+
 /// The input `contacts` of this number: true for 'all'. Throws Error for any other text than 'first', the default.
 bool all_contacts_input(const FunctionCall& call, int contacts);
 

@@ -92,8 +92,7 @@ class AvoidRows final : public FunctionRows {
       case out_climb:
         return result_report(context, row, output);
       case out_plan:
-        if (row.plan) result_plan(context, *row.plan, interrupt_);
-        return;
+        return row.plan ? result_plan(context, *row.plan, interrupt_) : void();
       default:
         return result_stored(context, row, output);
     }
@@ -185,10 +184,8 @@ class AvoidRows final : public FunctionRows {
   mutable bool is_report_known_ = false;
 };
 
-bool reads_any(const FunctionCall& call, int first, int last) {
-  for (int output = first; output <= last; ++output)
-    if (call.reads(output)) return true;
-  return false;
+bool reads_any(const FunctionCall& call, int output, int last) {
+  return call.reads(output) || (output < last && reads_any(call, output + 1, last));
 }
 
 void read_inputs(const FunctionCall& call, AvoidQuestion& question) {
@@ -287,13 +284,15 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_avoid() {
-  static const TableFunction function = {.name = "predictive_avoid",
-                                         .outputs = avoid_outputs,
-                                         .inputs = avoid_inputs,
-                                         .key = "manoeuvre, k_from, clear",
-                                         .hinted = 1u << out_clear,
-                                         .estimate = estimate_avoid,
-                                         .start = start};
+  static const TableFunction function = {
+      .name = "predictive_avoid",
+      .outputs = avoid_outputs,
+      .inputs = avoid_inputs,
+      .key = "manoeuvre, k_from, clear",
+      .hinted = 1u << out_clear,
+      .estimate = estimate_avoid,
+      .start = start,
+      .unread_if_left_out = 0x7u << in_how | 1u << in_also | 1u << in_within_z | 1u << in_resume};
   return function;
 }
 

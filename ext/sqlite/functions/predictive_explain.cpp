@@ -59,7 +59,8 @@ const TableFunction& predictive_explain() {
                                          .key = "stage",
                                          .hinted = 0,
                                          .estimate = estimate_stages,
-                                         .start = start};
+                                         .start = start,
+                                         .unread_if_left_out = unread_join_inputs()};
   return function;
 }
 

@@ -118,7 +118,8 @@ const TableFunction& predictive_join() {
       .start = start,
       .probed = 1u << out_a | 1u << out_b,  // one id: through the tree
       .estimate_probe = estimate_pairs_of_one,
-      .orders = {{out_t, out_a, out_b}, {out_dt}}};
+      .orders = {{out_t, out_a, out_b}, {out_dt}},
+      .unread_if_left_out = unread_join_inputs()};
   return function;
 }
 

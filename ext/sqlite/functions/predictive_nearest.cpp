@@ -111,13 +111,15 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_nearest() {
-  static const TableFunction function = {.name = "predictive_nearest",
-                                         .outputs = nearest_outputs,
-                                         .inputs = nearest_inputs,
-                                         .key = "id",
-                                         .hinted = 0,
-                                         .estimate = estimate_nearest,
-                                         .start = start};
+  static const TableFunction function = {
+      .name = "predictive_nearest",
+      .outputs = nearest_outputs,
+      .inputs = nearest_inputs,
+      .key = "id",
+      .hinted = 0,
+      .estimate = estimate_nearest,
+      .start = start,
+      .unread_if_left_out = 0x7u << in_x | 1u << in_lat | 1u << in_lon | 1u << in_mask};
   return function;
 }
 

@@ -79,7 +79,8 @@ const TableFunction& predictive_sweep() {
                                          .key = "id",
                                          .hinted = 0xf << out_x0,
                                          .estimate = estimate_positions,
-                                         .start = start};
+                                         .start = start,
+                                         .unread_if_left_out = 1u << in_within_z};
   return function;
 }
 

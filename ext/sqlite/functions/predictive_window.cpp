@@ -117,16 +117,17 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
 }  // namespace
 
 const TableFunction& predictive_window() {
-  static const TableFunction function = {.name = "predictive_window",
-                                         .outputs = window_outputs,
-                                         .inputs = window_inputs,
-                                         .key = "id, t, t_end",
-                                         .hinted = 1u << out_id,
-                                         .estimate = estimate_window,
-                                         .start = start,
-                                         .probed = 1u << out_id,
-                                         .estimate_probe = estimate_window_of_one,
-                                         .without_default = (0x3fu << in_x0) | 1u << in_mask | 1u << in_zone};
+  static const TableFunction function = {
+      .name = "predictive_window",
+      .outputs = window_outputs,
+      .inputs = window_inputs,
+      .key = "id, t, t_end",
+      .hinted = 1u << out_id,
+      .estimate = estimate_window,
+      .start = start,
+      .probed = 1u << out_id,
+      .estimate_probe = estimate_window_of_one,
+      .unread_if_left_out = (0x3fu << in_x0) | 1u << in_mask | 1u << in_zone};
   return function;
 }
 

@@ -2,8 +2,10 @@
 #include "sqlite/functions/table_function.h"
 
 #include <bit>
+#include <cstring>
 
 #include "base/integer_of.h"
+#include "base/repeatable_choice.h"
 #include "database/value_text.h"
 #include "sqlite/callback.h"
 #include "sqlite/functions/function_plan.h"
@@ -28,6 +30,7 @@ struct FunctionCursor : sqlite3_vtab_cursor {
   std::unique_ptr<FunctionRows> rows;  ///< null at the end
   std::vector<OwnedValue> inputs;      ///< copies, one per input, null if it was left out
   UsedInputs used;                     ///< for the inputs that were left out
+  std::string call;                    ///< the column of this name; empty until it is read
 };
 
 FunctionTable& table_of(sqlite3_vtab* table) {
@@ -107,15 +110,16 @@ void step(FunctionCursor& cursor) {
               " out, or write two queries with UNION ALL");
 }
 
-/// An input inside an OR or an expression does not reach the call, and SQLite compares it with no value.
-void refuse_inputs_in_or(const TableFunction& function, std::uint64_t columns_read, std::uint32_t given) {
-  const std::uint32_t lost = inputs_read(function, columns_read) & function.without_default & ~given;
+/// An input inside OR or an expression, or in WHERE on a LEFT JOIN, does not reach the call. SQLite then compares it
+/// with the value that it has where it is left out.
+void refuse_lost_inputs(const TableFunction& function, std::uint64_t columns_read, std::uint32_t given) {
+  const std::uint32_t lost = inputs_read(function, columns_read) & function.unread_if_left_out & ~given;
   if (lost == 0) return;
   const std::string name = function.inputs[static_cast<std::size_t>(std::countr_zero(lost))];
   throw Error(
-      name + " is an input: write " + name +
-      " = ... with AND; inside OR or an expression it does not reach the function, so write two queries with "
-      "UNION");
+      name + " is read, but has no value: write " + name +
+      " = ... with AND; inside OR or an expression, or in WHERE on a LEFT JOIN, it does not reach the "
+      "function");
 }
 
 /// Sorts the values into inputs, conditions on outputs, and limits; the cursor keeps copies of the inputs for
@@ -147,7 +151,7 @@ bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const ch
       sorted.inputs[static_cast<std::size_t>(input)] = value;
     }
   }
-  refuse_inputs_in_or(table.function(), sorted.columns_read, given_inputs);
+  refuse_lost_inputs(table.function(), sorted.columns_read, given_inputs);
   return true;
 }
 
@@ -158,6 +162,7 @@ int function_filter(sqlite3_vtab_cursor* base, int number, const char* plan, int
     const FunctionTable& table = table_of(base->pVtab);
     cursor.rows.reset();
     cursor.used.clear();
+    cursor.call.clear();
     const TableFunction& function = table.function();
     Arguments sorted{.columns_read = planned_columns(plan), .order = planned_order(function, number)};
     const std::span<sqlite3_value*> given(arguments, static_cast<std::size_t>(count));
@@ -175,8 +180,8 @@ int function_eof(sqlite3_vtab_cursor* cursor) noexcept {
   return !cursor_of(cursor).rows;
 }
 
-/// Bytes that are the same for calls with the same inputs, and only for those: the column `call`. Equal numbers are the
-/// same, and an input that was left out is the value that it has then.
+/// Bytes that are the same for calls with the same inputs, and only for those. Equal numbers are the same, and an input
+/// that was left out is the value that it has then.
 std::string inputs_as_bytes(const FunctionCursor& cursor) {
   std::string all;
   const auto add = [&all](char type, std::string_view bytes) {
@@ -222,14 +227,29 @@ std::string inputs_as_bytes(const FunctionCursor& cursor) {
   return all;
 }
 
+/// The column `call`. SQLite copies it for every row and may keep all copies, so long inputs, such as a zone, are a
+/// hash of 128 bits.
+std::string call_of(const FunctionCursor& cursor) {
+  constexpr std::size_t max_length = 64;
+  std::string bytes = inputs_as_bytes(cursor);
+  if (bytes.size() <= max_length) return bytes;
+  std::uint64_t hashes[] = {1, 2};
+  for (std::size_t at = 0; at < bytes.size(); at += sizeof(std::uint64_t)) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + at, std::min(sizeof word, bytes.size() - at));
+    for (std::uint64_t& hash : hashes) hash = hash_of(hash ^ word);
+  }
+  return std::string(reinterpret_cast<const char*>(hashes), sizeof hashes);
+}
+
 int function_column(sqlite3_vtab_cursor* base, sqlite3_context* context, int column) noexcept {
   return guarded_by_name(base->pVtab, [&] {
-    const FunctionCursor& cursor = cursor_of(base);
+    FunctionCursor& cursor = cursor_of(base);
     const int input = column - table_of(base->pVtab).output_count();
     if (input < 0) return cursor.rows->output(context, column);
     if (static_cast<std::size_t>(input) == cursor.inputs.size()) {
-      const std::string bytes = inputs_as_bytes(cursor);
-      return sqlite3_result_blob64(context, bytes.data(), bytes.size(), SQLITE_TRANSIENT);
+      if (cursor.call.empty()) cursor.call = call_of(cursor);
+      return sqlite3_result_blob64(context, cursor.call.data(), cursor.call.size(), SQLITE_TRANSIENT);
     }
     const OwnedValue& given = cursor.inputs[static_cast<std::size_t>(input)];
     if (given) return sqlite3_result_value(context, given.get());

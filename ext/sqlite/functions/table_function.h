@@ -15,7 +15,8 @@
 //
 // The key is declared as the primary key of a WITHOUT ROWID table: by it SQLite drops the rows that `a = ? OR
 // b = ?` finds twice. A last hidden column, `call`, is part of it, because rows of different calls are different rows:
-// it holds all inputs. The inputs themselves are not, because SQLite 3.53 says of a key that every statement reads it.
+// it holds all inputs, or a hash of long ones. The inputs themselves are not, because SQLite 3.53 says of a key that
+// every statement reads it.
 #pragma once
 
 #include <limits>
@@ -43,17 +44,19 @@ struct TableFunction {
   const char* name;
   std::vector<const char*> outputs;  ///< name and type; ColumnList, where their places are used (columns.h)
   std::vector<const char*> inputs;   ///< names, likewise
-  const char* key;       ///< the outputs that identify a row of a call, never NULL; null: a call has one row
+  /// The outputs that identify a row of a call; a time that the statement does not read is NULL in all rows. Null: a
+  /// call has one row.
+  const char* key;
   std::uint32_t hinted;  ///< bit set: constraints on this output may reduce the cost of a call
   CallEstimate (*estimate)(const CallSizes& sizes);  ///< of a whole call
   std::unique_ptr<FunctionRows> (*start)(const FunctionCall& call);
   std::uint32_t probed = 0;  ///< bit set: equality with this hinted output makes a call much cheaper
   /// The estimate of a call with such an equality. `by_first`: on the first output, else on another one.
   CallEstimate (*estimate_probe)(const CallSizes& sizes, bool by_first) = nullptr;
-  std::vector<std::vector<int>> orders = {};  ///< in which rows can come: ascending by these outputs
-  /// Bit set: an input that has no value where it is left out. A statement that reads it there compares it, as one side
-  /// of an OR that SQLite keeps to itself, and would lose every row: it is refused.
-  std::uint32_t without_default = 0;
+  std::vector<std::vector<int>> orders = {};  ///< in which rows can come: ascending by these outputs.
+  /// Bit set: an input that has no value where it is left out. A statement that reads it then compares it in a place
+  /// that SQLite does not pass on, and would lose every row without an error. It is refused.
+  std::uint32_t unread_if_left_out = 0;
 };
 
 /// The function with its inputs in order, as messages show it: predictive_position(at, tbl). Of more than `inputs`

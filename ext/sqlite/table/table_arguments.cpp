@@ -46,6 +46,14 @@ std::string type_of(const Argument& argument, const std::vector<SqlToken>& token
   return type;
 }
 
+/// The text of a value of several tokens, such as -1e-3 or '60 s', with its blanks.
+std::string text_behind_equals(std::string_view text) {
+  constexpr std::string_view blanks = " \t\n\f\r";
+  std::string_view value = text.substr(text.find('=') + 1);
+  value.remove_prefix(std::min(value.find_first_not_of(blanks), value.size()));
+  return std::string(value.substr(0, value.find_last_not_of(blanks) + 1));
+}
+
 }  // namespace
 
 Argument parse_argument(std::string_view text) {
@@ -60,9 +68,10 @@ Argument parse_argument(std::string_view text) {
     refuse(text, at == 1 ? "a name must follow the +, as in +name TEXT"
                          : "not a column; write a name, +name for a column of your own, or key = value");
   argument.name = tokens[at++].text;
-  if (argument.kind == Argument::Kind::column && at < tokens.size() && tokens[at].text == "=") {
+  if (argument.kind == Argument::Kind::column && at < tokens.size() && tokens[at].is_sign('=')) {
     argument.kind = Argument::Kind::option;
-    while (++at < tokens.size()) argument.detail += tokens[at].text;
+    const std::size_t values = tokens.size() - ++at;
+    argument.detail = values > 1 ? text_behind_equals(text) : values == 1 ? tokens[at].text : "";
     return argument;
   }
   argument.detail = type_of(argument, tokens, at);

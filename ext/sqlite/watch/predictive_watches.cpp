@@ -182,7 +182,8 @@ const TableFunction& predictive_watches() {
                                              [](const CallSizes&) {
                                                return CallEstimate{100, 3};
                                              },
-                                         .start = start};
+                                         .start = start,
+                                         .unread_if_left_out = 0x3};
   return function;
 }
 

@@ -12,6 +12,8 @@ namespace foresee {
 namespace {
 
 double time_of(const WatchTable& table, sqlite3_value* now) {
+  if (is_inexact(now))
+    throw Error(table.name.table + ": 'advance' needs a time that a double holds exactly, not " + shown(now));
   const int type = sqlite3_value_numeric_type(now);
   const double time = sqlite3_value_double(now);
   if ((type == SQLITE_INTEGER || type == SQLITE_FLOAT) && std::isfinite(time)) return time;

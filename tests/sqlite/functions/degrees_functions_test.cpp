@@ -164,7 +164,7 @@ TEST_F(DegreesFunctions, TakeZonesInDegrees) {
 TEST_F(DegreesFunctions, SayWhatIsWrongWithAZone) {
   const std::string window = "predictive_window WHERE h = 60 AND tbl = 'ships' AND zone = ";
   EXPECT_EQ(error(window + "'POLYGON((53.85 7.8, 53.85 8, 53.95 7.9, 53.85 7.8))'"),
-            "predictive_window: zone: corner (53.85 7.8) is 6551 km from the origin '53.9 7.9'; write "
+            "predictive_window: zone: corner (53.85 7.8) is 6552 km from the origin '53.9 7.9'; write "
             "longitude first, "
             "and an origin within 1500 km");
   EXPECT_EQ(error(window + "'POLYGON((7 53, 9 54, 9 53, 7 54, 7 53))'"),

@@ -111,9 +111,8 @@ TEST_F(JoinPlanner, AnInputInsideAnOrLosesNoRow) {
   EXPECT_EQ(db.rows(join + ") WHERE (a = 42 AND within = 0) OR b = 42 OR a = 42 ORDER BY a, b"),
             db.rows(join + ", 0) WHERE a = 42 OR b = 42 ORDER BY a, b"));
   const std::string refused =
-      "predictive_window: x0 is an input: write x0 = ... with AND; inside OR or an expression it does not "
-      "reach "
-      "the function, so write two queries with UNION";
+      "predictive_window: x0 is read, but has no value: write x0 = ... with AND; inside OR or an expression, "
+      "or in WHERE on a LEFT JOIN, it does not reach the function";
   const std::string window = "SELECT id FROM predictive_window(3, 'ships') WHERE ";
   EXPECT_EQ(db.error_of(window + "(x0 = 6 AND x1 = 20) OR (x0 = 50 AND x1 = 90)"), refused);
   EXPECT_EQ(db.error_of(window + "x0 = 6 OR id = 1"), refused);

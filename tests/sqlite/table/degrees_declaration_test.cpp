@@ -189,7 +189,7 @@ TEST(DeclareDegreesErrors, Options) {
       "origin = '53.9 7.9'";
   for (const std::string_view option :
        {"origin = 5", "origin = '91 8'", "origin = '54 -181'", "origin = '54, 8'", "origin = ''",
-        "origin = 54 8", "origin =", "origin = '54 8 0'", "origin = 'nan 8'"})
+        "origin = 54 8 0", "origin =", "origin = '54 8 0'", "origin = 'nan 8'"})
     EXPECT_EQ(refusal_of({"id", "lat", "lon", option}), "ships: \"" + std::string(option) + "\"" + origin);
   const std::string unit =
       ": no such unit; known: mps (the default), knots and kmh, as in speed_unit = knots";

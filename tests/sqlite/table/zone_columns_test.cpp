@@ -163,7 +163,7 @@ TEST_F(ZoneColumns, RefuseWhatIsNoZone) {
             "54, 7.8 "
             "53.9))'");
   EXPECT_EQ(error("'POLYGON((53.85 7.8, 53.85 8, 53.95 7.9, 53.85 7.8))'"),
-            "zones.zone of row 9: corner (53.85 7.8) is 6551 km from the origin '53.9 7.9'; write longitude "
+            "zones.zone of row 9: corner (53.85 7.8) is 6552 km from the origin '53.9 7.9'; write longitude "
             "first, and an "
             "origin within 1500 km");
   EXPECT_EQ(error("NULL"),
