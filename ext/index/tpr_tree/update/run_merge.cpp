@@ -13,8 +13,7 @@ namespace {
 
 /// A smaller batch is inserted object by object: packing again what is loose would write as much.
 constexpr double min_share = 1.0 / 256;
-/// Fewer objects of a partition are inserted one by one.
-constexpr std::size_t min_objects = 8;
+constexpr std::size_t min_objects = 8;  // of a partition; fewer are inserted one by one
 /// No partition has many more, so that each is packed in little time and memory. Of nodes of 4 kB: those of level 2.
 constexpr double max_objects = 100'000;
 /// Of loose to main objects, on average.
@@ -181,6 +180,8 @@ class RunMerge {
   std::vector<Branch<D>> pack_objects(bool into_partitions) {
     auto& [leaves, inner, objects] = replaced_;
     std::sort(leaves.begin(), leaves.end());
+    if (std::adjacent_find(leaves.begin(), leaves.end()) != leaves.end())
+      throw BrokenTree("a node of a tree has a child twice");
     std::vector<std::size_t> levels = levels_for(objects.ids.size(), into_partitions ? level_ : level_ - 1);
     const std::size_t used = std::min(levels[0], leaves.size());
     auto run = pack_run(state_, objects.ids, objects.records, std::move(levels), interrupt_,

@@ -103,6 +103,18 @@ TEST(RunMerge, KeepsTheTreeSoundInSmallBatchesOfHighTrees) {
   }
 }
 
+TEST(RunMerge, RefusesANodeWithAChildTwice) {
+  TreeModel model(boats, 60, 8);
+  model.load(random_scene({.layout = boats, .count = 1000, .seed = 1}));
+  const auto parent = model.pages.read(*model.pages.find_leaf(1))->parent;
+  Node& node = model.pages.modify(parent);
+  node.keys[1] = node.keys[0];
+  const RandomScene more = random_scene({.layout = boats, .count = 1000, .seed = 2});
+  std::vector<std::int64_t> ids(more.ids);
+  for (std::int64_t& id : ids) id += 1000;
+  EXPECT_THROW(model.tree->merge_new(ids, more.records, model.never), BrokenTree);
+}
+
 /// 25,000 objects in batches of equal size: the number of nodes written by all, over the number of nodes at the end.
 double writes_of_batches(int batches, bool as_new) {
   const std::size_t batch = 25'000 / static_cast<std::size_t>(batches);
