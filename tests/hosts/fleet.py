@@ -111,6 +111,10 @@ class Fleet(unittest.TestCase):
         return ("--extension", EXTENSION, "--table", "ships", "--horizon", horizon, "--out", out or self.out, *more)
 
 
+def here(function, arguments):
+    return [function(*one) for one in arguments]
+
+
 def environment():
     return {**os.environ, "PYTHONPATH": str(PACKAGE), "PYTHONDONTWRITEBYTECODE": "1"}
 

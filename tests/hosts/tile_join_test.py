@@ -1,7 +1,6 @@
 """foresee_dask without Dask: tiles of any data together are the single join."""
 import math
 import random
-import re
 import shutil
 import sqlite3
 import subprocess
@@ -10,17 +9,11 @@ import unittest
 from contextlib import closing
 
 import fleet
-from fleet import EXTENSION, SHIPS, Fleet, main, ships, skip
-from hosts import ROOT
+from fleet import EXTENSION, SHIPS, Fleet, here, main, ships
 
 from foresee_dask import plan as plans, tile_join, tiles
-from foresee_dask.load import MOTION
 from foresee_dask.merge import merge
 from foresee_dask.question import Question
-
-
-def here(function, arguments):
-    return [function(*one) for one in arguments]
 
 
 class Rectangles(unittest.TestCase):
@@ -71,7 +64,7 @@ class Whole(Fleet):
     """Tiles of shards, and tiles of one file, give the rows of the single join, to the bit."""
 
     def check(self, question, count=5, **tables):
-        expected = self.single(question.at(0.0 if question.now is None else question.now), **tables)
+        expected = self.single(question, **tables)
         self.assertGreater(len(expected), 20)
         three = [self.shard(f"part-{i}.db", **{name: (of, rows[i::3]) for name, (of, rows) in tables.items()}) for i in range(3)]
         for name, paths in (("one", [self.shard("one.db", **tables)]), ("three", three)):
@@ -165,12 +158,6 @@ class Tiles(Fleet):
     def plan(self, paths, count=8, question=Question("ships", 60.0), **options):
         return plans.make(self.out, question, paths, EXTENSION, count, here, **options)
 
-    def test_now_is_the_newest_of_all_shards(self):
-        rows = ships(300)
-        plan = self.plan([self.shard("old.db", ships=(SHIPS, [row for row in rows if row[1] < 60])),
-                          self.shard("new.db", ships=(SHIPS, [row for row in rows if row[1] == 60]))])
-        self.assertEqual(plan.question.now, 60.0)
-
     def test_columns_with_plus_travel_only_if_they_are_asked_for(self):
         paths = self.shards(ships(100))
         self.assertNotIn("name", " ".join(self.plan(paths).columns("ships")))
@@ -258,42 +245,6 @@ class Tiles(Fleet):
         tile_join.join_tile(plan, plan.tiles[0])
         self.assertEqual(self.bytes_of(self.out), first)
         self.assertEqual(sorted(file.name for file in self.out.iterdir()), ["pairs-00000.db", "plan.json"])
-
-    def test_tables_and_csv_become_shards(self):
-        rows = ships(300)
-        question = Question("ships", 60.0, now=60.0)
-        plain = self.folder / "plain.db"
-        with closing(sqlite3.connect(plain)) as db, db:
-            db.execute("CREATE TABLE ships(name, Y, x, t, id, vx, vy, r)")
-            db.executemany("INSERT INTO ships VALUES (?8, ?4, ?3, ?2, ?1, ?5, ?6, ?7)", rows[::3])
-        text = self.folder / "text.csv"
-        text.write_text("id,t,x,y,vx,vy,r,name\n" + "".join(",".join(map(repr, row[:7])) + ',"a, b"\n' for row in rows[1::3]))
-        last = self.shard("last.db", ships=(SHIPS, rows[2::3]))
-        for _ in range(2):
-            plan = self.plan([plain, text, last], 4, question)
-        for tile in plan.tiles:
-            tile_join.all_of(plan, tile)
-        self.assertEqual(self.of_tiles(), self.single(question, ships=(SHIPS, rows)))
-        self.assertEqual(len(list((self.out / "shards").iterdir())), 2)
-
-    def test_columns_of_motion_are_those_of_the_extension(self):
-        words = re.findall(r'Word\{"(\w+)"', (ROOT / "ext/sqlite/table/column_vocabulary.cpp").read_text())
-        self.assertEqual(set(MOTION), {"id", *words} - {"zone"})        # a table of zones needs an origin, which no CSV file has
-
-    def test_parquet(self):
-        try:
-            import pyarrow
-            import pyarrow.parquet
-        except ImportError:
-            skip("shards of Parquet", f"{sys.executable} has no pyarrow")
-        rows = ships(200)
-        columns = dict(zip(("id", "t", "x", "y", "vx", "vy", "r", "name"), zip(*rows)))
-        pyarrow.parquet.write_table(pyarrow.table({name: list(column) for name, column in columns.items()}), self.folder / "a.parquet")
-        question = Question("ships", 60.0, now=60.0)
-        plan = self.plan([self.folder / "a.parquet"], 2, question)
-        for tile in plan.tiles:
-            tile_join.all_of(plan, tile)
-        self.assertEqual(self.of_tiles(), self.single(question, ships=(SHIPS, rows)))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Where are the objects? Opens shards read-only, tells what each holds, and refuses those that do not fit together.
 
 A shard is a SQLite file with the table as moving_objects; each object is in one of them. What a shard holds is known by the `stamp` of its
-table, which every change makes anew. Cost: one scan of t and id a shard; ids are compared one by one only where the ranges of two overlap.
+table, which every change makes anew. Cost: one scan of the ids a shard; they are compared one by one only where the ranges of two overlap.
 """
 import heapq
 import os
@@ -92,14 +92,18 @@ def look(extension, path, tables):
         return {"path": str(path), "tables": tables_of(db, tables)}
 
 
+# `now` of a join without one: the newest t. An object with that t exists then, so that its row says `now`.
+NEWEST = "SELECT now FROM predictive_sweep(0, ?, NULL, NULL, NULL, 'shard') LIMIT 1"
+
+
 def survey(extension, shard, newest):
-    """`look`, and of every table the range of its ids and, with `newest`, its newest t."""
+    """`look`, and of every table the range of its ids and, with `newest`, its newest t: that of plans is no column."""
     tables = {}
     with closing(connect(extension)) as db, reading(db, shard["path"]):
         for table, of in shard["tables"].items():
-            t = "max(t)" if newest and "t" in columns_of(of["columns"])[0] else "NULL"
-            found = db.execute(f"SELECT min(id), max(id), {t} FROM shard.{quoted(table)}").fetchone()
-            tables[table] = {**of, **dict(zip(("first", "last", "newest"), found))}
+            first, last = db.execute(f"SELECT min(id), max(id) FROM shard.{quoted(table)}").fetchone()
+            now = db.execute(NEWEST, (table,)).fetchone() if newest else None       # without objects there is no row
+            tables[table] = {**of, "first": first, "last": last, "newest": now and now[0]}
     return {**shard, "tables": tables}
 
 
