@@ -151,7 +151,7 @@ TEST_F(FailedReads, AtCommitLoseNoRowOfAnotherTable) {
       db.exec("UPDATE ships SET x = x + 1, t = " + mark +
               " WHERE id = " + std::to_string(1 + (round * 100 + i) % 6000));
     db.exec("INSERT INTO other VALUES(" + mark + ")");
-    files.arm(FileFault::read_fails, static_cast<long>(random.below(800)), FaultyFiles::once);
+    files.arm(FileFault::read_fails, static_cast<long>(random.below(1600)), FaultyFiles::once);
     const bool fails = !db.error_of("COMMIT").empty();
     const bool fired = files.disarm();
     ++(fails ? failed : committed);
@@ -165,7 +165,7 @@ TEST_F(FailedReads, AtCommitLoseNoRowOfAnotherTable) {
         << "round " << round;
   }
   EXPECT_GT(failed, 20);
-  EXPECT_GT(committed, 20);
+  EXPECT_GT(committed, 5);
 }
 
 TEST_F(FailedReads, InRebuildBesideAnOpenQueryAreErrors) {
