@@ -122,6 +122,24 @@ class StandardInput(Live):
         self.assertEqual(totals(errors)[4], 1)
         self.assertEqual(self.database().execute("SELECT id FROM ships").fetchall(), [(1,)])
 
+    def test_damage_of_the_table_ends_the_feed(self):
+        self.feed(csv_of([made_up_report(i, 1) for i in range(3)]))
+        with self.database() as db:
+            node, data = db.execute("SELECT nodeno, data FROM ships_node ORDER BY nodeno LIMIT 1").fetchone()
+            db.execute("UPDATE ships_node SET data = ? WHERE nodeno = ?", (data[:40] + bytes([data[40] ^ 1]) + data[41:], node))
+        errors = self.feed(csv_of([made_up_report(i, 2) for i in range(3)]), fails=True)
+        self.assertIn("is damaged", errors[-1])
+        self.assertFalse(any("bad" in line for line in errors), errors)
+
+    def test_the_case_of_a_name_and_an_empty_first_line_do_not_matter(self):
+        first, more = made_up_report(0, 1), made_up_report(1, 1)
+        text = "\n" + csv_of([first])
+        self.feed(text)
+        errors = self.command("feed", self.file, "--table", "SHIPS", "--resume", text=text + csv_of([more]).split("\n", 1)[1])[1]
+        self.assertIn("going on after line 3", errors)
+        self.assertEqual(self.database().execute("SELECT count(*) FROM foresee_feed").fetchone(), (1,))
+        self.assertEqual(self.database().execute("SELECT count(*) FROM ships").fetchone(), (1 + (more[0] != first[0]),))
+
     def test_ships_that_are_too_far_are_named_once_and_counted(self):
         good = [made_up_report(0, 1)]
         errors = self.feed(csv_of([*good, *((5 + i, START, -33.9, 151.2, 5.0, 5.0) for i in range(30))]))

@@ -38,7 +38,7 @@ class Areas:
             yield number, name, text, lambda text=text: [self.edges(ring) for ring in rings_of(text)]
 
     def shapes(self, now):
-        if self.table.as_degrees() is None or self.table.globe:     # the globe has points and balls alone
+        if self.table.in_degrees() is None or self.table.globe:     # the globe has points and balls alone
             return
         heading = "heading" if "heading" in self.table.columns else "0"
         rows = self.db.execute(f"SELECT {self.columns('shape', heading)}, p.x, p.y FROM {quoted(self.table.name)} JOIN "

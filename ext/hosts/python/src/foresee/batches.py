@@ -79,7 +79,7 @@ class Batches:
                     stored += was_stored
                     without_position += report.t is None and not was_stored     # a name that is known, or of no ship
                 except sqlite3.Error as error:
-                    if not self.db.in_transaction or not is_refusal(error, self.table.name):
+                    if not self.db.in_transaction or not is_refusal(error):
                         raise
                     refused.append((report.id, str(error)))
             self.db.execute("INSERT OR IGNORE INTO foresee_feed(tbl) VALUES (?)", (self.table.name,))
@@ -100,9 +100,9 @@ class Batches:
         progress.show()
 
 
-def is_refusal(error, table):
-    """Did the table refuse the values of a row? Its messages start with its name; those of a full disk do not."""
-    return str(error).lower().startswith((f"{table.lower()}.", f"{table.lower()}:", "geo_to_plane:"))
+def is_refusal(error):
+    """Did the table refuse the values of a row? Such errors have the code of a constraint; damage and a full disk have others."""
+    return isinstance(error, sqlite3.IntegrityError) or str(error).startswith("geo_to_plane:")
 
 
 def line_groups(descriptor, seconds, limit, stop=lambda: False):

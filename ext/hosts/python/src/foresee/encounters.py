@@ -41,11 +41,12 @@ class Encounters:
         row = self.db.execute(f"SELECT x, y FROM {position} WHERE id = ?", (t, self.first.name, number)).fetchone()
         if row is None or row[1] is None:
             return None, None, row and row[0], None
-        there = self.first.as_degrees()
+        there = self.first.in_degrees()
         if there is None:
             return None, None, *row
-        return (*self.db.execute(f"SELECT g.lat, g.lon FROM {position}, {there[0]} g WHERE p.id = ?",
-                                 (t, self.first.name, *there[1], number)).fetchone(), *row)
+        place = self.db.execute(f"SELECT {there[0]} FROM {position}{there[1]}{' AND' if there[1] else ' WHERE'} p.id = ?",
+                                (*there[2], t, self.first.name, *there[3], number)).fetchone()
+        return (*(place[:2] if place else (None, None)), *row)
 
     def describe(self, row):
         seq, op, a, b, t, now = row

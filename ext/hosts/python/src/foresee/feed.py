@@ -15,7 +15,7 @@ import time
 from .applied import Applied
 from .batches import MAX_ROWS, Batches, Progress, line_groups
 from .files import committed, opened, quoted
-from .layouts import MissingColumns, decoder_of
+from .layouts import CsvLines, MissingColumns, decoder_of
 from .mqtt_source import Address, MqttSource, number_in
 from .nmea import NoDecoder, Sentences
 from .process import Refusal, Stop
@@ -51,7 +51,7 @@ def require_origin(db, name, origin):
     table = Table(db, name)
     if not table.degrees:
         db.execute("INSERT INTO foresee_feed(tbl, origin) VALUES (?, ?) ON CONFLICT(tbl) DO UPDATE SET origin = excluded.origin",
-                   (name, f"{origin[0]!r} {origin[1]!r}"))
+                   (table.name, f"{origin[0]!r} {origin[1]!r}"))
     elif table.globe or table.origin != origin:
         there = "is on the globe" if table.globe else "takes its origin from its first report" if table.origin is None else \
             f"has the origin {table.origin[0]:g} {table.origin[1]:g}"
@@ -92,13 +92,13 @@ def from_standard_input(batches, options, stop):
     decoder = None
     for group in line_groups(sys.stdin.fileno(), options.every, MAX_ROWS, stop):
         if decoder is None:
-            first = next((text for _, text in group if text.strip()), None)
+            first = next((line for line in group if line[1].strip()), None)
             if first is None:
                 continue
-            decoder = decoder_of(first, options.layout, options.arrival)
+            decoder = decoder_of(first[1], options.layout, options.arrival)
             batches.progress.left_out = lambda: decoder.left_out
-            if skip and options.layout in ("auto", "csv"):
-                decoder.read(group[:1])     # the header
+            if first[0] <= skip and isinstance(decoder, CsvLines):
+                decoder.read([first])       # the header
         fresh = [line for line in group if line[0] > skip]
         if fresh:
             reports, bad = decoder.read(fresh)

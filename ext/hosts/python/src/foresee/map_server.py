@@ -37,7 +37,7 @@ class State:
         self.table = Table(self.db, table or only_table(self.db))
         self.areas = {}                         # of tables beside it
         self.token = secrets.token_hex(4)       # versions of another run are none of this one
-        if self.table.as_degrees() is None and self.db.execute(f"SELECT 1 FROM {quoted(self.table.name)} LIMIT 1").fetchone():
+        if self.table.in_degrees() is None and self.db.execute(f"SELECT 1 FROM {quoted(self.table.name)} LIMIT 1").fetchone():
             raise Refusal(f"{self.table.name} is in metres and its origin is not known: a map needs degrees")
 
     def read(self, known, known_areas=""):
@@ -74,14 +74,14 @@ class State:
     def ships(self, now):
         """[number, name, latitude, longitude, knots, course] of each object at a time."""
         named = f", (SELECT {self.table.named} FROM {quoted(self.table.name)} s WHERE s.id = p.id)" if self.table.named else ", NULL"
-        there = self.table.as_degrees()
+        there = self.table.in_degrees()
         if there is None:
             return []
-        rows = self.db.execute(
-            f"SELECT p.id, g.lat, g.lon, g.speed, g.course{named} FROM predictive_position(?, ?) p, "
-            f"{there[0]} g", (now, self.table.name, *there[1]))
+        rows = self.db.execute(f"SELECT p.id, {there[0]}{named} FROM predictive_position(?, ?) p{there[1]}",
+                               (*there[2], now, self.table.name, *there[3]))
         return [[number, printable(str(name)) if name else str(number), round(lat, 6), round(lon, 6), round(speed / KNOT, 1),
-                 None if course is None or speed == 0 else round(course, 1)] for number, lat, lon, speed, course, name in rows]
+                 None if course is None or speed == 0 else round(course, 1)]
+                for number, lat, lon, speed, course, name in rows if lat is not None]
 
     def pairs(self, watch):
         """The pairs of a watch that come first; those that are near already come last."""

@@ -3,7 +3,7 @@
     table = Table(connection, "ships")
     table.prepare(forget=900.0, kinds=True)
     table.write(report)                          # within a transaction; False where a newer one is there
-    table.as_degrees()                           # SQL of lat, lon, speed, course of p, or None where the table does not say
+    table.in_degrees()                           # SQL of lat, lon, speed, course of p, or None where the table does not say
 
 A table in degrees knows its origin itself. Of a table in metres the file remembers the origin that feed was given.
 """
@@ -26,13 +26,14 @@ def create(connection, name, origin):
 
 class Table:
     def __init__(self, connection, name):
-        self.connection, self.name = connection, name
+        self.connection = connection
         self.columns = [row[1].lower() for row in connection.execute(f"PRAGMA table_info({quoted(name)})")]
         if not self.columns:
             raise Refusal(f"there is no table {name}; create it, or let feed create it")
-        kind = connection.execute("SELECT sql FROM sqlite_master WHERE lower(name) = lower(?)", (name,)).fetchone()
-        if kind is None or "moving_objects" not in kind[0].lower():
+        kind = connection.execute("SELECT name, sql FROM sqlite_master WHERE lower(name) = lower(?)", (name,)).fetchone()
+        if kind is None or "moving_objects" not in kind[1].lower():
             raise Refusal(f"{name} is not a table of moving objects; write the name of one")
+        self.name = kind[0]     # as it was created: the keys of foresee_feed compare the case
         self.degrees = "lat" in self.columns and "lon" in self.columns
         self.globe, self.origin, self.unit = self.frame()
         self.named = next((column for column in ("name", "vesselname", "shipname") if column in self.columns), None)
@@ -49,13 +50,19 @@ class Table:
             origin, unit = row and row[0], None
         return frame == "globe", tuple(map(float, origin.split())) if origin else None, unit or "mps"
 
-    def as_degrees(self):
-        """The call that gives lat, lon, speed, course of a row p of predictive_position, and its last inputs."""
-        if self.globe:
-            return "globe_to_geo(p.x, p.y, p.z, p.vx, p.vy, p.vz)", ()
+    def in_degrees(self):
+        """(columns, source, inputs, inputs): lat, lon, speed in m/s and course of a row p of predictive_position, and what gives them.
+
+        A table in degrees says lat, lon itself, NULL for a ship that has run far away. A plane has no place beyond 20,000 km.
+        """
         if self.origin is None:
             self.globe, self.origin, self.unit = self.frame()   # a table in degrees has its origin from the first report on
-        return None if self.origin is None else ("plane_to_geo(p.x, p.y, p.vx, p.vy, ?, ?)", self.origin)
+        if self.origin is None and not self.globe:
+            return None
+        if self.degrees:
+            return "p.lat, p.lon, p.speed / ?, p.course", "", (IN_UNIT[self.unit] / KNOT,), ()
+        return ("g.lat, g.lon, g.speed, g.course", ", plane_to_geo(p.x, p.y, p.vx, p.vy, ?, ?) g "
+                                                 "WHERE p.x * p.x + p.y * p.y < 4e14", (), self.origin)
 
     # Writing
 

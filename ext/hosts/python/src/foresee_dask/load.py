@@ -17,7 +17,7 @@ from .question import quoted
 from .shards import ON_THE_PLANE, connect
 
 MOTION = ("id", "t", "x", "y", "z", "vx", "vy", "vz", "ax", "ay", "az", "fx", "fy", "fz", "m", "hx", "hy", "hz", "r", "shape", "heading",
-          "growth", "growth_z", "until", "category", "mask", "lat", "lon", "speed", "course", "plan")
+          "growth", "growth_z", "until", "lat", "lon", "speed", "course", "plan", "category", "mask")
 
 
 def as_shards(extension, paths, tables, folder):

@@ -18,6 +18,11 @@ def quoted(name):
     return '"' + name.replace('"', '""') + '"'
 
 
+def same_name(a, b):
+    """SQLite ignores the case of names."""
+    return a.lower() == b.lower()
+
+
 @dataclasses.dataclass(frozen=True)
 class Question:
     table: str
@@ -37,11 +42,11 @@ class Question:
 
     def tables(self):
         """The tables whose rows are needed, each once."""
-        return [self.table] if self.other in (None, self.table) else [self.table, self.other]
+        return [self.table] if self.other is None or same_name(self.other, self.table) else [self.table, self.other]
 
     def carried(self, table):
         """The columns with + of `table` that the answer shows."""
-        sides = [side for side, of in (("a.", self.table), ("b.", self.other or self.table)) if of == table]
+        sides = [side for side, of in (("a.", self.table), ("b.", self.other or self.table)) if same_name(of, table)]
         return sorted({column[2:] for column in self.columns if column[:2] in sides})
 
     def check(self):
